@@ -1,0 +1,1 @@
+"""The spinning top: its shape, its motion, and its pictures."""

@@ -1,0 +1,258 @@
+"""The parent: the quaternion algebra with ``i² = a + t·i, j² = b, ij = k, ji = t·j − k``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
+
+from hfield import notation, structure, syntax
+from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
+from hfield.notation import BASIS
+from hfield.product import Constants, Coordinates
+from hfield.quaternion import Quaternion, is_array
+from hfield.rings import ring as read_ring
+from hfield.rings.base import Ring
+
+
+class QuaternionAlgebra:
+    """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
+
+    ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Calling the
+    algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
+    may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
+
+    >>> A = QuaternionAlgebra("QQ", -1, -1)
+    >>> e, i, j, k = A.basis
+    >>> i*j == k, j*i == -k
+    (True, True)
+    """
+
+    def __init__(self, ring: Ring | str, a: Any, b: Any, t: Any = 0) -> None:
+        self.ring = read_ring(ring) if isinstance(ring, str) else ring
+        if not isinstance(self.ring, Ring):
+            raise CoercionError(
+                f"{shorten(repr(ring))} is not a base ring; expected one such as QQ, GF(9) or its text"
+            )
+        self.constants = Constants(self.ring(a), self.ring(t), self.ring(b))
+
+    @classmethod
+    def from_text(cls, text: str) -> QuaternionAlgebra:
+        """Read ``(a,b|F)``, ``[a,b|F)``, ``[a,b,t|F)`` or ``H(F)``. Raises :class:`NotationError`."""
+        ring, (a, t, b) = notation.parse_algebra(text)
+        return cls(ring, a, b, t)
+
+    @cached_property
+    def batch_constants(self) -> Constants:
+        """The structure constants as 0-dimensional arrays, for products of arrays."""
+        return Constants(*(self.ring.array(c) for c in self.constants))
+
+    # --- elements ------------------------------------------------------------------------------
+
+    def __call__(self, *coordinates: Any) -> Quaternion:
+        """Make an element from four coordinates, or from one scalar, text, quaternion or 4-tuple.
+
+        Raises :class:`CoercionError` for anything else, :class:`NotationError` for unreadable text.
+        """
+        if len(coordinates) == 4:
+            return self._element(coordinates)
+        if len(coordinates) == 1:
+            (x,) = coordinates
+            if isinstance(x, Quaternion):
+                if x.algebra != self:
+                    raise MixedParentsError(
+                        f"{shorten(x)} is an element of {x.algebra}, not of {self}; "
+                        "if the rings allow it, use q.change_ring(L)"
+                    )
+                return x
+            if isinstance(x, str):
+                return self.parse(x)
+            if isinstance(x, (tuple, list)) and len(x) == 4:
+                return self._element(tuple(x))
+            return self.scalar(x)
+        raise CoercionError(
+            f"an element of {self} takes 4 coordinates (or one scalar or text), "
+            f"{len(coordinates)} were given"
+        )
+
+    def _element(self, values: tuple[Any, ...]) -> Quaternion:
+        if not any(isinstance(v, (list, tuple)) or (is_array(v) and v.ndim) for v in values):
+            return Quaternion(self, self._four(self.ring(v) for v in values))
+        import numpy as np
+
+        arrays = [self.ring.array(v) for v in values]
+        try:
+            shape = np.broadcast_shapes(*(a.shape for a in arrays))
+        except ValueError:
+            shapes = ", ".join(str(a.shape) for a in arrays)
+            raise CoercionError(
+                f"the four coordinate arrays have shapes {shapes}; expected one shape for all"
+            ) from None
+        full = (a if a.shape == shape else self._spread(a, shape) for a in arrays)
+        return Quaternion(self, self._four(full))
+
+    @staticmethod
+    def _spread(a: Any, shape: tuple[int, ...]) -> Any:
+        import numpy as np
+
+        return np.broadcast_to(a, shape, subok=True).copy()
+
+    @staticmethod
+    def _four(values: Any) -> Coordinates:
+        w, x, y, z = values
+        return w, x, y, z
+
+    def scalar(self, x: Any) -> Quaternion:
+        """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
+        if isinstance(x, Quaternion):
+            return self(x)
+        return self._element((x, 0, 0, 0))
+
+    def parse(self, text: str) -> Quaternion:
+        """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
+        ``conj norm trace inv scalar vector comm``. Raises :class:`NotationError`.
+        """
+        names = {name: self(x) for name, x in self.ring.names().items()}
+        names |= dict(zip(BASIS, self.basis, strict=True))
+        functions = {
+            "/": lambda x, y: x / y,
+            "**": lambda x, n: x**n,
+            "[]": lambda q, n: self.scalar(q.coordinates[n]),
+            "conj": Quaternion.conjugate,
+            "norm": lambda q: self.scalar(q.norm()),
+            "trace": lambda q: self.scalar(q.trace()),
+            "inv": Quaternion.inverse,
+            "scalar": lambda q: self.scalar(q.scalar_part),
+            "vector": lambda q: q.vector_part,
+            "comm": lambda p, q: p * q - q * p,
+            **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
+        }
+        return syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit).read(
+            text
+        )
+
+    def _lift(self, name: str, function: Any) -> Any:
+        """Let a function of the ring, such as sqrt, act on scalar multiples of e."""
+
+        def lifted(q: Quaternion) -> Quaternion:
+            if not q.vector_part.is_zero():
+                raise CoercionError(f"{name} takes a scalar, found {shorten(q)}")
+            return self.scalar(function(q.scalar_part))
+
+        return lifted
+
+    @cached_property
+    def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]:
+        """The basis ``(e, i, j, k)``."""
+        rows = [[int(m == n) for m in range(4)] for n in range(4)]
+        e, i, j, k = (self(*row) for row in rows)
+        return e, i, j, k
+
+    @property
+    def one(self) -> Quaternion:
+        """The identity e."""
+        return self.basis[0]
+
+    @cached_property
+    def zero(self) -> Quaternion:
+        """The element 0."""
+        return self(0, 0, 0, 0)
+
+    def elements(self) -> Iterator[Quaternion]:
+        """Run through all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
+        if self.ring.order is None:
+            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
+        scalars = list(self.ring.elements())
+        return (
+            Quaternion(self, (w, x, y, z))
+            for w in scalars
+            for x in scalars
+            for y in scalars
+            for z in scalars
+        )
+
+    def random_element(self, seed: int | None = None) -> Quaternion:
+        """Return a random element; the same one for the same seed."""
+        from random import Random
+
+        rng = Random(seed)
+        return Quaternion(self, self._four(self.ring.random(rng) for _ in range(4)))
+
+    # --- what it is ----------------------------------------------------------------------------
+
+    def multiplication_table(self) -> tuple[tuple[Quaternion, ...], ...]:
+        """Return the products of the basis, row times column, in the order e, i, j, k (Table 1.1)."""
+        return tuple(tuple(p * q for q in self.basis) for p in self.basis)
+
+    def center(self) -> tuple[Quaternion, ...]:
+        """Return a basis of the centre, found by linear algebra in the base ring (thesis 1.1.2)."""
+        return tuple(self(*c) for c in structure.centre(self.ring, self.constants))
+
+    def is_commutative(self) -> bool:
+        """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
+        return structure.is_commutative(self.ring, self.constants)
+
+    def zero_norm_element(self) -> Quaternion | None:
+        """Return a nonzero element of norm 0, or None if it is proved that there is none.
+
+        Raises :class:`UndecidedError` where neither is known; the message says what was tried.
+        """
+        found = structure.zero_norm(self.ring, self.constants).element
+        return None if found is None else self(*found)
+
+    def is_division_algebra(self) -> bool:
+        """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
+        return structure.is_division(self.ring, self.constants)
+
+    def change_ring(self, ring: Ring | str) -> QuaternionAlgebra:
+        """Return the algebra with the same constants over another ring."""
+        a, t, b = (self.ring.text(c) for c in self.constants)
+        return QuaternionAlgebra(ring, a, b, t)
+
+    # --- identity and text ---------------------------------------------------------------------
+
+    @cached_property
+    def _key(self) -> tuple[Any, ...]:
+        return (self.ring, *(self.ring.key(c) for c in self.constants))
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, QuaternionAlgebra) and self._key == other._key)
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+    def __contains__(self, x: object) -> bool:
+        return isinstance(x, Quaternion) and x.algebra == self
+
+    @cached_property
+    def name(self) -> str:
+        """The text that :meth:`from_text` reads back."""
+        return notation.algebra_text(self.ring, self.constants)
+
+    def __str__(self) -> str:
+        return self.name
+
+    __repr__ = __str__
+
+    def table_text(self, style: str = "plain") -> str:
+        """Lay out the multiplication table in the style ``plain``, ``unicode`` or ``latex``."""
+        rows = [
+            [notation.element_text(self.ring, q.coordinates, style, unit="e") for q in row]
+            for row in self.multiplication_table()
+        ]
+        return notation.table_text(BASIS, rows, style)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.table_text('latex')}$"
+
+    def __reduce__(self) -> Any:
+        return QuaternionAlgebra.from_text, (self.name,)
+
+
+def H(ring: Ring | str) -> QuaternionAlgebra:
+    """Return Hamilton's algebra over ``ring``: ``i² = j² = −1``, Table 1.1 of the thesis.
+
+    >>> H("GF(7)").zero_norm_element().norm()
+    0
+    """
+    return QuaternionAlgebra(ring, -1, -1)

@@ -1,0 +1,120 @@
+"""The command ``hfield``: finds the command asked for, runs it, turns errors into one line.
+
+Nothing heavy is imported here, nor for ``--help`` and ``--version``. A command is a module with
+``HELP``, ``configure(parser)`` and ``run(args) -> int``: one of :mod:`hfield.commands`, or what
+another package names in its entry points, group ``hfield.commands``.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+from hfield import __version__
+from hfield.commands.parser import Parser, UsageError, suggest
+from hfield.errors import HFieldError, shorten
+
+COMMANDS = {
+    "verify": "decide the claims of the thesis over a panel of fields",
+    "claims": "list the claims",
+    "explain": "show one decision in full",
+    "prove": "prove or refute a statement of your own",
+    "table": "print the multiplication table of an algebra",
+    "eval": "compute an expression exactly",
+    "repl": "an interactive session with e, i, j, k at hand",
+}
+GROUP = "hfield.commands"
+TRACEBACK = "HFIELD_TRACEBACK"  # set it to see where an error came from
+
+BAD_USAGE, INTERNAL, INTERRUPTED, BROKEN_PIPE = 2, 70, 130, 141
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line ``argv`` and return its exit status: 2 for bad usage, 130 for Ctrl-C."""
+    try:
+        status = _dispatch(list(sys.argv[1:] if argv is None else argv))
+        sys.stdout.flush()
+        return status
+    except SystemExit as stop:  # argparse leaves so after --help
+        return int(stop.code or 0)
+    except BrokenPipeError:
+        # The reader has left. Python would complain when it flushes stdout at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return BROKEN_PIPE
+    except KeyboardInterrupt:
+        return _fail("interrupted", INTERRUPTED)
+    except HFieldError as error:
+        return _fail(str(error), BAD_USAGE)
+    except RecursionError:
+        return _fail("the input nests too deeply; write it in parts", BAD_USAGE)
+    except MemoryError:
+        return _fail("not enough memory for this computation; try a smaller one", BAD_USAGE)
+    except Exception as error:
+        what = f"{type(error).__name__}: {shorten(error, 200)}"
+        return _fail(f"this is a fault of hfield itself ({what}); {TRACEBACK}=1 shows where", INTERNAL)
+
+
+def _fail(message: str, status: int) -> int:
+    from hfield.commands.output import encodable
+
+    if os.environ.get(TRACEBACK):
+        import traceback
+
+        traceback.print_exc()
+    line = " ".join(message.split())
+    print(encodable(f"hfield: error: {line}", sys.stderr), file=sys.stderr)
+    return status
+
+
+def _dispatch(words: list[str]) -> int:
+    if not words or words[0] in ("-h", "--help"):
+        print(_help())
+        return 0
+    if words[0] == "--version":
+        print(f"hfield {__version__}")
+        return 0
+    name, rest = words[0], words[1:]
+    module = _load(name)
+    parser = Parser(f"hfield {name}", module.HELP)
+    module.configure(parser)
+    status: int = module.run(parser.read(rest))
+    return status
+
+
+def _load(name: str) -> Any:
+    if name in COMMANDS:
+        return import_module(f"hfield.commands.{name}")
+    foreign = _foreign()
+    if name in foreign:
+        return foreign[name].load()
+    if name.startswith("-"):
+        raise UsageError(
+            f"unknown option {shorten(name)!r}; expected a command first, `hfield --help` lists them"
+        )
+    hint = suggest(name, [*COMMANDS, *foreign]) or "`hfield --help` lists them"
+    raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
+
+
+def _foreign() -> dict[str, Any]:
+    """Return the entry points of other packages by the name of their command."""
+    from importlib.metadata import entry_points
+
+    return {point.name: point for point in entry_points(group=GROUP)}
+
+
+def _help() -> str:
+    lines = [
+        "usage: hfield COMMAND [OPTION]…",
+        "",
+        "Quaternion algebras over arbitrary fields, with statements about them decided.",
+        "",
+        *(f"  {name:<9} {text}" for name, text in COMMANDS.items()),
+        *(f"  {name:<9} (see `hfield {name} --help`)" for name in _foreign()),
+        "",
+        "`hfield COMMAND --help` tells more; `hfield --version` prints the version.",
+        "Try: hfield verify",
+    ]
+    return "\n".join(lines)

@@ -1,0 +1,49 @@
+"""What can go wrong, as types. Every message says what was wrong, what was expected, how to mend it."""
+
+
+class HFieldError(Exception):
+    """The root of all errors of this package; the command line prints them in one line."""
+
+
+class NotationError(HFieldError, ValueError):
+    """A text that cannot be read: ``position`` is the offset of the first character at fault."""
+
+    def __init__(self, message: str, text: str = "", position: int | None = None) -> None:
+        self.text, self.position = text, position
+        where = "" if position is None else f" (at character {position + 1} of {shorten(text)!r})"
+        super().__init__(message + where)
+
+
+class RingError(HFieldError, ValueError):
+    """A base ring that does not exist or that cannot be built, such as GF(6)."""
+
+
+class CoercionError(HFieldError, TypeError):
+    """A value that is not an element of the ring or algebra asked for."""
+
+
+class MixedParentsError(HFieldError, TypeError):
+    """Two elements of different algebras in one operation."""
+
+
+class NotInvertibleError(HFieldError, ZeroDivisionError):
+    """A division by zero, by a zero divisor or by another non-unit."""
+
+
+class NotFiniteError(HFieldError, TypeError):
+    """An enumeration of an infinite ring or algebra."""
+
+
+class UndecidedError(HFieldError, ArithmeticError):
+    """A question about which this package has no decision procedure; the message says what was tried."""
+
+
+class TooLargeError(HFieldError, ValueError):
+    """A computation refused beforehand, because its result would not fit in time or memory."""
+
+
+def shorten(text: object, limit: int = 60) -> str:
+    """Return ``str(text)``, its middle cut out when it is longer than ``limit`` characters."""
+    s = str(text)
+    half = (limit - 1) // 2
+    return s if len(s) <= limit else f"{s[:half]}…{s[-half:]}"

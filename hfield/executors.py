@@ -1,0 +1,105 @@
+"""The one seam for work in many pieces: anything with the face of a ``concurrent.futures.Executor``.
+
+By default pieces are computed here, one after the other; with ``jobs`` in a pool of processes, with
+``dask`` on a cluster. There is no scheduler of our own: who has another executor passes it where
+these are passed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from contextlib import contextmanager
+from typing import Any, ParamSpec, TypeVar
+
+from hfield.errors import HFieldError
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+class ExecutorError(HFieldError, RuntimeError):
+    """Workers that cannot be had, or that died."""
+
+
+class InProcess(Executor):
+    """Computes in this process: ``map`` one piece at a time, as its results are asked for."""
+
+    def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
+        """Compute at once; the future is done, or holds the exception."""
+        future: Future[T] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    def map(self, fn: Callable[..., T], *iterables: Iterable[Any], **_: Any) -> Iterator[T]:
+        """Compute the pieces lazily, so that progress can be shown between them."""
+        return map(fn, *iterables)
+
+
+@contextmanager
+def open_executor(jobs: int = 1, dask: str | None = None) -> Iterator[Executor]:
+    """Yield an executor: this process, ``jobs`` processes, or the Dask cluster at ``dask``.
+
+    Processes are spawned, never forked, so that no lock of a numerical library is copied. On an
+    interrupt they are ended at once. Raises :class:`ExecutorError` when Dask is missing or silent,
+    or when a worker dies.
+    """
+    if dask is not None:
+        with _dask(dask) as executor:
+            yield executor
+    elif jobs > 1:
+        with _processes(jobs) as executor:
+            yield executor
+    else:
+        yield InProcess()
+
+
+@contextmanager
+def _processes(jobs: int) -> Iterator[Executor]:
+    import multiprocessing
+
+    context = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_ignore_interrupts)
+    before = set(multiprocessing.active_children())
+    try:
+        yield pool
+    except BaseException as error:
+        for process in set(multiprocessing.active_children()) - before:
+            process.terminate()
+        pool.shutdown(wait=False, cancel_futures=True)
+        if isinstance(error, BrokenExecutor):
+            raise ExecutorError(
+                "a worker process ended abruptly, perhaps for want of memory; try fewer --jobs"
+            ) from error
+        raise
+    pool.shutdown()
+
+
+def _ignore_interrupts() -> None:
+    """Leave Ctrl-C to the parent, which ends the workers; else each prints a traceback."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextmanager
+def _dask(address: str) -> Iterator[Executor]:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise ExecutorError(
+            "--dask needs the package distributed, which is not installed; "
+            "run `pip install distributed`, or use --jobs N"
+        ) from None
+    try:
+        client = Client(address, timeout="10s")
+    except (OSError, ValueError, TimeoutError) as error:
+        raise ExecutorError(
+            f"no Dask scheduler answers at {address!r} ({error}); "
+            "expected an address such as tcp://127.0.0.1:8786"
+        ) from None
+    with client:
+        yield client.get_executor()

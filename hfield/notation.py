@@ -1,0 +1,134 @@
+"""Text ↔ algebra, coordinates ↔ text, in three styles: plain (reads back), unicode, LaTeX.
+
+An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form
+``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``.
+"""
+
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
+from hfield.product import Constants
+from hfield.rings import ring
+from hfield.rings.base import Ring
+
+BASIS = ("e", "i", "j", "k")
+_EXPECTED = "expected (a,b|F), [a,b|F), [a,b,t|F) or H(F), such as '(-1,-3|QQ)'"
+
+
+def split_algebra(text: str) -> tuple[str, str, str, str]:
+    """Split an algebra's text into the texts of ``a, t, b`` and of the ring.
+
+    Raises :class:`NotationError` when it has not one of the four forms.
+    """
+    s = text.strip()
+    if m := re.fullmatch(r"H\((.+)\)", s, re.DOTALL):
+        return "-1", "0", "-1", m[1].strip()
+    m = re.fullmatch(r"([(\[])(.*)\|(.*)\)", s, re.DOTALL)
+    if m is None:
+        raise NotationError(f"{shorten(text)!r} is not an algebra: {_EXPECTED}")
+    constants, field = _split_commas(m[2]), m[3].strip()
+    if m[1] == "(" and len(constants) == 2:
+        return constants[0], "0", constants[1], field
+    if m[1] == "[" and len(constants) == 2:
+        return constants[0], "1", constants[1], field
+    if m[1] == "[" and len(constants) == 3:
+        return constants[0], constants[2], constants[1], field
+    raise NotationError(f"{shorten(text)!r} has {len(constants)} structure constants: {_EXPECTED}")
+
+
+def parse_algebra(text: str) -> tuple[Ring, Constants]:
+    """Read an algebra: its ring and its structure constants. Raises :class:`NotationError`."""
+    a, t, b, field = split_algebra(text)
+    F = ring(field)
+    try:
+        return F, Constants(F(a), F(t), F(b))
+    except (CoercionError, NotInvertibleError) as error:
+        raise NotationError(f"in {shorten(text)!r}: {error}") from error
+
+
+def algebra_text(F: Ring, c: Constants) -> str:
+    """Write an algebra so that :func:`parse_algebra` reads it back."""
+    minus_one = F(-1)
+    a, t, b = ("-1" if F.equal(x, minus_one) and x is not c.t else F.text(x) for x in c)
+    if F.is_zero(c.t):
+        return f"({a},{b}|{F.name})"
+    if F.equal(c.t, F.one):
+        return f"[{a},{b}|{F.name})"
+    return f"[{a},{b},{t}|{F.name})"
+
+
+def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = "") -> str:
+    """Write ``q`` over the basis; ``unit`` is what stands for e (nothing, so that 2·e is ``2``)."""
+    times = "*" if style == "plain" else ""
+    minus = "−" if style == "unicode" else "-"
+    terms = []
+    for x, letter in zip(q, (unit, *BASIS[1:]), strict=True):
+        if F.is_zero(x):
+            continue
+        text = F.text(x, style)
+        if letter and F.is_zero(x - F.one):
+            terms.append(letter)
+        elif letter and text in ("-1", "−1"):
+            terms.append(f"{minus}{letter}")
+        elif not letter:
+            terms.append(text)
+        else:
+            terms.append(f"{_factor(text, style)}{times}{letter}")
+    out = terms[0] if terms else "0"
+    for term in terms[1:]:
+        negative = term.startswith(("-", "−"))
+        out += f" {minus} {term[1:]}" if negative and _is_atom(term[1:]) else f" + {term}"
+    return out
+
+
+def _is_atom(text: str) -> bool:
+    """Tell whether a leading minus of the term may be drawn out: no sum outside parentheses."""
+    depth = 0
+    for char in text:
+        depth += (char in "([{") - (char in ")]}")
+        if depth == 0 and char in "+-−":
+            return False
+    return True
+
+
+def _factor(text: str, style: str) -> str:
+    body = text[1:] if text.startswith(("-", "−")) else text
+    if _is_atom(body) and (style == "latex" or "/" not in body or body.replace("/", "").isdigit()):
+        return text
+    return rf"\left({text}\right)" if style == "latex" else f"({text})"
+
+
+def _split_commas(text: str) -> list[str]:
+    """Split at the commas outside all parentheses."""
+    parts, depth = [""], 0
+    for char in text:
+        depth += (char in "([") - (char in ")]")
+        if char == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += char
+    return [part.strip() for part in parts]
+
+
+def table_text(headers: Sequence[str], rows: Sequence[Sequence[str]], style: str = "plain") -> str:
+    """Lay out a multiplication table whose first column and row are ``headers``."""
+    if style == "latex":
+        body = " \\\\\n".join(
+            " & ".join((head, *cells)) for head, cells in zip(headers, rows, strict=True)
+        )
+        return (
+            "\\begin{array}{c|" + "c" * len(headers) + "}\n"
+            "\\times & " + " & ".join(headers) + " \\\\ \\hline\n" + body + "\n\\end{array}"
+        )
+    cross, bar, dash, corner = ("×", "│", "─", "┼") if style == "unicode" else ("*", "|", "-", "+")
+    grid = [[cross, *headers], *([h, *cells] for h, cells in zip(headers, rows, strict=True))]
+    widths = [max(len(row[n]) for row in grid) for n in range(len(grid[0]))]
+    lines = [
+        f" {row[0]:>{widths[0]}} {bar} "
+        + "  ".join(f"{cell:>{w}}" for cell, w in zip(row[1:], widths[1:], strict=True))
+        for row in grid
+    ]
+    rule = dash * (widths[0] + 2) + corner + dash * (len(lines[0]) - widths[0] - 3)
+    return "\n".join([lines[0], rule, *lines[1:]])

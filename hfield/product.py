@@ -1,0 +1,52 @@
+"""The one formula: the algebra with ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``.
+
+Everything here uses only ``+``, ``−`` and ``×`` on coordinates: no literal, no division, no branch
+on the ring. So the same lines multiply flint scalars, arrays of a million Galois field elements,
+polynomials in unknown coordinates, and floats. ``(a, t, b) = (−1, 0, −1)`` gives Table 1.1 of the
+thesis (section 1), which nobody has to type in; ``t = 1`` gives the Artin–Schreier algebras
+``[a, b | F)`` of characteristic 2.
+"""
+
+from typing import Any, NamedTuple
+
+Coordinates = tuple[Any, Any, Any, Any]
+
+
+class Constants(NamedTuple):
+    """The structure constants ``(a, t, b)``, in the order in which ``i² = a + t·i, j² = b`` has them."""
+
+    a: Any
+    t: Any
+    b: Any
+
+
+def multiply(c: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
+    """Return the coordinates of ``p·q`` over ``(e, i, j, k)``."""
+    a, t, b = c
+    w1, x1, y1, z1 = p
+    w2, x2, y2, z2 = q
+    return (
+        w1 * w2 + a * (x1 * x2) + b * (y1 * y2 + t * (y1 * z2) - a * (z1 * z2)),
+        w1 * x2 + x1 * w2 + t * (x1 * x2) + b * (z1 * y2 - y1 * z2),
+        w1 * y2 + y1 * w2 + t * (y1 * x2) + a * (x1 * z2 - z1 * x2),
+        w1 * z2 + z1 * w2 + x1 * y2 - y1 * x2 + t * (x1 * z2),
+    )
+
+
+def conjugate(c: Constants, q: Coordinates) -> Coordinates:
+    """Return the standard involution of ``q``; for ``t = 0`` the thesis's conjugate (Definition 3)."""
+    w, x, y, z = q
+    return (w + c.t * x, -x, -y, -z)
+
+
+def norm(c: Constants, q: Coordinates) -> Any:
+    """Return the reduced norm ``N(q)``, the scalar with ``q·conj(q) = N(q)·e`` (Definition 2)."""
+    a, t, b = c
+    w, x, y, z = q
+    return w * w + t * (w * x) - a * (x * x) - b * (y * y + t * (y * z) - a * (z * z))
+
+
+def trace(c: Constants, q: Coordinates) -> Any:
+    """Return the reduced trace, the scalar with ``q + conj(q) = tr(q)·e``."""
+    w, x, _, _ = q
+    return w + w + c.t * x

@@ -1,0 +1,120 @@
+"""Tree to value: what numbers, names and functions mean is given by whoever reads."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from hfield.errors import NotationError, TooLargeError, shorten
+from hfield.syntax.parser import parse
+from hfield.syntax.tree import (
+    Binary,
+    Call,
+    Compare,
+    Exists,
+    Index,
+    Logic,
+    Name,
+    Negate,
+    Node,
+    Not,
+    Number,
+    Power,
+)
+
+
+@dataclass(frozen=True)
+class Reader:
+    """What the names of a term mean: how numbers, names and functions become values.
+
+    ``limit`` bounds the weight of a term (see :func:`weight`), so that nothing is begun that could
+    not end; ``what`` says in errors what was being read.
+    """
+
+    number: Callable[[int | Fraction], Any]
+    names: Mapping[str, Any]
+    functions: Mapping[str, Callable[..., Any]]
+    what: str
+    limit: int = 20_000
+
+    def read(self, text: str) -> Any:
+        """Parse and evaluate ``text``. Raises :class:`NotationError`, :class:`TooLargeError`."""
+        node = parse(text)
+        heavy = weight(node)
+        if heavy > self.limit:
+            raise TooLargeError(
+                f"{shorten(text)!r} is too large to compute: its degree may reach {shorten(heavy, 20)}, "
+                f"at most {self.limit} is tried; use smaller exponents"
+            )
+        return self.evaluate(node, text)
+
+    def evaluate(self, node: Node, text: str = "") -> Any:
+        """Evaluate a term node; a statement (``==``, ``and`` …) is refused."""
+        match node:
+            case Number(value):
+                return self.number(value)
+            case Name(name):
+                if name in self.names:
+                    return self.names[name]
+                known = ", ".join(sorted(self.names)) or "none"
+                raise NotationError(
+                    f"{name!r} means nothing in {self.what}; known names: {known}",
+                    text,
+                    node.position,
+                )
+            case Negate(operand):
+                return -self.evaluate(operand, text)
+            case Binary(op, left, right):
+                x, y = self.evaluate(left, text), self.evaluate(right, text)
+                if op == "+":
+                    return x + y
+                if op == "-":
+                    return x - y
+                return x * y if op == "*" else self.functions["/"](x, y)
+            case Power(base, exponent):
+                return self.functions["**"](self.evaluate(base, text), exponent)
+            case Index(base, index):
+                if "[]" in self.functions:
+                    return self.functions["[]"](self.evaluate(base, text), index)
+                raise NotationError(f"{self.what} has no coordinates", text, node.position)
+            case Call(function, arguments):
+                if function not in self.functions or not function.isidentifier():
+                    known = ", ".join(sorted(f for f in self.functions if f.isidentifier()))
+                    raise NotationError(
+                        f"there is no function {function!r} in {self.what}; "
+                        f"known functions: {known or 'none'}",
+                        text,
+                        node.position,
+                    )
+                values = [self.evaluate(x, text) for x in arguments]
+                try:
+                    return self.functions[function](*values)
+                except TypeError as error:
+                    if "positional argument" not in str(error):
+                        raise
+                    raise NotationError(
+                        f"{function} does not take {len(values)} arguments", text, node.position
+                    ) from None
+        raise NotationError(
+            f"expected an element of {self.what}, found a statement", text, node.position
+        )
+
+
+def weight(node: Node) -> int:
+    """Bound the size of a term's value: bits of numbers and degree of names, powers multiplied out."""
+    match node:
+        case Number(value):
+            return value.numerator.bit_length() + value.denominator.bit_length() - 1
+        case Name():
+            return 1
+        case Negate(x) | Index(x, _) | Not(x) | Exists(_, x):
+            return weight(x)
+        case Binary("*" | "/", left, right):
+            return weight(left) + weight(right)
+        case Binary(_, left, right) | Compare(_, left, right) | Logic(_, left, right):
+            return max(weight(left), weight(right)) + 1
+        case Power(base, exponent):
+            return weight(base) * max(abs(exponent), 1)
+        case Call(_, arguments):
+            return sum(weight(x) for x in arguments) * 2
+    return 1

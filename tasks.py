@@ -1,0 +1,31 @@
+"""The tasks of this project: ``python tasks.py NAME…``; without a name, all that CI runs.
+
+They use the Python that runs them, with the extra ``dev`` installed (``pip install -e '.[dev]'``).
+"""
+
+import subprocess
+import sys
+
+TASKS = {
+    "format": ["ruff", "format", "--check", "."],
+    "lint": ["ruff", "check", "."],
+    "types": ["mypy"],
+    "test": ["pytest"],
+}
+
+
+def main(names: list[str]) -> int:
+    """Run the tasks named, all of them without a name; stop at the first that fails."""
+    for name in names or TASKS:
+        if name not in TASKS:
+            print(f"there is no task {name!r}; the tasks are {', '.join(TASKS)}", file=sys.stderr)
+            return 2
+        print(f"== {name}: python -m {' '.join(TASKS[name])}", flush=True)
+        status = subprocess.run([sys.executable, "-m", *TASKS[name]], check=False).returncode
+        if status:
+            return status
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
