@@ -3,7 +3,7 @@
 >>> from hfield import GF, H
 >>> A = H(GF(7)); e, i, j, k = A.basis
 >>> (1 + i) * (j - k)**-1
-4k
+6j
 """
 
 from importlib import import_module

@@ -1,6 +1,7 @@
 """``python -m hfield`` is the command ``hfield``."""
 
+import sys
+
 from hfield.cli import main
 
-if __name__ == "__main__":
-    raise SystemExit(main())
+sys.exit(main())

@@ -14,6 +14,7 @@ from importlib import import_module
 from typing import Any
 
 from hfield import __version__
+from hfield.commands.output import encodable
 from hfield.commands.parser import Parser, UsageError, suggest
 from hfield.errors import HFieldError, shorten
 
@@ -39,7 +40,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return status
     except SystemExit as stop:  # argparse leaves so after --help
-        return int(stop.code or 0)
+        return stop.code if isinstance(stop.code, int) else int(stop.code is not None)
     except BrokenPipeError:
         # The reader has left. Python would complain when it flushes stdout at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -54,12 +55,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail("not enough memory for this computation; try a smaller one", BAD_USAGE)
     except Exception as error:
         what = f"{type(error).__name__}: {shorten(error, 200)}"
-        return _fail(f"this is a fault of hfield itself ({what}); {TRACEBACK}=1 shows where", INTERNAL)
+        return _fail(
+            f"this is a fault of hfield itself ({what}); {TRACEBACK}=1 shows where", INTERNAL
+        )
 
 
 def _fail(message: str, status: int) -> int:
-    from hfield.commands.output import encodable
-
     if os.environ.get(TRACEBACK):
         import traceback
 
@@ -71,7 +72,7 @@ def _fail(message: str, status: int) -> int:
 
 def _dispatch(words: list[str]) -> int:
     if not words or words[0] in ("-h", "--help"):
-        print(_help())
+        print(encodable(_help(), sys.stdout))
         return 0
     if words[0] == "--version":
         print(f"hfield {__version__}")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
+from importlib import import_module
 from typing import Any, ParamSpec, TypeVar
 
 from hfield.errors import HFieldError
@@ -88,14 +89,14 @@ def _ignore_interrupts() -> None:
 @contextmanager
 def _dask(address: str) -> Iterator[Executor]:
     try:
-        from distributed import Client
+        distributed = import_module("distributed")
     except ImportError:
         raise ExecutorError(
             "--dask needs the package distributed, which is not installed; "
             "run `pip install distributed`, or use --jobs N"
         ) from None
     try:
-        client = Client(address, timeout="10s")
+        client = distributed.Client(address, timeout="10s")
     except (OSError, ValueError, TimeoutError) as error:
         raise ExecutorError(
             f"no Dask scheduler answers at {address!r} ({error}); "

@@ -28,7 +28,7 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
     m = re.fullmatch(r"([(\[])(.*)\|(.*)\)", s, re.DOTALL)
     if m is None:
         raise NotationError(f"{shorten(text)!r} is not an algebra: {_EXPECTED}")
-    constants, field = _split_commas(m[2]), m[3].strip()
+    constants, field = split_commas(m[2]), m[3].strip()
     if m[1] == "(" and len(constants) == 2:
         return constants[0], "0", constants[1], field
     if m[1] == "[" and len(constants) == 2:
@@ -60,7 +60,11 @@ def algebra_text(F: Ring, c: Constants) -> str:
 
 
 def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = "") -> str:
-    """Write ``q`` over the basis; ``unit`` is what stands for e (nothing, so that 2·e is ``2``)."""
+    """Write ``q`` over the basis.
+
+    ``unit`` is what stands for e: nothing, so that 2·e is ``2``; or "e", as in Table 1.1, and
+    then −1 is written as such in a finite field too.
+    """
     times = "*" if style == "plain" else ""
     minus = "−" if style == "unicode" else "-"
     terms = []
@@ -70,7 +74,7 @@ def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = ""
         text = F.text(x, style)
         if letter and F.is_zero(x - F.one):
             terms.append(letter)
-        elif letter and text in ("-1", "−1"):
+        elif letter and (text in ("-1", "−1") or (unit and F.is_zero(x + F.one))):
             terms.append(f"{minus}{letter}")
         elif not letter:
             terms.append(text)
@@ -100,7 +104,7 @@ def _factor(text: str, style: str) -> str:
     return rf"\left({text}\right)" if style == "latex" else f"({text})"
 
 
-def _split_commas(text: str) -> list[str]:
+def split_commas(text: str) -> list[str]:
     """Split at the commas outside all parentheses."""
     parts, depth = [""], 0
     for char in text:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from hfield import product
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
@@ -11,8 +11,20 @@ from hfield.notation import element_text
 from hfield.product import Coordinates
 from hfield.rings.base import Ring, power
 
-if TYPE_CHECKING:
-    from hfield.algebra import QuaternionAlgebra
+
+class Parent(Protocol):
+    """What an element asks of its algebra: :class:`hfield.algebra.QuaternionAlgebra`."""
+
+    ring: Ring
+    constants: product.Constants
+
+    @property
+    def batch_constants(self) -> product.Constants: ...  # noqa: D102
+    @property
+    def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
+    def __call__(self, *coordinates: Any) -> Quaternion: ...
+    def scalar(self, x: Any) -> Quaternion: ...  # noqa: D102
+    def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
 
 
 class Quaternion:
@@ -27,10 +39,10 @@ class Quaternion:
     __slots__ = ("algebra", "coordinates")
     __array_ufunc__ = None  # or numpy would distribute ``array * q`` over the array's entries
 
-    algebra: QuaternionAlgebra
+    algebra: Parent
     coordinates: Coordinates
 
-    def __init__(self, algebra: QuaternionAlgebra, coordinates: Coordinates) -> None:
+    def __init__(self, algebra: Parent, coordinates: Coordinates) -> None:
         object.__setattr__(self, "algebra", algebra)
         object.__setattr__(self, "coordinates", coordinates)
 
@@ -79,6 +91,10 @@ class Quaternion:
 
     def _join(self, other: Any, operation: str) -> tuple[Quaternion, Quaternion]:
         """Bring the two operands into one algebra and one kind (single or array)."""
+        if isinstance(other, str):
+            raise CoercionError(
+                f"cannot {operation} a quaternion and a text; read it first: A({other!r})"
+            )
         q = other if isinstance(other, Quaternion) else self.algebra.scalar(other)
         if q.algebra is not self.algebra and q.algebra != self.algebra:
             raise MixedParentsError(
@@ -133,10 +149,12 @@ class Quaternion:
     def __pow__(self, n: int) -> Quaternion:
         if not isinstance(n, int):
             raise CoercionError(f"the exponent {n!r} is not an int; only integer powers exist")
-        one = self - self + 1 if self.is_batch else self.algebra.one
+        one = self - self + 1 if self.is_batch else self.algebra.basis[0]
         return power(one, self if n >= 0 else self.inverse(), abs(n))
 
     def __eq__(self, other: object) -> Any:
+        if isinstance(other, str):
+            return NotImplemented
         if not isinstance(other, Quaternion):
             try:
                 other = self.algebra.scalar(other)

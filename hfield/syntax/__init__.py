@@ -1,17 +1,16 @@
 """The one grammar: text to syntax tree, for ring elements, quaternions and statements alike.
 
-Python's expression syntax, read by a recursive descent of our own and never by ``eval``::
+Python's expression syntax, read by a parser of our own and never by ``eval``::
 
-    statement := "exists" NAME ("," NAME)* ":" statement | iff
-    iff       := implies ("<=>" implies)?          implies := or ("=>" implies)?
-    or        := and ("or" and)*                   and     := not ("and" not)*
-    not       := "not" not | compare               compare := sum (("==" | "!=") sum)?
-    sum       := product (("+" | "-") product)*    product := unary (("*" | "/") unary)*
-    unary     := ("-" | "+") unary | power         power   := postfix (("**" | "^") integer)?
-    postfix   := atom ("[" digit "]")*
-    atom      := NUMBER | NAME | NAME "(" sum ("," sum)* ")" | "(" statement ")"
+    statement := "exists" NAME ("," NAME)* ":" statement | infix
+    infix     := prefix (OPERATOR infix)*   binding, from loose to tight:
+                 <=>   =>   or   and   (not)   == !=   + -   * /   (sign)   ** ^
+    prefix    := ("not" | "-" | "+") infix | power
+    power     := atom ("[" digit "]")? (("**" | "^") integer)?
+    atom      := NUMBER | NAME | NAME "(" statement ("," statement)* ")" | "(" statement ")"
 
-An exponent is an integer literal, signed and in parentheses if one likes. What a name means is
+Chains associate to the left, ``=>`` to the right; comparisons and ``<=>`` do not chain. An
+exponent is an integer literal, signed and in parentheses if one likes. What a name means is
 not decided here: rings, algebras and the prover each bring their own names.
 """
 

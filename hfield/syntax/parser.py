@@ -1,8 +1,9 @@
-"""Text to syntax tree, by recursive descent; bounded in length, depth and digits."""
+"""Text to syntax tree, by precedence climbing; bounded in length, depth, height and digits."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
+from typing import NoReturn
 
 from hfield.errors import NotationError
 from hfield.syntax.tree import (
@@ -21,8 +22,13 @@ from hfield.syntax.tree import (
 )
 
 MAX_LENGTH = 20_000
-MAX_DEPTH = 200
+MAX_DEPTH = 100  # of parentheses and prefixes: each costs the parser three frames
+MAX_HEIGHT = 400  # of the tree, which whoever walks it climbs in one frame a step
 MAX_DIGITS = 4_000
+
+# How tightly an infix operator binds; those of one strength associate to the left, but for "=>".
+BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
+NOT, COMPARE, UNARY = 5, 6, 9
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![\w.]))?)"
@@ -49,17 +55,20 @@ def parse(text: str) -> Node:
     if not text.strip():
         raise NotationError("the text is empty; expected an expression such as (1+i)*j")
     parser = _Parser(text)
-    node = parser.statement(0)
+    node = parser.expression(0, 0)
     if parser.token:
         parser.fail(f"did not expect {parser.token!r} after a complete expression")
     return node
 
 
 class _Parser:
+    """One text being read; the methods take tokens from the left and return trees."""
+
     def __init__(self, text: str) -> None:
         self.text = text
         self.tokens = list(self._scan(text.translate(_SPELLINGS)))
         self.index = 0
+        self.heights: dict[int, int] = {}
 
     def _scan(self, text: str) -> Iterator[tuple[str, str, int]]:
         position, end = 0, len(text.rstrip())
@@ -73,6 +82,8 @@ class _Parser:
             kind = m.lastgroup or ""
             yield kind, m[kind], m.start(kind)
             position = m.end()
+
+    # --- tokens --------------------------------------------------------------------------------
 
     @property
     def token(self) -> str:
@@ -101,97 +112,77 @@ class _Parser:
             found = repr(self.token) if self.token else "the end of the text"
             self.fail(f"expected {expected!r} {why}, found {found}")
 
-    def fail(self, message: str) -> None:
+    def fail(self, message: str) -> NoReturn:
         raise NotationError(message, self.text, self.position)
 
-    def statement(self, depth: int) -> Node:
-        position = self.position
+    def grow(self, node: Node, *children: Node) -> Node:
+        """Note how high the tree has grown, and stop before whoever walks it would fall."""
+        height = 1 + max((self.heights.get(id(child), 0) for child in children), default=0)
+        if height > MAX_HEIGHT:
+            self.fail(f"more than {MAX_HEIGHT} operations build on each other; write it in parts")
+        self.heights[id(node)] = height
+        return node
+
+    # --- trees ---------------------------------------------------------------------------------
+
+    def expression(self, strength: int, depth: int) -> Node:
+        """Read operands joined by infix operators that bind more tightly than ``strength``."""
         if depth > MAX_DEPTH:
             self.fail(f"the expression nests deeper than {MAX_DEPTH} levels; write it in parts")
-        if not self.take("exists"):
-            return self.iff(depth)
-        names = [self.name("after 'exists'")]
-        while self.take(","):
-            names.append(self.name("after ','"))
-        self.need(":", "after the names of 'exists'")
-        return Exists(tuple(names), self.statement(depth + 1), position=position)
+        left = self.prefix(strength, depth)
+        while BINDS.get(self.token, 0) > strength:
+            position, op = self.position, self.take(*BINDS)
+            binds = BINDS[op]
+            right = self.expression(binds - 1 if op == "=>" else binds, depth + 1)
+            cls = Compare if binds == COMPARE else Binary if binds > COMPARE else Logic
+            left = self.grow(cls(op, left, right, position=position), left, right)
+            if binds == COMPARE and BINDS.get(self.token) == COMPARE:
+                self.fail("comparisons do not chain: write a == b and b == c")
+            if op == "<=>" and self.token == "<=>":
+                self.fail("'<=>' does not chain: put one side in parentheses")
+        return left
+
+    def prefix(self, strength: int, depth: int) -> Node:
+        """Read an operand with what stands in front of it: exists, not, a sign."""
+        position, op = self.position, self.take("exists", "not", "-", "+")
+        if not op:
+            return self.power(depth)
+        if op == "exists":
+            if strength:
+                self.fail("'exists' stands at the front of a statement or of a parenthesis")
+            names = [self.name("after 'exists'")]
+            while self.take(","):
+                names.append(self.name("after ','"))
+            self.need(":", "after the names of 'exists'")
+            body = self.expression(0, depth + 1)
+            return self.grow(Exists(tuple(names), body, position=position), body)
+        if op == "not":
+            if strength >= COMPARE:
+                self.fail("'not' binds less tightly than what stands before it; use parentheses")
+            operand = self.expression(NOT, depth + 1)
+            return self.grow(Not(operand, position=position), operand)
+        operand = self.expression(UNARY, depth + 1)
+        return operand if op == "+" else self.grow(Negate(operand, position=position), operand)
 
     def name(self, where: str) -> str:
         if self.kind != "name" or self.token in _WORDS:
             self.fail(f"expected a name {where}")
         return self.take(self.token)
 
-    def iff(self, depth: int) -> Node:
-        left, position = self.implies(depth), self.position
-        if not self.take("<=>"):
-            return left
-        node = Logic("<=>", left, self.implies(depth), position=position)
-        if self.token == "<=>":
-            self.fail("'<=>' does not chain: put one side in parentheses")
-        return node
-
-    def implies(self, depth: int) -> Node:
-        if depth > MAX_DEPTH:
-            self.fail(f"the expression nests deeper than {MAX_DEPTH} levels; write it in parts")
-        left, position = self.chain(depth, ("or",)), self.position
-        if not self.take("=>"):
-            return left
-        return Logic("=>", left, self.implies(depth + 1), position=position)
-
-    def chain(self, depth: int, ops: tuple[str, ...]) -> Node:
-        """Read a left-associative chain of the operators ``ops``, for each of the four floors."""
-        below: dict[str, Callable[[int], Node]] = {
-            "or": lambda d: self.chain(d, ("and",)),
-            "and": self.negation,
-            "+": lambda d: self.chain(d, ("*", "/")),
-            "*": self.unary,
-        }
-        operand = below[ops[0]]
-        node, length = operand(depth), depth
-        while True:
-            position = self.position
-            op = self.take(*ops)
-            if not op:
-                return node
-            length += 1
-            if length > 2 * MAX_DEPTH:
-                self.fail(f"more than {2 * MAX_DEPTH} operands in a row; write it in parts")
-            cls = Logic if op in ("and", "or") else Binary
-            node = cls(op, node, operand(depth), position=position)
-
-    def negation(self, depth: int) -> Node:
-        position = self.position
-        if depth > MAX_DEPTH:
-            self.fail(f"the expression nests deeper than {MAX_DEPTH} levels; write it in parts")
-        if self.take("not"):
-            return Not(self.negation(depth + 1), position=position)
-        return self.compare(depth)
-
-    def compare(self, depth: int) -> Node:
-        left, position = self.chain(depth, ("+", "-")), self.position
-        op = self.take("==", "!=")
-        if not op:
-            return left
-        node = Compare(op, left, self.chain(depth, ("+", "-")), position=position)
-        if self.token in ("==", "!="):
-            self.fail("comparisons do not chain: write a == b and b == c")
-        return node
-
-    def unary(self, depth: int) -> Node:
-        position = self.position
-        if depth > MAX_DEPTH:
-            self.fail(f"the expression nests deeper than {MAX_DEPTH} levels; write it in parts")
-        if self.take("-"):
-            return Negate(self.unary(depth + 1), position=position)
-        if self.take("+"):
-            return self.unary(depth + 1)
-        return self.power(depth)
-
     def power(self, depth: int) -> Node:
-        base, position = self.postfix(depth), self.position
+        """Read an atom with its coordinates and its exponent."""
+        node, position = self.atom(depth), self.position
+        while self.take("["):
+            if isinstance(node, Index):
+                self.fail("a coordinate is a scalar and has no coordinates of its own")
+            if self.token not in ("0", "1", "2", "3"):
+                self.fail("a coordinate is q[0], q[1], q[2] or q[3]")
+            node = self.grow(Index(node, int(self.take(self.token)), position=position), node)
+            self.need("]", "after a coordinate's number")
+        position = self.position
         if not self.take("**", "^"):
-            return base
-        node = Power(base, self.exponent(), position=position)
+            return node
+        node = self.grow(Power(node, self.exponent(), position=position), node)
         if self.token in ("**", "^"):
             self.fail("powers do not chain: an exponent is one integer literal")
         return node
@@ -213,17 +204,6 @@ class _Parser:
             self.fail(f"a number of {len(digits)} digits; at most {MAX_DIGITS} are read")
         return int(digits)
 
-    def postfix(self, depth: int) -> Node:
-        node, position = self.atom(depth), self.position
-        while self.take("["):
-            if self.token not in ("0", "1", "2", "3"):
-                self.fail("a coordinate is q[0], q[1], q[2] or q[3]")
-            node = Index(node, int(self.take(self.token)), position=position)
-            self.need("]", "after a coordinate's number")
-            if self.token == "[":
-                self.fail("a coordinate is a scalar and has no coordinates of its own")
-        return node
-
     def atom(self, depth: int) -> Node:
         position, kind, token = self.position, self.kind, self.token
         if kind == "number":
@@ -238,15 +218,14 @@ class _Parser:
             self.take(token)
             if not self.take("("):
                 return Name(token, position=position)
-            arguments = [self.statement(depth + 1)]
+            arguments = [self.expression(0, depth + 1)]
             while self.take(","):
-                arguments.append(self.statement(depth + 1))
+                arguments.append(self.expression(0, depth + 1))
             self.need(")", f"after the arguments of {token}")
-            return Call(token, tuple(arguments), position=position)
+            return self.grow(Call(token, tuple(arguments), position=position), *arguments)
         if self.take("("):
-            node = self.statement(depth + 1)
+            node = self.expression(0, depth + 1)
             self.need(")", "to close a parenthesis")
             return node
         found = repr(token) if token else "the end of the text"
         self.fail(f"expected a number, a name or '(', found {found}")
-        raise AssertionError  # fail() does not return

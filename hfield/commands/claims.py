@@ -1,0 +1,78 @@
+"""``hfield claims``: list the claims with their ids and names."""
+
+from __future__ import annotations
+
+import textwrap
+from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from hfield.commands.output import open_output
+from hfield.commands.parser import add_format, add_output
+
+if TYPE_CHECKING:
+    from hfield.ledger.claim import Claim
+    from hfield.ledger.matrix import Style
+
+HELP = "List the claims of the thesis: id, name, kind, statement. Headline claims carry a star."
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("--section", metavar="S", help="only those of a section, such as 1.3.1")
+    add_format(parser, "table", "json", "markdown")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """List the claims."""
+    from hfield.ledger.claim import claims
+    from hfield.ledger.columns import in_section
+
+    chosen = in_section(args.section) if args.section is not None else claims()
+    with open_output(args.output) as out:
+        if args.format == "json":
+            out.write_json({"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]})
+        elif args.format == "markdown":
+            out.write(_markdown(chosen))
+        else:
+            out.write(_table(chosen, out.style()))
+    return 0
+
+
+def _json(claim: Claim) -> dict[str, object]:
+    names = ("id", "name", "section", "kind", "statement", "printed", "headline", "checkable")
+    return {name: getattr(claim, name) for name in names}
+
+
+def _markdown(chosen: Sequence[Claim]) -> str:
+    from hfield.ledger.markdown import table
+
+    return table(
+        [
+            ["claim", "name", "kind", "statement"],
+            *([c.id, c.name, c.kind, c.statement] for c in chosen),
+        ]
+    )
+
+
+def _table(chosen: Sequence[Claim], style: Style) -> str:
+    ids, names, kinds = (max(len(getattr(c, a)) for c in chosen) for a in ("id", "name", "kind"))
+    lines, section = [], ""
+    for claim in chosen:
+        if claim.section != section:
+            section = claim.section
+            lines += ["", style.bold(f"Section {section}")]
+        star = "*" if claim.headline else " "
+        start = f"{star} {claim.id:<{ids}}  {claim.name:<{names}}  {claim.kind:<{kinds}}  "
+        if len(start) > style.width - 25:  # too narrow for four columns: the statement goes below
+            lines.append(start.rstrip())
+            start = " " * (ids + 4)
+            lines += textwrap.wrap(
+                claim.statement, style.width, initial_indent=start, subsequent_indent=start
+            )
+            continue
+        room = style.width - len(start)
+        text = textwrap.wrap(claim.statement, room, break_on_hyphens=False) or [""]
+        lines += [start + text[0], *(" " * len(start) + line for line in text[1:])]
+    return "\n".join(line.rstrip() for line in lines).lstrip("\n")

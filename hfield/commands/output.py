@@ -1,0 +1,150 @@
+"""Where results go: the terminal, in an encoding it can show, or a file, whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+import sys
+import unicodedata
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TextIO
+
+from hfield.errors import HFieldError, shorten
+
+if TYPE_CHECKING:
+    from hfield.ledger.matrix import Style
+
+_PLAIN = {"√": "sqrt", "−": "-", "·": "*", "×": "x", "…": "...", "ℚ": "QQ", "ℝ": "RR", "ℂ": "CC"}
+_PLAIN |= {"ℤ": "ZZ", "⇒": "=>", "⇔": "<=>", "≠": "!=", "∀": "all", "∃": "exists", "∈": "in"}
+_PLAIN |= {"∅": "o", "✓": "+", "✗": "x", "‖": "||", "∘": ".", "∧": "and", "∨": "or", "¬": "not "}
+_PLAIN |= {"“": '"', "”": '"', "–": "-", "—": "-", "ł": "l", "Ł": "L", "α": "alpha", "Σ": "Sum"}
+_PLAIN |= {"θ": "theta", "†": "+", "│": "|", "─": "-", "┼": "+", "→": "->", "≥": ">=", "∞": "oo"}
+_PLAIN |= {"⁻": "^-"}
+
+
+class OutputError(HFieldError, OSError):
+    """A file that cannot be written."""
+
+
+class Sink:
+    """One open place for output."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self.stream = stream
+
+    def write(self, text: str) -> None:
+        """Write a text and end its last line."""
+        print(encodable(text.rstrip("\n"), self.stream), file=self.stream)
+
+    def write_json(self, data: object) -> None:
+        """Write JSON, in letters where the encoding has them."""
+        text = json.dumps(data, indent=1, ensure_ascii=not _encodes("∀ą✓", self.stream))
+        print(text, file=self.stream)
+
+    def style(self) -> Style:
+        """Return what this place can show: its width, unicode, colours."""
+        from shutil import get_terminal_size
+
+        from hfield.ledger.matrix import Style
+
+        terminal = self.stream.isatty()
+        colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+        width = min(100, get_terminal_size((100, 24)).columns) if terminal else 100
+        return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
+
+
+@contextmanager
+def open_output(path: str | None) -> Iterator[Sink]:
+    """Open the terminal, or a file: tried before the work, and in place only when all went well.
+
+    Raises :class:`OutputError` when the file cannot be written.
+    """
+    if path is None or path == "-":
+        yield Sink(sys.stdout)
+        return
+    if not path:
+        raise OutputError("the name of the output file is empty; expected -o FILE")
+    try:
+        with _open_file(Path(path)) as stream:
+            yield Sink(stream)
+    except OSError as error:
+        if isinstance(error, HFieldError):
+            raise
+        reason = error.strerror or str(error)
+        raise OutputError(
+            f"cannot write {shorten(path)!r}: {reason}; choose another file"
+        ) from error
+
+
+@contextmanager
+def _open_file(path: Path) -> Iterator[TextIO]:
+    """Open a temporary neighbour that takes the place of ``path`` at the end; devices are opened."""
+    target = path.resolve()
+    mode = target.stat().st_mode if target.exists() else None
+    if mode is not None and not stat.S_ISREG(mode):
+        with target.open("w", encoding="utf-8") as stream:
+            yield stream
+        return
+    if mode is not None and not os.access(target, os.W_OK):
+        raise OutputError(f"cannot write {shorten(path)!r}: the file is read-only")
+    neighbour = target.with_name(f".{target.name[:100]}.{os.getpid()}.part")
+    try:
+        with neighbour.open("x", encoding="utf-8") as stream:
+            yield stream
+        if mode is not None:
+            neighbour.chmod(stat.S_IMODE(mode))
+        neighbour.replace(target)
+    finally:
+        with suppress(FileNotFoundError):
+            neighbour.unlink()
+
+
+def encodable(text: str, stream: TextIO) -> str:
+    """Return the text with what the stream cannot encode written in plain letters."""
+    if _encodes(text, stream):
+        return text
+    plain = "".join(_PLAIN.get(char, char) for char in text)
+    plain = unicodedata.normalize("NFKD", plain)
+    plain = "".join(char for char in plain if not unicodedata.combining(char))
+    encoding = stream.encoding or "ascii"
+    return plain.encode(encoding, errors="replace").decode(encoding)
+
+
+def _encodes(text: str, stream: TextIO) -> bool:
+    try:
+        text.encode(getattr(stream, "encoding", None) or "utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+class Progress:
+    """A line on stderr that tells how far the work is; nothing where stderr is no terminal."""
+
+    def __init__(self, noun: str) -> None:
+        self.noun, self.stream, self.shown = noun, sys.stderr, False
+
+    def __call__(self, done: int, total: int, what: str) -> None:
+        """Show that ``done`` of ``total`` are finished, ``what`` being in work."""
+        if self.stream.isatty():
+            bar = "#" * (20 * done // max(total, 1))
+            line = f"[{bar:<20}] {done} of {total} {self.noun}, {what}"
+            self.stream.write(f"\r\x1b[K{line[:79]}")
+            self.stream.flush()
+            self.shown = True
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        if self.shown:
+            self.stream.write("\r\x1b[K")
+            self.stream.flush()
+
+
+def note(text: str) -> None:
+    """Tell the reader something on stderr that is no error."""
+    print(encodable(f"hfield: note: {text}", sys.stderr), file=sys.stderr)

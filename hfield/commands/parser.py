@@ -1,0 +1,132 @@
+"""Reading a command line: expressions that begin with a minus, errors of one line that help."""
+
+from __future__ import annotations
+
+import re
+import sys
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from hfield.commands.output import encodable
+from hfield.errors import HFieldError, shorten
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+
+_LONG_OPTION = re.compile(r"--[A-Za-z][\w-]*(=.*)?", re.DOTALL)
+MOST_PROCESSES = 1024
+
+
+class UsageError(HFieldError, ValueError):
+    """A command line that cannot be read."""
+
+
+def suggest(word: str, known: Iterable[str]) -> str:
+    """Return ``did you mean X?`` for the known words closest to ``word``, or nothing."""
+    close = get_close_matches(word, list(known), n=2, cutoff=0.5)
+    return f"did you mean {' or '.join(close)}?" if close else ""
+
+
+class Parser(ArgumentParser):
+    """An ArgumentParser that raises :class:`UsageError` and takes ``-i*j`` for an expression.
+
+    ``ArgumentParser`` takes every word with a leading minus for an option, negative numbers apart.
+    Here a word is an option only if its name is one that was declared, or if it has the look of a
+    long one, so that misspelt options are still found.
+    """
+
+    def __init__(self, prog: str, description: str) -> None:
+        super().__init__(prog=prog, description=description, allow_abbrev=False)
+
+    def error(self, message: str) -> NoReturn:
+        """Raise the message, in place of printing the usage and leaving."""
+        raise UsageError(f"{message}; `{self.prog} --help` shows the usage")
+
+    def print_help(self, file: Any = None) -> None:
+        """Print the help in an encoding that the terminal has."""
+        stream = file or sys.stdout
+        print(encodable(self.format_help(), stream), end="", file=stream)
+
+    def read(self, words: Sequence[str]) -> Namespace:
+        """Parse the words of a command line. Raises :class:`UsageError`."""
+        args, unknown = self.parse_known_args(self._mark_expressions(words))
+        for word in unknown:
+            self._refuse(word.strip())
+        for name, value in vars(args).items():
+            if isinstance(value, str):
+                setattr(args, name, value.strip())
+            elif isinstance(value, list):
+                setattr(args, name, [v.strip() if isinstance(v, str) else v for v in value])
+        return args
+
+    def _mark_expressions(self, words: Sequence[str]) -> list[str]:
+        """Put a space before what only looks like an option: argparse then leaves it alone."""
+        marked: list[str] = []
+        for n, word in enumerate(words):
+            if word == "--":
+                return [*marked, *words[n:]]
+            expression = word.startswith("-") and word != "-" and not self._is_option(word)
+            marked.append(f" {word}" if expression else word)
+        return marked
+
+    def _is_option(self, word: str) -> bool:
+        if word.startswith("--"):
+            return bool(_LONG_OPTION.fullmatch(word))
+        return word[:2] in self._option_string_actions
+
+    def _refuse(self, word: str) -> NoReturn:
+        if not _LONG_OPTION.fullmatch(word):
+            self.error(f"did not expect {shorten(word)!r} (is it a part to be quoted?)")
+        name = word.partition("=")[0]
+        hint = suggest(name, (s for s in self._option_string_actions if s.startswith("--")))
+        self.error(f"unknown option {shorten(name)!r}" + (f": {hint}" if hint else ""))
+
+
+def processes(text: str) -> int:
+    """Read a number of processes for argparse."""
+    word = text.strip()
+    if not (
+        word.isascii() and word.isdecimal() and len(word) < 5 and 0 < int(word) <= MOST_PROCESSES
+    ):
+        raise ArgumentTypeError(
+            f"expected a number from 1 to {MOST_PROCESSES}, found {shorten(text)!r}"
+        )
+    return int(word)
+
+
+def add_format(parser: ArgumentParser, *formats: str) -> None:
+    """Declare ``--format``; the first one is the default."""
+    parser.add_argument(
+        "--format",
+        choices=formats,
+        default=formats[0],
+        metavar="|".join(formats),
+        help=f"how to show the result (default: {formats[0]})",
+    )
+
+
+def add_output(parser: ArgumentParser) -> None:
+    """Declare ``-o FILE``."""
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to FILE, whole or not at all")
+
+
+def add_algebra(parser: ArgumentParser) -> None:
+    """Declare ``--field`` and ``--algebra``, of which one may be given."""
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        "--field", metavar="F", help="work in H(F), such as GF(9) or QQ(sqrt(2)) (default: QQ)"
+    )
+    group.add_argument(
+        "--algebra", metavar="A", help="another algebra, such as '(-1,-3|QQ)' or '[1,x|GF(4))'"
+    )
+
+
+def algebra_of(args: Namespace) -> QuaternionAlgebra:
+    """Return the algebra that ``--field`` or ``--algebra`` names; H(QQ) by default."""
+    from hfield.algebra import H, QuaternionAlgebra
+
+    if args.algebra is not None:
+        return QuaternionAlgebra.from_text(args.algebra)
+    return H(args.field if args.field is not None else "QQ")

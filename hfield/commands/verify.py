@@ -1,0 +1,87 @@
+"""``hfield verify``: decide claims over fields and report what was found."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from hfield.commands.output import Progress, note, open_output
+from hfield.commands.parser import add_format, add_output, processes
+
+HELP = (
+    "Decide claims of the thesis over fields: as printed and, where that is refuted, as corrected. "
+    "Without arguments: all claims over the whole panel. Exit status: 0 all decided, 1 some row is "
+    "undecided or contradicts another, 2 bad usage."
+)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument(
+        "claims", nargs="*", metavar="CLAIM", help="id or name, such as C1.2-a or centre"
+    )
+    parser.add_argument(
+        "--field",
+        action="append",
+        default=[],
+        metavar="F",
+        help="a field, such as GF9, Q, 'QQ(sqrt(2))'; `universal`; `-`. Repeat, or separate by commas",
+    )
+    parser.add_argument("--section", metavar="S", help="the claims of a section, such as 1.3.1")
+    parser.add_argument("--all", action="store_true", help="show every row, not only the report")
+    add_format(parser, "table", "json", "markdown")
+    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
+    parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at tcp://HOST:PORT")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Decide, report, and return the exit status."""
+    from hfield.executors import open_executor
+    from hfield.ledger.claim import claims, find
+    from hfield.ledger.columns import in_section, rows_to_decide, split_columns
+    from hfield.ledger.run import contradictions, decide_rows
+
+    named = [find(name) for name in args.claims]
+    chosen = list(
+        dict.fromkeys([*named, *(in_section(args.section) if args.section is not None else [])])
+    )
+    fields = split_columns(args.field)
+    pieces = rows_to_decide(chosen or claims(), fields, strict=bool(named) and args.section is None)
+    _remark(fields)
+    with open_output(args.output) as out:
+        with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
+            rows = decide_rows(pieces, executor, progress)
+        if args.format == "json":
+            from hfield import __version__
+
+            results = [row.to_json() for row in rows]
+            out.write_json(
+                {"schema": "hfield-verify/1", "version": __version__, "results": results}
+            )
+        elif args.format == "markdown":
+            from hfield.ledger.markdown import markdown
+
+            out.write(markdown(rows, everything=args.all))
+        else:
+            from hfield.ledger.report import report
+
+            out.write(report(rows, out.style(), chosen=bool(chosen), everything=args.all))
+    clashes = contradictions(rows)
+    for clash in clashes:
+        note(f"contradiction: {clash}")
+    return int(bool(clashes) or not all(row.settled for row in rows))
+
+
+def _remark(fields: list[str]) -> None:
+    """Say what the verdicts over a ring that is no exact field are worth."""
+    from hfield.ledger.claim import NO_FIELD, UNIVERSAL
+    from hfield.rings import ring
+
+    for name in fields:
+        if name in (UNIVERSAL, NO_FIELD):
+            continue
+        F = ring(name)
+        if not F.is_exact:
+            note(f"{name} is inexact: floats give evidence, never a proof")
+        elif not F.is_field:
+            note(f"{name} is not a field; the claims are read over this ring as they stand")

@@ -1,0 +1,171 @@
+"""One decision in full, as one would put it on a blackboard: ``hfield explain``."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from hfield.errors import NotationError
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row, find
+from hfield.ledger.columns import SelectionError, rows_to_decide, split_columns
+from hfield.ledger.errata import witness_text
+from hfield.ledger.matrix import Style
+from hfield.ledger.run import decide_row
+from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.proving.printing import to_latex, to_unicode
+from hfield.syntax import parse
+
+_LABEL = 12
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A row of the ledger, told in full; prints itself, and shows as LaTeX in a notebook."""
+
+    row: Row
+
+    def text(self, style: Style | None = None) -> str:
+        """Write statement, reading, verdict, steps and witness, then the same of the correction."""
+        style = style or Style()
+        claim, row = self.row.claim, self.row
+        title = f"{claim.id}  {claim.name}"
+        lines = [
+            style.bold(title),
+            f"thesis {claim.section}, {claim.kind}; {_over(row.field)}",
+            "",
+            *_wrap("statement", claim.statement, style),
+            *_wrap("printed", claim.printed, style),
+        ]
+        if claim.as_printed:
+            lines += _wrap("read as", _pretty(claim.as_printed), style)
+        if claim.note:
+            lines += _wrap("note", claim.note, style)
+        lines += ["", *_decision(row.as_printed, row.field, style)]
+        if row.as_corrected is not None and claim.corrected:
+            lines += ["", *_wrap("corrected", _pretty(claim.corrected), style)]
+            lines += ["", *_decision(row.as_corrected, row.field, style)]
+        return "\n".join(lines)
+
+    def latex(self) -> str:
+        """Write statement and verdict as one formula of LaTeX."""
+        claim, row = self.row.claim, self.row
+        lines = [_formula(claim.as_printed, claim.printed, row.as_printed, row.field)]
+        if row.as_corrected is not None:
+            lines.append(_formula(claim.corrected, "", row.as_corrected, row.field))
+        body = r" \\ ".join(lines)
+        return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
+
+    def to_json(self) -> dict[str, object]:
+        """Return all of it as plain data, schema ``hfield-explain/1``."""
+        claim, row, corrected = self.row.claim, self.row, self.row.as_corrected
+        return {
+            "schema": "hfield-explain/1",
+            **{
+                k: getattr(claim, k)
+                for k in ("id", "name", "section", "kind", "statement", "printed")
+            },
+            "note": claim.note,
+            "field": row.field,
+            "as_printed": _json(claim.as_printed, row.as_printed),
+            "as_corrected": None if corrected is None else _json(claim.corrected, corrected),
+        }
+
+    def __str__(self) -> str:
+        return self.text()
+
+    __repr__ = __str__
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
+
+
+def explain(claim: str, field: str | None = None) -> Explanation:
+    """Decide a claim, given by its id or name, over one field (a text; QQ by default).
+
+    Raises :class:`hfield.errors.HFieldError` for a claim or field that does not exist.
+    """
+    found = find(claim)
+    column = split_columns(["QQ" if field is None else field])
+    if len(column) > 1:
+        raise SelectionError(
+            f"one decision is explained at a time; {len(column)} fields were given"
+        )
+    ((_, name),) = rows_to_decide([found], column, strict=True)
+    return Explanation(decide_row(found, name))
+
+
+def _over(field: str) -> str:
+    named = {UNIVERSAL: "over every commutative ring", NO_FIELD: "about no field in particular"}
+    return named.get(field, f"over {field}")
+
+
+def _pretty(proposition: Proposition) -> str:
+    """Write a statement of the language with mathematical signs; words stay as they are."""
+    try:
+        return to_unicode(parse(proposition.text))
+    except NotationError:
+        return proposition.text
+
+
+def _decision(decision: Decision, field: str, style: Style) -> Iterator[str]:
+    verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
+    scope = f", over {decision.scope}" if decision.scope and decision.scope != "field" else ""
+    method = "" if decision.verdict == NOT_APPLICABLE else f"  (by {decision.method}{scope})"
+    yield from _wrap("verdict", verdict + method, style, plain=False)
+    for n, step in enumerate(decision.steps, 1):
+        indent = len(step) - len(step.lstrip())
+        yield from _wrap(f"{n}. ".rjust(_LABEL), step.strip(), style, indent=indent)
+    witness = witness_text(decision.witness, field)
+    if witness:
+        yield from _wrap("witness", witness, style)
+    for theorem in decision.assumes:
+        yield from _wrap("assumes", theorem, style)
+    for attempt in decision.tried:
+        yield from _wrap("tried", attempt, style)
+
+
+def _wrap(
+    label: str, text: str, style: Style, indent: int = 0, plain: bool = True
+) -> Iterator[str]:
+    """Yield the label and the text beside it, wrapped to the width of the terminal."""
+    head = f"  {label:<{_LABEL}}" + " " * indent
+    room = max(style.width - len(head), 30)
+    lines = textwrap.wrap(text, room, break_on_hyphens=False) if plain else [text]
+    for n, line in enumerate(lines):
+        yield (head if n == 0 else " " * len(head)) + line
+
+
+def _formula(proposition: Proposition | None, fallback: str, decision: Decision, field: str) -> str:
+    text = proposition.text if proposition else fallback
+    try:
+        shown = to_latex(parse(text))
+    except NotationError:
+        shown = _words(text)
+    symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else _words(field)
+    witness = witness_text(decision.witness, field)
+    verdict = _words(decision.verdict + (f": {witness}" if witness else ""))
+    where = "" if field == NO_FIELD else rf"\;({symbol})"
+    return rf"{shown}{where} & {verdict}"
+
+
+def _words(text: str) -> str:
+    """Write words inside a formula."""
+    for mark in "\\{}":
+        text = text.replace(mark, "")
+    for mark in "_^#%&$":
+        text = text.replace(mark, rf"\{mark}" if mark != "^" else r"\hat{}")
+    return rf"\text{{{text}}}"
+
+
+def _json(proposition: Proposition | None, decision: Decision) -> dict[str, object]:
+    return {
+        "text": proposition.text if proposition else None,
+        "verdict": decision.verdict,
+        "method": decision.method,
+        "scope": decision.scope,
+        "steps": list(decision.steps),
+        "witness": decision.witness,
+        "assumes": list(decision.assumes),
+        "tried": list(decision.tried),
+    }

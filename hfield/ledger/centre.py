@@ -1,0 +1,74 @@
+"""The claim about the centre: linear algebra in each field, and a Smith form for all at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hfield import structure
+from hfield.ledger.facts import hamilton, texts
+from hfield.notation import element_text
+from hfield.product import Constants, Coordinates, multiply
+from hfield.proving.decision import Decision
+from hfield.rings.base import Ring
+
+
+@dataclass(frozen=True)
+class Centre:
+    """The centre of H(F) is H(F) in characteristic ``special``, and F·e in every other."""
+
+    special: int = 2
+
+    @property
+    def text(self) -> str:
+        """The claim in words."""
+        return f"the centre of H(F) is H(F) if char F = {self.special}, and F·e if not"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Solve q·i = i·q, q·j = j·q by linear algebra in the field; over ℤ, its Smith form."""
+        if field is None:
+            return self._everywhere()
+        basis = structure.centre(field, hamilton(field))
+        names = ", ".join(element_text(field, q, "unicode", "e") for q in basis)
+        whole = field.characteristic == self.special
+        right = len(basis) == 4 if whole else len(basis) == 1 and field.is_unit(basis[0][0])
+        steps = (
+            f"Solving q·i = i·q and q·j = j·q over {field}: dimension {len(basis)}, basis {names}.",
+        )
+        witness = None if right else {f"c{n}": texts(field, q) for n, q in enumerate(basis, 1)}
+        return Decision(
+            "proved" if right else "refuted", "linear algebra", witness=witness, steps=steps
+        )
+
+    def _everywhere(self) -> Decision:
+        from flint import fmpz_mat
+
+        c = Constants(-1, 0, -1)
+        units: list[Coordinates] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
+        rows = []
+        for g in units[1:3]:
+            images = [
+                [x - y for x, y in zip(multiply(c, q, g), multiply(c, g, q), strict=True)]
+                for q in units
+            ]
+            rows += [list(column) for column in zip(*images, strict=True)]
+        smith = fmpz_mat(rows).snf()
+        divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
+        special = sorted({p for d in divisors for p in _primes(abs(d))})
+        dimension = {p: 4 - sum(1 for d in divisors if d % p) for p in special}
+        steps = (
+            f"Over ℤ, q·i = i·q and q·j = j·q has the elementary divisors {', '.join(map(str, divisors))}.",
+            f"So the centre is F·e in every field of characteristic not in {special}; "
+            + ", ".join(
+                f"in characteristic {p} its dimension is {n}" for p, n in dimension.items()
+            ),
+        )
+        right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
+        witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}
+        verdict = "proved" if right else "refuted"
+        return Decision(verdict, "Smith form", witness=witness, steps=steps, scope="fields")
+
+
+def _primes(n: int) -> list[int]:
+    from flint import fmpz
+
+    return [int(p) for p, _ in fmpz(n).factor()]

@@ -1,0 +1,162 @@
+"""A claim of the thesis: what it says, and the propositions that decide it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.metadata import entry_points
+from typing import TYPE_CHECKING, Protocol
+
+from hfield.errors import HFieldError
+from hfield.proving.decision import Decision
+
+if TYPE_CHECKING:
+    from hfield.rings.base import Ring
+
+UNIVERSAL = "universal"
+NO_FIELD = "-"
+PANEL = (
+    *("QQ", "RR", "CC", "GF(2)", "GF(3)", "GF(4)", "GF(5)", "GF(7)", "GF(8)", "GF(9)", "GF(13)"),
+    *("QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-7))", "QQ(x)", "GF(2)(t)", UNIVERSAL),
+)
+
+
+class Proposition(Protocol):
+    """Something true or false over each field; ``text`` says what."""
+
+    @property
+    def text(self) -> str:
+        """The proposition in words or formulas."""
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One row of the ledger.
+
+    ``as_printed`` is None for a row that no program can check, and ``note`` says why; elsewhere
+    ``note`` says how the print was read, or why it fails. ``spoilt`` is the twin with one sign,
+    index or hypothesis changed, whose verdicts must differ. ``corrected`` is the true statement
+    behind a refuted one. ``fieldless`` marks a claim that is about no field.
+    """
+
+    id: str
+    name: str
+    kind: str
+    statement: str
+    printed: str
+    as_printed: Proposition | None = None
+    spoilt: Proposition | None = None
+    corrected: Proposition | None = None
+    note: str = ""
+    headline: bool = False
+    fieldless: bool = False
+
+    @property
+    def section(self) -> str:
+        """The section of the thesis, such as ``1.3.1``; it is part of the id."""
+        return self.id[1:].split("-")[0]
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """The columns in which this claim has a row."""
+        return (NO_FIELD,) if self.fieldless else PANEL
+
+    @property
+    def checkable(self) -> bool:
+        """Whether a program can decide it."""
+        return self.as_printed is not None
+
+
+@dataclass(frozen=True)
+class Row:
+    """A claim decided over one field, as printed and, where that is refuted, as corrected."""
+
+    claim: Claim
+    field: str
+    as_printed: Decision
+    as_corrected: Decision | None
+
+    def to_json(self) -> dict[str, object]:
+        """Return the row as fixed by the schema ``hfield-verify/1``."""
+        return {
+            "id": self.claim.id,
+            "field": self.field,
+            "as_printed": self.as_printed.verdict,
+            "as_corrected": None if self.as_corrected is None else self.as_corrected.verdict,
+            "method": self.as_printed.method,
+            "witness": self.as_printed.witness,
+            "correction": self.correction,
+            "certificate": None,
+        }
+
+    @property
+    def correction(self) -> str | None:
+        """The corrected statement, where the printed one is refuted."""
+        refuted = self.as_printed.verdict == "refuted"
+        return self.claim.corrected.text if refuted and self.claim.corrected else None
+
+    @property
+    def settled(self) -> bool:
+        """Whether there is a verdict, and a refuted print has a correction that is not refuted."""
+        if self.as_printed.verdict == "undecided":
+            return False
+        return self.as_corrected is None or self.as_corrected.verdict not in (
+            "undecided",
+            "refuted",
+        )
+
+
+def decide(claim: Claim, field: str) -> Row:
+    """Decide ``claim`` over the field named; the correction too where the print is refuted.
+
+    ``field`` is the text of any field, ``"universal"``, or ``"-"`` for a claim about no field.
+    """
+    from hfield.rings import ring
+
+    if claim.as_printed is None:
+        return Row(
+            claim, field, Decision("not-applicable", "not checkable", steps=(claim.note,)), None
+        )
+    base = None if field in (UNIVERSAL, NO_FIELD) else ring(field)
+    printed = claim.as_printed.decide(base)
+    if printed.verdict != "refuted" or claim.corrected is None:
+        return Row(claim, field, printed, None)
+    return Row(claim, field, printed, claim.corrected.decide(base))
+
+
+@lru_cache(maxsize=1)
+def claims() -> tuple[Claim, ...]:
+    """Return all claims: chapter 1, then what other packages add (entry points ``hfield.claims``)."""
+    from hfield.ledger.chapter1 import CLAIMS
+
+    return (*CLAIMS, *_foreign())
+
+
+def _foreign() -> Iterator[Claim]:
+    for point in entry_points(group="hfield.claims"):
+        yield from point.load()
+
+
+def find(name: str) -> Claim:
+    """Return the claim with this id or name. Raises :class:`UnknownClaimError`."""
+    wanted = name.strip().lower()
+    for claim in claims():
+        if wanted in (claim.id.lower(), claim.name):
+            return claim
+    from difflib import get_close_matches
+
+    known = [text for claim in claims() for text in (claim.id, claim.name)]
+    close = get_close_matches(name, known, n=3) or get_close_matches(wanted, known, n=3)
+    hint = f"did you mean {' or '.join(close)}?" if close else "`hfield claims` lists them"
+    raise UnknownClaimError(f"there is no claim {name!r}: {hint}")
+
+
+class UnknownClaimError(HFieldError, LookupError):
+    """A claim's id or name that is not in the ledger."""
+
+
+__all__ = ["PANEL", "UNIVERSAL", "Claim", "Proposition", "Row", "claims", "decide", "find"]

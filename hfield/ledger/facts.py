@@ -1,0 +1,119 @@
+"""Propositions about the base field, on which the existence of inverses depends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hfield import structure
+from hfield.ledger.propositions import search_panel
+from hfield.notation import element_text
+from hfield.product import Constants, Coordinates, norm
+from hfield.proving.decision import Decision
+from hfield.rings.base import INFINITY, Ring
+
+
+def hamilton(F: Ring) -> Constants:
+    """Return the structure constants of H(F)."""
+    return Constants(F(-1), F(0), F(-1))
+
+
+def texts(F: Ring, q: Coordinates) -> list[str]:
+    """Write the coordinates of a witness."""
+    return [F.text(x) for x in q]
+
+
+def _no_single_field() -> Decision:
+    return Decision(
+        "not-applicable",
+        "no meaning here",
+        steps=("This speaks of one field, not of all at once.",),
+    )
+
+
+@dataclass(frozen=True)
+class LevelAbove:
+    """−1 is not a sum of ``bound`` squares in F; ``INFINITY`` says that F is formally real."""
+
+    bound: float
+
+    @property
+    def text(self) -> str:
+        """The fact in words."""
+        if self.bound == INFINITY:
+            return "F is formally real"
+        squares = "a square" if self.bound == 1 else f"a sum of {self.bound} squares"
+        return f"−1 is not {squares} in F"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Compare with the level of the field; refuted by squares that add up to −1."""
+        if field is None:
+            return _no_single_field()
+        level = field.level
+        if level.value is None:
+            return Decision("undecided", "level", tried=(level.reason,))
+        if level.value > self.bound or level.value == INFINITY:
+            return Decision("proved", "level", steps=(f"The level is {level}.",))
+        roots = field.minus_one_as_squares()
+        total = field.zero
+        for x in roots:
+            total = total + x * x
+        if not field.equal(total, field(-1)):
+            return Decision("undecided", "level", tried=(f"squares adding up to −1 in {field}",))
+        shown = " + ".join(f"({field.text(x)})²" for x in roots)
+        witness = {f"x{n}": [field.text(x)] for n, x in enumerate(roots, 1)}
+        return Decision("refuted", "sum of squares", witness=witness, steps=(f"−1 = {shown}",))
+
+
+@dataclass(frozen=True)
+class Division:
+    """Every nonzero element of H(F) is invertible: no nonzero element has norm 0."""
+
+    text = "every nonzero element of H(F) has an inverse"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Find a nonzero element of norm 0, or the reason why there is none."""
+        if field is None:
+            return _no_single_field()
+        found = structure.zero_norm(field, hamilton(field))
+        if found.element is None:
+            return Decision(
+                "proved", "anisotropic norm", steps=(f"N(q) = 0 only for q = 0: {found.reason}",)
+            )
+        q = found.element
+        step = f"q = {element_text(field, q, 'unicode', 'e')} ≠ 0 has N(q) = 0."
+        return Decision("refuted", "zero norm", witness={"q": texts(field, q)}, steps=(step,))
+
+
+@dataclass(frozen=True)
+class PositiveNorm:
+    """q has an inverse exactly when N(q) > 0 (``sign`` = 1), in whatever order F has."""
+
+    sign: int = 1
+
+    @property
+    def text(self) -> str:
+        """The criterion as printed."""
+        return f"q has an inverse if and only if N(q) {'>' if self.sign > 0 else '<'} 0"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Compare the criterion with N(q) ≠ 0 in the orders that the field has."""
+        if field is None:
+            return search_panel(self)
+        one = (field.one, *(field.zero,) * 3)
+        if field.characteristic:
+            step = f"{field} has no order: 1 + … + 1 ({field.characteristic} times) is 0."
+            return Decision("not-applicable", "no order", steps=(step,))
+        if field.level.value == INFINITY and self.sign > 0:
+            steps = (
+                f"{field} is formally real: {field.level.reason}.",
+                "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
+            )
+            return Decision("proved", "ordering", steps=steps)
+        for q in (one, *((x, *(field.zero,) * 3) for x in field.names().values())):
+            n = norm(hamilton(field), q)
+            value = next((m for m in range(-20, 21) if m and field.equal(n, field(m))), None)
+            if value is not None and value * self.sign < 0:
+                shown = element_text(field, q, "unicode", "e")
+                step = f"q = {shown} has an inverse, though N(q) = {value}."
+                return Decision("refuted", "witness", witness={"q": texts(field, q)}, steps=(step,))
+        return Decision("undecided", "ordering", tried=("multiples of e with a rational norm",))

@@ -1,0 +1,73 @@
+"""The report of ``hfield verify`` as Markdown: one table, the errata below it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from hfield.ledger.claim import Row
+from hfield.ledger.columns import head
+from hfield.ledger.errata import Erratum, errata, witness_text
+from hfield.ledger.matrix import MARKS, columns_of
+from hfield.ledger.report import totals
+from hfield.ledger.run import contradictions
+
+
+def markdown(rows: Sequence[Row], *, everything: bool = False) -> str:
+    """Write the rows as a table of marks, the errata, and with ``everything`` each row."""
+    fields = columns_of(rows)
+    marks = {(row.claim.id, row.field): MARKS[row.as_printed.verdict] for row in rows}
+    claims = {row.claim.id: row.claim for row in rows}
+    grid = [["claim", "", *(head(field) for field in fields)]]
+    for name, claim in claims.items():
+        grid.append([name, claim.name, *(marks.get((name, field), "") for field in fields)])
+    legend = ", ".join(f"{mark} {verdict}" for verdict, mark in MARKS.items())
+    parts = ["## Claims, as printed", table(grid), legend]
+    parts += _list("## Contradictions", [f"- {text}" for text in contradictions(rows)])
+    parts += _list("## Errata", [_erratum(erratum) for erratum in errata(rows)])
+    if everything:
+        parts += ["## Every row", table([_HEADS, *(_cells(row) for row in rows)])]
+    return "\n\n".join([*parts, totals(rows)])
+
+
+_HEADS = ["claim", "field", "as printed", "method", "witness", "as corrected"]
+
+
+def _cells(row: Row) -> list[str]:
+    decision, corrected = row.as_printed, row.as_corrected
+    witness = witness_text(decision.witness, row.field)
+    return [
+        *(row.claim.id, row.field, decision.verdict, decision.method, witness),
+        "" if corrected is None else corrected.verdict,
+    ]
+
+
+def _list(title: str, items: Sequence[str]) -> list[str]:
+    return [title, "\n\n".join(items)] if items else []
+
+
+def _erratum(erratum: Erratum) -> str:
+    claim = erratum.claim
+    lines = [
+        f"### {claim.id} {claim.name}",
+        f"- prints: {_escape(claim.printed or claim.statement)}",
+    ]
+    lines += [f"- {verdict}: {fields}" for verdict, fields in erratum.outcome()]
+    lines += [f"- why: {_escape(erratum.reason)}"] if erratum.reason else []
+    lines += [f"- witness: {_escape(erratum.witness)}"] if erratum.witness else []
+    if claim.corrected:
+        verdicts = "; ".join(f"{verdict}: {fields}" for verdict, fields in erratum.outcome(True))
+        lines.append(f"- corrected: `{claim.corrected.text}` ({verdicts})")
+    return "\n".join([lines[0], "", *lines[1:]])
+
+
+def table(grid: Sequence[Sequence[str]]) -> str:
+    """Write a table; its first line is the head."""
+    lines = ["| " + " | ".join(_escape(cell) for cell in line) + " |" for line in grid]
+    return "\n".join([lines[0], "|" + "---|" * len(grid[0]), *lines[1:]])
+
+
+def _escape(text: str) -> str:
+    """Keep a text from being read as Markdown."""
+    for mark in "\\|*_`[]<>":
+        text = text.replace(mark, f"\\{mark}")
+    return text

@@ -1,0 +1,122 @@
+"""The claims × fields table for a terminal, and the marks it is made of."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from hfield.ledger.claim import Claim, Row
+from hfield.ledger.columns import head, panel_order
+from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERDICTS
+
+MARKS = {PROVED: "✓", REFUTED: "✗", VACUOUS: "∅", UNDECIDED: "?", NOT_APPLICABLE: "·"}
+ASCII_MARKS = {PROVED: "+", REFUTED: "x", VACUOUS: "o", UNDECIDED: "?", NOT_APPLICABLE: "."}
+_COLOURS = {PROVED: "32", REFUTED: "31", VACUOUS: "36", UNDECIDED: "33", NOT_APPLICABLE: "2"}
+_LEAST_NAME = 12
+
+
+@dataclass(frozen=True)
+class Style:
+    """How a terminal wants its text: columns, whether it can show unicode, and colours."""
+
+    width: int = 100
+    ascii_only: bool = False
+    colour: bool = False
+
+    def mark(self, verdict: str) -> str:
+        """Return the one-character mark of a verdict."""
+        mark = (ASCII_MARKS if self.ascii_only else MARKS)[verdict]
+        return self.paint(mark, _COLOURS[verdict])
+
+    def paint(self, text: str, code: str) -> str:
+        """Colour a text by an ANSI code, where colours are wanted."""
+        return f"\x1b[{code}m{text}\x1b[0m" if self.colour else text
+
+    def bold(self, text: str) -> str:
+        """Set a text in bold, where colours are wanted."""
+        return self.paint(text, "1")
+
+    @property
+    def rule(self) -> str:
+        """The character of horizontal rules."""
+        return "-" if self.ascii_only else "─"
+
+    def legend(self, verdicts: Sequence[str] = VERDICTS) -> str:
+        """Return the meaning of the marks."""
+        return "   ".join(f"{self.mark(v)} {v.replace('-', ' ')}" for v in verdicts)
+
+
+def columns_of(rows: Sequence[Row]) -> list[str]:
+    """Return the fields of the rows, those of the panel in its order and the others behind."""
+    return sorted(dict.fromkeys(row.field for row in rows), key=panel_order)
+
+
+def matrix(rows: Sequence[Row], style: Style) -> str:
+    """Lay out the verdicts as printed: one line a claim, one column a field.
+
+    Heads are written out where they fit, else short; more columns than fit go into blocks below
+    each other. A claim about no field shows its one mark in a column of its own only when it has
+    to; the caller leaves such rows to the summary.
+    """
+    claims = list({row.claim.id: row.claim for row in rows}.values())
+    marks = {(row.claim.id, row.field): row.as_printed.verdict for row in rows}
+    fields = columns_of(rows)
+    ids = max(len(c.id) for c in claims)
+    names = max(len(c.name) for c in claims)
+    room = style.width - ids - 3
+    short = [head(field, style.ascii_only) for field in fields]
+    for heads, gap, label in ((fields, 2, names), (short, 2, names), (short, 1, names)):
+        if label + sum(len(h) + gap for h in heads) <= room:
+            break
+    else:
+        heads, gap, label = short, 1, _clip(names, room, short)
+    blocks = _blocks(heads, room - label, gap)
+    return "\n\n".join(
+        _block(claims, marks, fields, heads, b, (ids, label, gap), style) for b in blocks
+    )
+
+
+def _clip(names: int, room: int, heads: Sequence[str]) -> int:
+    """Return the width left for names, not less than is needed to tell them apart."""
+    return min(names, max(room - sum(len(h) + 1 for h in heads), _LEAST_NAME))
+
+
+def _blocks(heads: Sequence[str], room: int, gap: int) -> list[range]:
+    blocks, start, used = [], 0, 0
+    for n, text in enumerate(heads):
+        if n > start and used + len(text) + gap > room:
+            blocks.append(range(start, n))
+            start, used = n, 0
+        used += len(text) + gap
+    return [*blocks, range(start, len(heads))]
+
+
+def _block(
+    claims: Sequence[Claim],
+    marks: dict[tuple[str, str], str],
+    fields: Sequence[str],
+    heads: Sequence[str],
+    block: range,
+    widths: tuple[int, int, int],
+    style: Style,
+) -> str:
+    ids, label, gap = widths
+    space = " " * gap
+    lines = [" " * (ids + label + 3) + "".join(f"{space}{heads[n]}" for n in block)]
+    lines.append(style.rule * len(lines[0]))
+    for claim in claims:
+        name = claim.name if len(claim.name) <= label else claim.name[: label - 1] + "…"
+        cells = ""
+        for n in block:
+            verdict = marks.get((claim.id, fields[n]))
+            left = (len(heads[n]) - 1) // 2
+            right = len(heads[n]) - 1 - left
+            cells += space + " " * left + (style.mark(verdict) if verdict else " ") + " " * right
+        lines.append(f"{claim.id:<{ids}}  {name:<{label}} {cells}".rstrip())
+    return "\n".join(lines)
+
+
+def tally(rows: Sequence[Row]) -> Counter[str]:
+    """Count the rows by their verdict as printed."""
+    return Counter(row.as_printed.verdict for row in rows)

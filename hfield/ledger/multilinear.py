@@ -1,0 +1,255 @@
+"""Lemma 1 of the thesis (1.1.3): multilinear maps are decided on tuples of basis vectors.
+
+A k-linear form on V = F⁴ is written with one unknown entry for each basis tuple. Everything said
+here about such a form is an identity between polynomials in those entries and in the coordinates
+of the arguments, with integer coefficients; so it holds over every commutative ring, and for maps
+to V coordinate by coordinate.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product as tuples
+from typing import Any
+
+from hfield.notation import BASIS
+from hfield.proving.decision import Decision
+from hfield.rings.base import Ring
+
+N = len(BASIS)
+INDUCTION = "induction on k (its base is C1.1.3-c, its step C1.1.3-d and C1.1.3-e)"
+Tuple = tuple[int, ...]
+
+
+def all_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return the n^k tuples of basis vectors, as indices."""
+    return tuple(tuples(range(N), repeat=k))
+
+
+def constant_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return the n tuples that repeat one basis vector: what ``{e_{i_1}}_{i=1}^k`` names."""
+    return tuple((n,) * k for n in range(N))
+
+
+def short_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return the tuples in which only k − 1 indices run, and the last stays at e."""
+    return tuple((*t, 0) for t in all_tuples(k - 1))
+
+
+def spoilt_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return all tuples but the last one."""
+    return all_tuples(k)[:-1]
+
+
+class Form:
+    """The general k-linear form: unknown entries ``h_t`` and arguments ``a1 … ak``, as polynomials.
+
+    ``extra`` names further unknowns wanted in the same polynomial ring.
+    """
+
+    def __init__(self, k: int, extra: tuple[str, ...] = ()) -> None:
+        from flint import Ordering, fmpz_mpoly_ctx
+
+        self.k = k
+        entries = ["h" + "".join(map(str, t)) for t in all_tuples(k)]
+        arguments = [f"a{m}_{n}" for m in range(k) for n in range(N)]
+        names = (*entries, *arguments, *extra)
+        gens = fmpz_mpoly_ctx.get(names, Ordering.lex).gens()
+        self.zero = gens[0] - gens[0]
+        self.one = self.zero + 1
+        self.entry = dict(zip(all_tuples(k), gens, strict=False))
+        coordinates = gens[len(entries) :]
+        self.arguments = [list(coordinates[N * m : N * m + N]) for m in range(k)]
+        self.extra = coordinates[N * k :]
+
+    def __call__(self, *arguments: list[Any]) -> Any:
+        """Return the value of the form: Σ h_t · Π a_m[t_m]."""
+        total = self.zero
+        for t, h in self.entry.items():
+            term = h
+            for a, n in zip(arguments, t, strict=True):
+                term = term * a[n]
+            total = total + term
+        return total
+
+    def basis(self, n: int) -> list[Any]:
+        """Return the n-th basis vector."""
+        return [self.one if m == n else self.zero for m in range(N)]
+
+
+@dataclass(frozen=True)
+class DeterminedBy:
+    """k-linear maps that agree on ``choice(k)`` are equal, for each k in ``arities``."""
+
+    choice: Any
+    arities: tuple[int, ...]
+    words: str
+    assumes: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The claim in words."""
+        return f"k-linear f, g: Vᵏ → V are equal if and only if they agree on {self.words}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Set the entries h_t of f − g to 0 on the tuples given, and see what is left of f − g."""
+        steps: list[str] = []
+        for k in self.arities:
+            form, given = Form(k), set(self.choice(k))
+            left = form(*form.arguments)
+            for t in given:
+                # The entry at t is the value at t: agreeing there means that h_t = 0.
+                value = form(*(form.basis(n) for n in t))
+                left = left - value * _monomial(form, t)
+            if left != 0:
+                t = next(t for t in all_tuples(k) if t not in given)
+                vectors = ", ".join(BASIS[n] for n in t)
+                steps.append(
+                    f"k = {k}: let f be 1·e on ({vectors}) and 0 on the other basis tuples, g = 0: "
+                    "they agree on all tuples named, yet f ≠ g."
+                )
+                witness: dict[str, Any] = {
+                    f"a{m}": [str(int(n == r)) for r in range(N)] for m, n in enumerate(t, 1)
+                }
+                witness |= {"f": ["1", "0", "0", "0"], "g": ["0", "0", "0", "0"]}
+                return Decision("refuted", "basis tuples", witness=witness, steps=tuple(steps))
+            steps.append(
+                f"k = {k}: f − g = Σ h_t·a₁[t₁]⋯aₖ[tₖ] over {len(given)} tuples t, all h_t = 0."
+            )
+        return Decision(
+            "proved",
+            "basis tuples",
+            steps=tuple(steps),
+            scope="commutative rings",
+            assumes=self.assumes,
+        )
+
+
+def _monomial(form: Form, t: Tuple) -> Any:
+    term = form.one
+    for a, n in zip(form.arguments, t, strict=True):
+        term = term * a[n]
+    return term
+
+
+@dataclass(frozen=True)
+class CurriedIsLinear:
+    """Fixing the last argument at a basis vector leaves an m-linear map (``power`` 1; 2 spoils it)."""
+
+    power: int = 1
+
+    @property
+    def text(self) -> str:
+        """The claim in a formula."""
+        square = "" if self.power == 1 else "²"
+        return (
+            "f̃(a₁,…,aₘ) = f(a₁,…,aₘ,e₀) is m-linear: "
+            f"f̃(…, s·a + y·b, …) = s{square}·f̃(…, a, …) + y·f̃(…, b, …)"
+        )
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Expand both sides for m = 1, 2, each slot and each e₀."""
+        for m in (1, 2):
+            form = Form(m + 1, ("s", "y", *(f"b{n}" for n in range(N))))
+            s, y, *b = form.extra
+            for last, slot in tuples(range(N), range(m)):
+                a = form.arguments[slot]
+                arguments = [*form.arguments[:m], form.basis(last)]
+
+                def at(
+                    vector: list[Any],
+                    form: Form = form,
+                    arguments: Any = arguments,
+                    slot: int = slot,
+                ) -> Any:
+                    return form(*arguments[:slot], vector, *arguments[slot + 1 :])
+
+                mixed = at([s * u + y * v for u, v in zip(a, b, strict=True)])
+                if mixed != s**self.power * at(a) + y * at(b):
+                    step = "Take s = 2, y = 0: the left side doubles, the right side does not."
+                    witness = {"s": ["2"], "y": ["0"]}
+                    return _over_all(
+                        field, Decision("refuted", "identity", witness=witness, steps=(step,))
+                    )
+        step = "Both sides expand to the same polynomial for m = 1, 2, each slot, each basis vector e₀."
+        return Decision(
+            "proved", "identity", steps=(step,), scope="commutative rings", assumes=(INDUCTION,)
+        )
+
+
+def _over_all(field: Ring | None, decision: Decision) -> Decision:
+    """A difference s² − s vanishes on GF(2), where a map is told by its values, not by its formula."""
+    if field is not None and field.order == 2:
+        return Decision("proved", "exhaustion", steps=("s² = s for both elements s of GF(2).",))
+    return decision
+
+
+@dataclass(frozen=True)
+class LastArgument:
+    """``Σ_{i≤n} α_i f(…, e_i) = f(…, Σ_{i≤upper} α_i e_i)``, where V has n = 4 basis vectors."""
+
+    upper: int = N
+    arities: tuple[int, ...] = (1, 2, 3)
+
+    @property
+    def text(self) -> str:
+        """The chain in a formula."""
+        bound = {N: "n", N + 1: "n+1", N - 1: "n−1"}[self.upper]
+        return f"Σ_{{i=1}}^n α_i g(a₁,…,aₘ,e_i) = g(a₁,…,aₘ, Σ_{{i=1}}^{{{bound}}} α_i e_i)"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Expand both sides; a summand beyond the basis is any vector b at all."""
+        for k in self.arities:
+            form = Form(k, (*(f"x{n}" for n in range(N + 1)), *(f"b{n}" for n in range(N))))
+            x, b = form.extra[: N + 1], form.extra[N + 1 :]
+            fixed = form.arguments[: k - 1]
+            vectors = [*(form.basis(n) for n in range(N)), list(b)]
+            left = form.zero
+            for n in range(N):
+                left = left + x[n] * form(*fixed, vectors[n])
+            total = [form.zero] * N
+            for n in range(self.upper):
+                total = [u + x[n] * v for u, v in zip(total, vectors[n], strict=True)]
+            if left != form(*fixed, total):
+                n = min(self.upper, N)
+                step = (
+                    f"The two sides differ by the summand number {n + (self.upper > N)}: V has {N} basis vectors, "
+                    f"and the sum on the right runs to {self.upper}."
+                )
+                witness = {f"x{m + 1}": [str(int(m == n))] for m in range(N + 1)}
+                return Decision("refuted", "identity", witness=witness, steps=(step,))
+        step = f"Both sides expand to the same polynomial in {', '.join(map(str, self.arities))} arguments."
+        return Decision(
+            "proved", "identity", steps=(step,), scope="commutative rings", assumes=(INDUCTION,)
+        )
+
+
+@dataclass(frozen=True)
+class IsBasis:
+    """The vectors listed are a basis of the free module of rank ``dimension``."""
+
+    vectors: tuple[Tuple, ...]
+    dimension: int
+    words: str
+
+    @property
+    def text(self) -> str:
+        """The claim in words."""
+        return f"{self.words} is a basis"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Count the vectors and their coordinates, then take the determinant over ℤ."""
+        lengths = {len(v) for v in self.vectors}
+        if lengths != {self.dimension} or len(self.vectors) != self.dimension:
+            step = (
+                f"{len(self.vectors)} vectors with {', '.join(map(str, sorted(lengths)))} coordinates "
+                f"cannot be a basis of a space of dimension {self.dimension}."
+            )
+            last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
+            return Decision("refuted", "count", witness={"missing": last}, steps=(step,))
+        from flint import fmpz_mat
+
+        det = int(fmpz_mat([list(v) for v in self.vectors]).det())
+        unit = abs(det) == 1 if field is None else field.is_unit(field(det))
+        step = f"The determinant is {det}, {'a unit' if unit else 'not a unit'}."
+        return Decision("proved" if unit else "refuted", "determinant", steps=(step,))

@@ -1,0 +1,59 @@
+"""Reports as objects, for sessions and notebooks: they print themselves and show as LaTeX."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from hfield.executors import InProcess
+from hfield.ledger.claim import Row, claims, find
+from hfield.ledger.columns import rows_to_decide, split_columns
+from hfield.ledger.matrix import Style, columns_of
+from hfield.ledger.report import report
+from hfield.ledger.run import decide_rows
+from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS
+
+_MARKS = {
+    PROVED: r"\checkmark",
+    REFUTED: r"\times",
+    VACUOUS: r"\varnothing",
+    UNDECIDED: "?",
+    NOT_APPLICABLE: r"\cdot",
+}
+
+
+@dataclass(frozen=True)
+class Report:
+    """Rows of the ledger, decided; ``rows`` are :class:`hfield.ledger.claim.Row` objects."""
+
+    rows: tuple[Row, ...]
+    chosen: bool = False
+
+    def latex(self) -> str:
+        """Write the table of verdicts as an array of LaTeX."""
+        fields = columns_of(self.rows)
+        marks = {(row.claim.id, row.field): _MARKS[row.as_printed.verdict] for row in self.rows}
+        names = {row.claim.id: row.claim.name for row in self.rows}
+        lines = [" & ".join(["", *(rf"\text{{{field}}}" for field in fields)]) + r" \\ \hline"]
+        for key, name in names.items():
+            cells = [marks.get((key, field), "") for field in fields]
+            lines.append(" & ".join([rf"\text{{{key} {name}}}", *cells]) + r" \\")
+        return rf"\begin{{array}}{{l|{'c' * len(fields)}}}" + "\n".join(lines) + r"\end{array}"
+
+    def __str__(self) -> str:
+        return report(self.rows, Style(), chosen=self.chosen)
+
+    __repr__ = __str__
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
+
+
+def verify(names: Sequence[str] = (), fields: Sequence[str] = ()) -> Report:
+    """Decide the claims named (ids or names; all of them by default) over fields (the panel).
+
+    Raises :class:`hfield.errors.HFieldError` for claims or fields that do not exist.
+    """
+    chosen = [find(name) for name in names]
+    pieces = rows_to_decide(chosen or claims(), split_columns(fields), strict=bool(chosen))
+    return Report(tuple(decide_rows(pieces, InProcess())), bool(chosen))

@@ -1,0 +1,200 @@
+"""Propositions and how they combine: statements of the language, and logic between closed ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
+from hfield.proving.decide import decide
+from hfield.proving.decision import Decision
+from hfield.rings import ring
+from hfield.rings.base import Ring
+
+TRUE = ("proved", "vacuous")
+
+
+def where(field: Ring | None) -> str:
+    """Name a column in words."""
+    return "every commutative ring" if field is None else field.name
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement of the language, for all values of its unknowns; ``given`` are hypotheses."""
+
+    formula: str
+    given: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The statement with its hypotheses in front."""
+        return " => ".join((*self.given, self.formula))
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it by the prover."""
+        return decide(self.formula, field, given=self.given)
+
+
+@dataclass(frozen=True)
+class Every:
+    """All of several propositions: refuted by the first that is refuted."""
+
+    parts: tuple[Proposition, ...]
+    words: str = ""
+
+    @property
+    def text(self) -> str:
+        """The parts, joined."""
+        return self.words or " and ".join(part.text for part in self.parts)
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide every part; what stops the proof decides the whole."""
+        steps: list[str] = []
+        methods: list[str] = []
+        for part in self.parts:
+            decision = part.decide(field)
+            if decision.verdict not in TRUE:
+                return replace(decision, steps=(*steps, part.text, *decision.steps))
+            steps += [part.text, *(f"  {step}" for step in decision.steps)]
+            methods += [m for m in [decision.method] if m not in methods]
+        return Decision("proved", "; ".join(methods), steps=tuple(steps))
+
+
+@dataclass(frozen=True)
+class Implication:
+    """``hypothesis ⇒ conclusion`` between propositions about the field alone.
+
+    Over all fields at once it is proved by ``everywhere``; without that, a field of the panel is
+    looked for that refutes it.
+    """
+
+    hypothesis: Proposition
+    conclusion: Proposition
+    everywhere: Proposition | None = None
+
+    @property
+    def text(self) -> str:
+        """The two sides in words."""
+        return f"if {self.hypothesis.text}, then {self.conclusion.text}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide both sides over ``field``; vacuous where the hypothesis is refuted."""
+        if field is None:
+            return self.everywhere.decide(None) if self.everywhere else search_panel(self)
+        first = self.hypothesis.decide(field)
+        if first.verdict == "refuted":
+            steps = (f"The hypothesis fails over {field}:", *first.steps)
+            return Decision("vacuous", first.method, witness=first.witness, steps=steps)
+        if first.verdict not in TRUE:
+            return first
+        second = self.conclusion.decide(field)
+        return replace(second, steps=(*first.steps, *second.steps))
+
+
+@dataclass(frozen=True)
+class Equivalence:
+    """``left ⇔ right`` between propositions about the field alone; as :class:`Implication`."""
+
+    left: Proposition
+    right: Proposition
+    everywhere: Proposition | None = None
+
+    @property
+    def text(self) -> str:
+        """The two sides in words."""
+        return f"{self.left.text} if and only if {self.right.text}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide both sides over ``field`` and compare."""
+        if field is None:
+            return self.everywhere.decide(None) if self.everywhere else search_panel(self)
+        sides = (self.left.decide(field), self.right.decide(field))
+        unsettled = [d for d in sides if d.verdict not in ("proved", "refuted")]
+        if unsettled:
+            return unsettled[0]
+        a, b = sides
+        steps = (
+            f"{self.left.text}: {a.verdict}",
+            *(f"  {s}" for s in a.steps),
+            f"{self.right.text}: {b.verdict}",
+            *(f"  {s}" for s in b.steps),
+        )
+        verdict = "proved" if a.verdict == b.verdict else "refuted"
+        method = a.method if a.method == b.method else f"{a.method}; {b.method}"
+        witness = (a.witness or b.witness) if verdict == "refuted" else None
+        return Decision(verdict, method, witness=witness, steps=steps)
+
+
+@dataclass(frozen=True)
+class Negation:
+    """``proposition`` does not hold in every field: proved by the fields of the panel in which it fails."""
+
+    proposition: Proposition
+
+    @property
+    def text(self) -> str:
+        """The denial in words."""
+        return f"not in every field: {self.proposition.text}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Go through the panel (or look at the one field given) and show what was found in each."""
+        names = [field.name] if field else [name for name in PANEL if name != UNIVERSAL]
+        found = {name: self.proposition.decide(ring(name)) for name in names}
+        steps = [
+            f"{name}: {d.verdict}"
+            + (f", {witness_text(d.witness)}" if d.witness else "")
+            + (f" — {d.steps[-1]}" if d.steps else "")
+            for name, d in found.items()
+        ]
+        fails = {name: d for name, d in found.items() if d.verdict == "refuted"}
+        if fails:
+            name, first = next(iter(fails.items()))
+            witness = {"F": [name], **(first.witness or {})}
+            return Decision("proved", "witness", witness=witness, steps=tuple(steps))
+        settled = all(d.verdict in TRUE for d in found.values())
+        return Decision("refuted" if settled else "undecided", "panel", steps=tuple(steps))
+
+
+@dataclass(frozen=True)
+class Only:
+    """A proposition that has a meaning over some fields only; ``fits`` are their names."""
+
+    proposition: Proposition
+    fits: tuple[str, ...]
+    reason: str
+    assumes: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The proposition itself."""
+        return self.proposition.text
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it where it means something."""
+        if field is None or field.name not in self.fits:
+            return Decision("not-applicable", "no meaning here", steps=(self.reason,))
+        decision = self.proposition.decide(field)
+        return replace(decision, assumes=(*decision.assumes, *self.assumes))
+
+
+def search_panel(proposition: Proposition) -> Decision:
+    """Refute a proposition about all fields by a field of the panel, or leave it undecided."""
+    for name in PANEL:
+        if name == UNIVERSAL:
+            continue
+        decision = proposition.decide(ring(name))
+        if decision.verdict == "refuted":
+            witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
+            steps = (f"It fails over {name}:", *decision.steps)
+            return replace(decision, witness=witness, steps=steps)
+    return Decision("undecided", "panel", tried=("a counterexample in each field of the panel",))
+
+
+def witness_text(witness: dict[str, Any] | None) -> str:
+    """Write a witness in one line, such as ``p = (0,1,0,0), q = (0,0,1,0)``."""
+    parts = []
+    for name, values in (witness or {}).items():
+        shown = values[0] if len(values) == 1 else f"({','.join(values)})"
+        parts.append(f"{name} = {shown}")
+    return ", ".join(parts)

@@ -1,0 +1,144 @@
+"""The report of ``hfield verify`` for a terminal: headline table, summary of the rest, errata."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+from hfield.ledger.claim import Claim, Row
+from hfield.ledger.errata import Erratum, errata, witness_text
+from hfield.ledger.matrix import Style, matrix, tally
+from hfield.ledger.run import contradictions
+from hfield.proving.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
+
+_LABEL = 11  # width of the labels in the errata
+
+
+def report(
+    rows: Sequence[Row], style: Style, *, chosen: bool = False, everything: bool = False
+) -> str:
+    """Write the report. ``chosen`` tables all claims given, else the headline ones only;
+    ``everything`` lists every row as well.
+    """
+    shown = [row for row in rows if chosen or everything or row.claim.headline]
+    rest = [] if chosen or everything else [row for row in rows if not row.claim.headline]
+    parts = []
+    if shown:
+        title = "The claims" if chosen or everything else "Headline claims"
+        parts += [style.bold(f"{title}, as printed"), matrix(shown, style), style.legend()]
+    if rest:
+        parts += [style.bold("The other claims, rows by verdict as printed"), summary(rest)]
+    if everything:
+        parts += [style.bold("Every row"), "\n".join(_line(row, style) for row in rows)]
+    parts += _section(
+        "Contradictions", [_wrap("!", text, style) for text in contradictions(rows)], style
+    )
+    parts += _section("Undecided", [_undecided(row, style) for row in rows if _is_open(row)], style)
+    parts += _section("Errata", [erratum_text(erratum, style) for erratum in errata(rows)], style)
+    parts.append(totals(rows))
+    return "\n\n".join(part for part in parts if part)
+
+
+def _section(title: str, items: Sequence[str], style: Style) -> list[str]:
+    return [style.bold(title), *items] if items else []
+
+
+def summary(rows: Sequence[Row]) -> str:
+    """Count claims and rows by section and verdict, with totals."""
+    sections = list(dict.fromkeys(row.claim.section for row in rows))
+    grid = [["section", "claims", *(v.replace("-", " ") for v in VERDICTS)]]
+    for section in sections:
+        grid.append([section, *_counts([row for row in rows if row.claim.section == section])])
+    if len(sections) > 1:
+        grid.append(["total", *_counts(rows)])
+    widths = [max(len(line[n]) for line in grid) for n in range(len(grid[0]))]
+    return "\n".join(
+        f"  {line[0]:<{widths[0]}}"
+        + "".join(f"  {cell:>{w}}" for cell, w in zip(line[1:], widths[1:], strict=True))
+        for line in grid
+    )
+
+
+def _counts(rows: Sequence[Row]) -> list[str]:
+    counts = tally(rows)
+    return [str(len({row.claim.id for row in rows})), *(str(counts[v]) for v in VERDICTS)]
+
+
+def totals(rows: Sequence[Row]) -> str:
+    """Say in one or two lines how many rows there are of each verdict."""
+    counts = tally(rows)
+    claims = {row.claim.id: row.claim for row in rows}
+    beyond = sum(not claim.checkable for claim in claims.values())
+    text = (
+        f"{_plural(len(claims), 'claim')}, {_plural(len(rows), 'row')}: "
+        + ", ".join(f"{counts[v]} {v.replace('-', ' ')}" for v in VERDICTS if counts[v])
+        + "."
+    )
+    if beyond:
+        text += (
+            f"\n{_plural(beyond, 'claim')} can be checked by no program "
+            f"(opinion, announcement): {', '.join(_beyond(list(claims.values())))}."
+        )
+    return text
+
+
+def _beyond(claims: Sequence[Claim]) -> list[str]:
+    return [claim.id for claim in claims if not claim.checkable]
+
+
+def _plural(n: int, noun: str) -> str:
+    return f"{n} {noun}" if n == 1 else f"{n} {noun}s"
+
+
+def erratum_text(erratum: Erratum, style: Style) -> str:
+    """Write one erratum: the print, where it fails, why, the witness, the correction."""
+    claim = erratum.claim
+    lines = [style.bold(f"{claim.id}  {claim.name}") + f"  ({claim.kind})"]
+    lines.append(_wrap("prints", claim.printed or claim.statement, style))
+    for verdict, fields in erratum.outcome():
+        lines.append(_wrap(verdict, f"over {fields}" if fields else "", style))
+    if erratum.reason:
+        lines.append(_wrap("why", erratum.reason, style))
+    if erratum.witness:
+        lines.append(_wrap("witness", erratum.witness, style))
+    if claim.corrected:
+        verdicts = "; ".join(
+            f"{verdict} over {fields}" for verdict, fields in erratum.outcome(True)
+        )
+        lines += [_wrap("corrected", claim.corrected.text, style), _wrap("", verdicts, style)]
+    return "\n".join(lines)
+
+
+def _undecided(row: Row, style: Style) -> str:
+    decision = row.as_printed
+    what = "as printed"
+    if decision.verdict != UNDECIDED and row.as_corrected is not None:
+        decision, what = row.as_corrected, "as corrected"
+    tried = "; ".join(decision.tried) or decision.method
+    return _wrap("?", f"{row.claim.id} over {row.field}, {what}. Tried: {tried}", style)
+
+
+def _is_open(row: Row) -> bool:
+    decisions = (row.as_printed, row.as_corrected)
+    return any(decision is not None and decision.verdict == UNDECIDED for decision in decisions)
+
+
+def _line(row: Row, style: Style) -> str:
+    decision = row.as_printed
+    text = f"{row.claim.id:<10} {row.field:<12} {style.mark(decision.verdict)} {decision.verdict}"
+    if decision.verdict != NOT_APPLICABLE:
+        text += f" by {decision.method}"
+    witness = witness_text(decision.witness, row.field)
+    if witness:
+        text += f"; {witness}"
+    if row.as_corrected is not None:
+        text += f"; corrected: {row.as_corrected.verdict} by {row.as_corrected.method}"
+    return text
+
+
+def _wrap(label: str, text: str, style: Style) -> str:
+    head = f"  {label:<{_LABEL}}"
+    wrapped = textwrap.wrap(
+        text, style.width - len(head), break_on_hyphens=False, break_long_words=True
+    )
+    return "\n".join((head if n == 0 else " " * len(head)) + line for n, line in enumerate(wrapped))

@@ -1,0 +1,132 @@
+"""Propositions about square roots in the base field: the modulus |q| = √N(q) and its law."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product as tuples
+from typing import Any
+
+from hfield.ledger.facts import hamilton, texts
+from hfield.ledger.propositions import search_panel
+from hfield.product import Coordinates, multiply, norm
+from hfield.proving.decision import Decision
+from hfield.rings.base import INFINITY, Ring
+
+
+@dataclass(frozen=True)
+class ModulusDefined:
+    """The modulus |q| = √N(q) exists in F for each q."""
+
+    text = "N(q) is a square in F for each q, so that |q| = √N(q) exists"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Look for a small q whose norm is no square; else say why every norm is one."""
+        if field is None:
+            return search_panel(self)
+        for q in small_elements(field):
+            n = norm(hamilton(field), q)
+            if field.sqrt(n) is None:
+                step = f"N(q) = {field.text(n)} is not a square in {field}."
+                return Decision("refuted", "witness", witness={"q": texts(field, q)}, steps=(step,))
+        if field.order is not None:
+            squares = {field.key(x * x) for x in field.elements()}
+            if len(squares) == field.order:
+                step = f"All {field.order} elements are squares."
+                return Decision("proved", "exhaustion", steps=(step,))
+        if field.closure:
+            step = f"{field} is {field.closure}, so every norm is a square."
+            return Decision(
+                "proved", "closed field", steps=(step,), assumes=(f"{field} is {field.closure}",)
+            )
+        return Decision("undecided", "search", tried=("norms of small elements",))
+
+
+def small_elements(F: Ring) -> list[Coordinates]:
+    """Return a few dozen quaternions with coordinates 0, 1 and the generators of F."""
+    values = [F.zero, F.one, *F.names().values()]
+    return [(w, x, y, z) for z, y, x, w in tuples(values, repeat=4)]
+
+
+@dataclass(frozen=True)
+class ModulusLaw:
+    """|pq| = |p||q|, or with ``operation`` "+" its spoilt twin |pq| = |p| + |q|.
+
+    √ is one fixed root for each square that has one, and the law holds if some choice makes it
+    hold. A choice x ↦ √x that is multiplicative exists exactly when F has characteristic 2 or −1 is
+    no square: otherwise √1 = √1·√1 gives √1 = 1, and √(−1)·√(−1) = −1 against √1.
+    """
+
+    operation: str = "*"
+
+    @property
+    def text(self) -> str:
+        """The law as printed, or its twin."""
+        return "|pq| = |p||q|" if self.operation == "*" else "|pq| = |p| + |q|"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Refute it on a few elements under every choice of their roots, or give the choice."""
+        if field is None:
+            return search_panel(self)
+        zero = field.zero
+        sample: list[Coordinates] = [(field.one, zero, zero, zero)]
+        iota = field.sqrt(field(-1))
+        if iota is not None:
+            sample.append((iota, zero, zero, zero))
+        bad = self._without_choice(field, sample)
+        if bad is not None:
+            steps = ("No choice of square roots satisfies the law on products of these elements.",)
+            return Decision("refuted", "all choices of roots", witness=bad, steps=steps)
+        if self.operation != "*":
+            return Decision("undecided", "all choices of roots", tried=("roots of small norms",))
+        if field.characteristic == 2:
+            step = "In characteristic 2 a square has one root, for y² = z² means (y − z)² = 0."
+            return Decision("proved", "unique roots", steps=(step,))
+        if field.level.value == INFINITY:
+            step = "Take the root ≥ 0 in an order of F: products of such roots are such roots."
+            return Decision("proved", "ordering", steps=(f"{field}: {field.level.reason}.", step))
+        if field.order is not None:
+            return self._finite(field)
+        step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
+        theorem = "Kulikov: a bounded pure subgroup of an abelian group is a direct summand"
+        return Decision("proved", "choice of roots", steps=(step,), assumes=(theorem,))
+
+    def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, Any] | None:
+        """Return p, q on which the law fails under the last of all failing choices, or None."""
+        norms = {F.key(norm(hamilton(F), q)): norm(hamilton(F), q) for q in sample}
+        roots = {key: F.sqrt(n) for key, n in norms.items()}
+        bad: dict[str, Any] | None = None
+        for signs in tuples((1, -1), repeat=len(roots)):
+            chosen = {
+                key: r if s > 0 else -r for (key, r), s in zip(roots.items(), signs, strict=True)
+            }
+            failing = [
+                {"p": texts(F, p), "q": texts(F, q)}
+                for p, q in tuples(sample, repeat=2)
+                if not self._holds(F, chosen, p, q)
+            ]
+            if not failing:
+                return None
+            bad = failing[-1]
+        return bad
+
+    def _holds(self, F: Ring, chosen: dict[Any, Any], p: Coordinates, q: Coordinates) -> bool:
+        c = hamilton(F)
+        m, n = (chosen[F.key(norm(c, x))] for x in (p, q))
+        product = chosen.get(F.key(norm(c, multiply(c, p, q))))
+        if product is None:
+            return True
+        return F.equal(product, m * n if self.operation == "*" else m + n)
+
+    def _finite(self, F: Ring) -> Decision:
+        """Choose the root that is itself a square, and check all products."""
+        squares = {F.key(x * x) for x in F.elements()}
+        root = {F.key(x * x): x for x in F.elements() if F.key(x) in squares}
+        total = set(root) == squares
+        if total and all(
+            F.equal(root[F.key(x * x * (y * y))], x * y)
+            for x in root.values()
+            for y in root.values()
+        ):
+            step = f"Take the root that is itself a square; checked on all {len(root)}² pairs."
+            return Decision("proved", "exhaustion", steps=(step,))
+        return Decision("undecided", "exhaustion", tried=("the root that is itself a square",))

@@ -1,0 +1,96 @@
+"""Deciding claims × fields, through any executor, and what contradicts itself in the outcome."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from itertools import groupby
+
+from hfield.errors import HFieldError
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide, find
+from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+
+Piece = tuple[Claim, str]
+Verdicts = tuple[Decision, Decision | None]
+Progress = Callable[[int, int, str], None]
+CHUNK = 8  # rows a task: small enough for progress, large enough to outweigh sending them
+
+
+def decide_rows(
+    pieces: Sequence[Piece], executor: Executor, progress: Progress | None = None
+) -> list[Row]:
+    """Decide every piece (a claim and the name of a field), in the order given.
+
+    The work goes to ``executor`` by fields, so that a worker that has set up a field keeps it.
+    ``progress`` is told how many rows are done, of how many, and the field in work.
+    """
+    chunks = _chunks(pieces)
+    tasks = [(field, tuple(pieces[n][0].id for n in indices)) for field, indices in chunks]
+    decided: dict[int, Verdicts] = {}
+    for (field, indices), verdicts in zip(chunks, executor.map(_decide_chunk, tasks), strict=True):
+        decided.update(zip(indices, verdicts, strict=True))
+        if progress:
+            progress(len(decided), len(pieces), field)
+    return [Row(claim, field, *decided[n]) for n, (claim, field) in enumerate(pieces)]
+
+
+def _chunks(pieces: Sequence[Piece]) -> list[tuple[str, list[int]]]:
+    """Return the indices of the pieces, by field in order of appearance, in short runs."""
+    position = {field: n for n, field in reversed(list(enumerate(f for _, f in pieces)))}
+    order = sorted(range(len(pieces)), key=lambda n: position[pieces[n][1]])
+    out = []
+    for field, group in groupby(order, key=lambda n: pieces[n][1]):
+        indices = list(group)
+        out += [(field, indices[m : m + CHUNK]) for m in range(0, len(indices), CHUNK)]
+    return out
+
+
+def _decide_chunk(task: tuple[str, tuple[str, ...]]) -> list[Verdicts]:
+    """Decide some claims over one field; claims travel by id, decisions are plain data."""
+    field, ids = task
+    return [decide_one(find(name), field) for name in ids]
+
+
+def decide_one(claim: Claim, field: str) -> Verdicts:
+    """Decide one claim as printed and as corrected; what cannot be decided says why."""
+    try:
+        row = decide(claim, field)
+    except HFieldError as error:
+        return Decision(UNDECIDED, "gave up", tried=(str(error),)), None
+    return row.as_printed, row.as_corrected
+
+
+def decide_row(claim: Claim, field: str) -> Row:
+    """Decide one claim over one field; like :func:`hfield.ledger.claim.decide`, but never raises."""
+    return Row(claim, field, *decide_one(claim, field))
+
+
+def contradictions(rows: Sequence[Row]) -> list[str]:
+    """Name what cannot all be true: proved for every field and refuted in one, or a false correction."""
+    everywhere = {row.claim.id: row for row in rows if row.field == UNIVERSAL}
+    out = []
+    for row in rows:
+        if row.as_corrected is not None and row.as_corrected.verdict == REFUTED:
+            out.append(f"{row.claim.id}: its correction is refuted over {row.field}")
+        universal = everywhere.get(row.claim.id)
+        if universal is None or universal is row or not _is_field(row.field):
+            continue
+        kinds = {"as printed": (universal.as_printed, row.as_printed)}
+        if universal.as_corrected is not None and row.as_corrected is not None:
+            kinds["as corrected"] = (universal.as_corrected, row.as_corrected)
+        for kind, (general, special) in kinds.items():
+            if general.verdict in (PROVED, VACUOUS) and special.verdict == REFUTED:
+                out.append(
+                    f"{row.claim.id} {kind}: {general.verdict} in general (over {general.scope}), "
+                    f"but refuted over {row.field}"
+                )
+    return out
+
+
+def _is_field(name: str) -> bool:
+    from hfield.rings import ring
+
+    return name not in (UNIVERSAL, NO_FIELD) and ring(name).is_field
+
+
+__all__ = ["contradictions", "decide_one", "decide_row", "decide_rows"]

@@ -1,0 +1,60 @@
+"""What a decision procedure answers: a verdict with the evidence for it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from hfield.errors import UndecidedError
+
+PROVED = "proved"
+REFUTED = "refuted"
+VACUOUS = "vacuous"
+UNDECIDED = "undecided"
+NOT_APPLICABLE = "not-applicable"
+VERDICTS = (PROVED, REFUTED, VACUOUS, UNDECIDED, NOT_APPLICABLE)
+
+COMMUTATIVE_RINGS = "commutative rings"
+REDUCED_RINGS = "reduced rings"
+FIELDS = "fields"
+FIELD = "field"
+
+
+def characteristics(primes: list[int]) -> str:
+    """Return the scope "characteristics [...]" of something that holds exactly over those."""
+    return f"characteristics {sorted(primes)}"
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A verdict and how it was reached; plain data throughout, so it pickles and prints as JSON.
+
+    ``verdict`` is one of :data:`VERDICTS`. ``method`` names the procedure. ``witness`` maps each
+    unknown to the texts of its coordinates (four, or one for a scalar), which the field reads back;
+    where no field was named, the key ``F`` holds the field that the witness lives in. ``steps`` are
+    lines that one could put on a blackboard. ``scope`` says where the statement was proved:
+    ``commutative rings``, ``reduced rings``, ``fields``, ``characteristics [..]`` or ``field``.
+    ``assumes`` lists theorems that are cited and not checked, ``tried`` what an undecided
+    statement was tried with. ``evidence`` is JSON data, described in docs/certificates.md.
+    """
+
+    verdict: str
+    method: str
+    witness: Mapping[str, list[str]] | None = None
+    steps: tuple[str, ...] = ()
+    scope: str | None = None
+    assumes: tuple[str, ...] = ()
+    tried: tuple[str, ...] = ()
+    evidence: Mapping[str, Any] | None = None
+
+    def __post_init__(self) -> None:
+        if self.verdict not in VERDICTS:
+            raise ValueError(f"{self.verdict!r} is not a verdict; expected one of {VERDICTS}")
+
+    def __bool__(self) -> bool:
+        """Proved (or vacuous) is true, refuted is false. Raises UndecidedError for the others."""
+        if self.verdict in (PROVED, VACUOUS):
+            return True
+        if self.verdict == REFUTED:
+            return False
+        tried = "; ".join(self.tried) or self.method
+        raise UndecidedError(f"this is {self.verdict}, so it is neither true nor false: {tried}")

@@ -1,0 +1,106 @@
+"""What is known of a field that helps to prove implications over it, as rules.
+
+Each rule says that a quadratic form represents 0 only trivially, so that all its arguments are 0
+wherever its value is. The reasons come from the ring and from :mod:`hfield.structure.zero`; they
+stand in the evidence beside the rule.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from hfield.errors import HFieldError, UndecidedError
+from hfield.product import Constants
+from hfield.proving.setting import Setting
+from hfield.rings.base import INFINITY, Ring
+
+NORM, SQUARES = "norm", "squares"
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A form of which 0 is the only zero: the norm, or any sum of up to ``most`` squares.
+
+    ``positive`` tells that the squares may have positive rational coefficients, as in an ordered
+    field. ``reason`` is for people, ``assumes`` what it cites.
+    """
+
+    form: str
+    reason: str
+    most: float = INFINITY
+    positive: bool = False
+    assumes: tuple[str, ...] = ()
+
+    @property
+    def evidence(self) -> Mapping[str, Any]:
+        """The rule as JSON data."""
+        out: dict[str, Any] = {"form": self.form, "reason": self.reason}
+        if self.form == SQUARES:
+            out["most"] = None if self.most == INFINITY else int(self.most)
+            out["positive"] = self.positive
+        return out
+
+
+@lru_cache(maxsize=256)
+def rules(setting: Setting) -> tuple[Rule, ...]:
+    """Return the rules that hold over the field, for the algebra if its constants are known."""
+    field = setting.field
+    if field is None or not field.is_field or not field.is_exact:
+        return ()
+    out = []
+    if not setting.letters:
+        found = _norm_rule(field, structure_constants(setting))
+        if found is not None:
+            out.append(found)
+    level = field.level
+    if field.characteristic == 2 or level.value is None or level.value < 2:
+        return tuple(out)
+    if level.value == INFINITY:
+        positive = field.characteristic == 0
+        out.append(Rule(SQUARES, f"the field has an ordering: {level.reason}", positive=positive))
+    else:
+        reason = f"the level of {field.name} is {level.value}: {level.reason}"
+        out.append(Rule(SQUARES, reason, most=level.value))
+    return tuple(out)
+
+
+def _norm_rule(field: Ring, c: Constants) -> Rule | None:
+    from hfield.structure.zero import zero_norm
+
+    if field.order is not None:  # over a finite field every norm form has zeros
+        return None
+    try:
+        answer = zero_norm(field, c)
+    except UndecidedError:
+        return None
+    if answer.element is not None:
+        return None
+    return Rule(NORM, f"{answer.method}: {answer.reason}", assumes=answer.assumes)
+
+
+@lru_cache(maxsize=256)
+def structure_constants(setting: Setting) -> Constants:
+    """Return ``(a, t, b)`` as elements of the field; no letter may be left in them."""
+    assert setting.field is not None
+    return Constants(*(setting.field(text) for text in setting.constants))
+
+
+@lru_cache(maxsize=256)
+def relation(field: Ring, text: str) -> tuple[int, ...] | None:
+    """Return integers ``(c0, c1, …)`` with Σ cₙ·gⁿ = 0 for the constant g of that text, if known.
+
+    For the generator of a finite field that is its modulus, for a square root its square.
+    """
+    modulus = getattr(field, "coefficients", None)
+    if field.order is not None and modulus is not None and text == field.gen_name:
+        return tuple(int(c) for c in modulus)
+    if field.characteristic == 0:
+        try:
+            x = field(text)
+            square = field.text(x * x)
+            top, _, bottom = square.partition("/")
+            return (-int(top), 0, int(bottom or 1))
+        except (HFieldError, ValueError):
+            return None
+    return None

@@ -1,0 +1,258 @@
+"""Showing that some polynomials cannot all be 0 while others are not: the core of an implication.
+
+Over every field of a characteristic: 1 is in the ideal of the zeros and of ``1 − T·g`` for every g
+that must not be 0 (Rabinowitsch's trick). Over a field with rules (see :mod:`hfield.proving.facts`)
+a form that lies in the ideal puts its arguments there too, and a product splits into cases.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import isqrt
+from time import monotonic
+from typing import Any
+
+from hfield.errors import TooLargeError
+from hfield.proving.facts import NORM, Rule
+from hfield.proving.membership import LARGE_PRIMES, Cofactors, Ideal
+
+SLICE = 150  # pairs between two looks at the rules
+MAX_ELEMENTS = 400
+MAX_CASES = 3  # how deep case distinctions nest
+MAX_FACTORED = 60  # terms of a polynomial that is still factored
+
+Step = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """``zeros`` are 0, ``nonzero`` are not; both over one context with ``variables`` as texts.
+
+    ``quaternions`` are tuples of four polynomials that the norm rule is tried on, ``norm`` computes
+    the norm of such a tuple.
+    """
+
+    variables: tuple[str, ...]
+    characteristic: int
+    zeros: tuple[Any, ...]
+    nonzero: tuple[Any, ...]
+    quaternions: tuple[tuple[Any, ...], ...] = ()
+    norm: Any = None
+
+
+@dataclass(frozen=True)
+class Refutation:
+    """The steps of a proof that the problem has no solution; ``denominators`` were divided by."""
+
+    steps: tuple[Step, ...]
+    denominators: tuple[int, ...]
+    rules: tuple[Rule, ...]
+
+
+def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutation | None:
+    """Show that the problem has no solution over the fields of its characteristic with the rules.
+
+    Returns None when no proof was found; that says nothing.
+    """
+    for prime in LARGE_PRIMES if problem.characteristic == 0 else (None,):
+        search = _Search(problem, rules, deadline)
+        try:
+            if search.run(search.start(prime), 0):
+                return search.result()
+        except TooLargeError:
+            return None
+        if not search.complete or not search.unreliable:
+            return None
+    return None
+
+
+def member(
+    problem: Problem, targets: Sequence[Any], deadline: float
+) -> list[Cofactors] | None:
+    """Return cofactors that put every target into the ideal of the zeros, or None."""
+    ideal = Ideal(len(problem.variables), problem.characteristic)
+    try:
+        ideal.extend(ideal.lift(z) for z in problem.zeros)
+        lifted = [ideal.lift(t) for t in targets]
+        while True:
+            complete = ideal.run(deadline, SLICE)
+            found = [ideal.cofactors(t) for t in lifted]
+            if all(found):
+                return [f for f in found if f]
+            if complete or monotonic() > deadline or len(ideal.basis.leads) > MAX_ELEMENTS:
+                return None
+    except TooLargeError:
+        return None
+
+
+class _Search:
+    def __init__(self, problem: Problem, rules: Sequence[Rule], deadline: float) -> None:
+        self.problem, self.rules, self.deadline = problem, rules, deadline
+        self.steps: list[Step] = []
+        self.denominators: list[int] = []
+        self.used: dict[str, Rule] = {}
+        self.complete, self.unreliable = True, False
+        count = len(problem.nonzero)
+        self.names = (*problem.variables, *(f"T{n + 1}" for n in range(count)))
+
+    def start(self, prime: int | None) -> Ideal:
+        """Return the ideal of the problem."""
+        p = self.problem
+        ideal = Ideal(len(self.names), p.characteristic, prime)
+        ideal.extend(ideal.lift(z) for z in p.zeros)
+        variables = ideal.context.gens()[len(p.variables) :]
+        for t, g in zip(variables, p.nonzero, strict=True):
+            ideal.add(1 - t * ideal.lift(g))
+        return ideal
+
+    def result(self) -> Refutation:
+        """Return what was found."""
+        return Refutation(tuple(self.steps), tuple(self.denominators), tuple(self.used.values()))
+
+    def run(self, ideal: Ideal, depth: int) -> bool:
+        """Let the ideal grow until it contains 1; append the steps of the proof."""
+        one = ideal.context.constant(1)
+        while True:
+            complete = ideal.run(self.deadline, SLICE)
+            if ideal.is_everything:
+                found = ideal.cofactors(one)
+                self.unreliable |= found is None
+                if found is not None:
+                    self._step({"step": "contradiction"}, found)
+                return found is not None
+            if self.rules and (self._norm(ideal) or self._squares(ideal)):
+                continue
+            if monotonic() > self.deadline or len(ideal.basis.leads) > MAX_ELEMENTS:
+                self.complete = False
+                return False
+            if complete:
+                return bool(self.rules) and depth < MAX_CASES and self._cases(ideal, depth)
+
+    def _step(self, step: dict[str, Any], found: Cofactors) -> None:
+        step["cofactors"] = [self.text(f) for f in found.factors]
+        step["denominator"] = found.denominator
+        self.denominators.append(found.denominator)
+        self.steps.append(step)
+
+    def text(self, polynomial: Any) -> str:
+        return polynomial_text(polynomial, self.names)
+
+    def _derive(self, ideal: Ideal, rule: Rule, form: Any, terms: list[Any], step: Step) -> bool:
+        """If the form is in the ideal, put its arguments there, unless all are already."""
+        found = ideal.cofactors(form)
+        if found is None or all(ideal.cofactors(t) is not None for t in terms):
+            return False
+        self.used[rule.form] = rule
+        self._step({"step": rule.form, "terms": [self.text(t) for t in terms], **step}, found)
+        ideal.extend(terms)
+        return True
+
+    def _norm(self, ideal: Ideal) -> bool:
+        rule = next((r for r in self.rules if r.form == NORM), None)
+        if rule is None:
+            return False
+        for q in self.problem.quaternions:
+            terms = [ideal.lift(u) for u in q]
+            if self._derive(ideal, rule, self.problem.norm(terms), terms, {}):
+                return True
+        return False
+
+    def _squares(self, ideal: Ideal) -> bool:
+        rule = next((r for r in self.rules if r.form != NORM), None)
+        if rule is None:
+            return False
+        candidates = [*ideal.generators, *(f for f, _ in ideal.elements())]
+        for f in candidates:
+            parts = as_squares(f, rule)
+            if parts is None:
+                continue
+            terms = [m for _, m in parts]
+            step = {"coefficients": [c for c, _ in parts]}
+            form = sum((c * m * m for c, m in parts), ideal.context.constant(0))
+            if self._derive(ideal, rule, form, terms, step):
+                return True
+        return False
+
+    def _cases(self, ideal: Ideal, depth: int) -> bool:
+        """Split a product that is 0 into its factors."""
+        elements = [f for f, _ in ideal.elements()]
+        for f in sorted([*ideal.generators, *elements], key=len):
+            if len(f) < 2 or len(f) > MAX_FACTORED or monotonic() > self.deadline:
+                continue
+            _, powers = f.factor_squarefree() if len(f) > 20 else f.factor()
+            factors = [g for g, _ in powers]
+            if len(factors) < 2 or len(factors) > 4:
+                continue
+            product = ideal.context.constant(1)
+            for g, n in powers:
+                product *= g**n
+            found = ideal.cofactors(product)
+            if found is None:
+                continue
+            branches = []
+            for g in factors:
+                branch = _Search(self.problem, self.rules, self.deadline)
+                below = Ideal(len(self.names), ideal.characteristic, ideal.basis.p)
+                below.extend([*ideal.generators, g])
+                if not branch.run(below, depth + 1):
+                    break
+                branches.append(branch)
+            if len(branches) < len(factors):
+                continue
+            step = {
+                "step": "cases",
+                "factors": [self.text(g) for g in factors],
+                "powers": [int(n) for _, n in powers],
+                "branches": [list(branch.steps) for branch in branches],
+            }
+            for branch in branches:
+                self.denominators.extend(branch.denominators)
+                self.used.update(branch.used)
+            self._step(step, found)
+            return True
+        return False
+
+
+def as_squares(f: Any, rule: Rule) -> list[tuple[int, Any]] | None:
+    """Write f, up to its sign, as Σ c·m² with monomials m to which the rule applies, or None."""
+    terms = [(tuple(map(int, m)), int(c)) for m, c in f.terms()]
+    if not 1 <= len(terms) <= rule.most or any(e % 2 for m, _ in terms for e in m):
+        return None
+    if all(e == 0 for m, _ in terms for e in m):
+        return None
+    sign = 1 if terms[0][1] > 0 else -1
+    if any(c * sign < 0 for _, c in terms):
+        return None
+    context = f.context()
+    out = []
+    for m, c in terms:
+        half = context.from_dict({tuple(e // 2 for e in m): 1})
+        root = isqrt(c * sign)
+        if root * root == c * sign:
+            out.append((1, root * half))
+        elif rule.positive:
+            out.append((c * sign, half))
+        else:
+            return None
+    return out
+
+
+def polynomial_text(polynomial: Any, names: Sequence[str]) -> str:
+    """Write a polynomial in the grammar of statements, such as ``p[0]*q[1]**2 - 2``."""
+    terms = []
+    for exponents, coefficient in polynomial.terms():
+        c = int(coefficient)
+        powers = [
+            name if e == 1 else f"{name}**{int(e)}"
+            for name, e in zip(names, exponents, strict=False)
+            if e
+        ]
+        if abs(c) != 1 or not powers:
+            powers.insert(0, str(abs(c)))
+        terms.append(("-" if c < 0 else "+", "*".join(powers)))
+    if not terms:
+        return "0"
+    head = ("-" if terms[0][0] == "-" else "") + terms[0][1]
+    return head + "".join(f" {sign} {body}" for sign, body in terms[1:])
+
+
+__all__ = ["Problem", "Refutation", "as_squares", "member", "polynomial_text", "refute"]

@@ -1,0 +1,224 @@
+"""Looking for a witness: values of the unknowns that make a statement false (or true).
+
+Small values come first, so that the witness found is one that people can check by hand: first the
+prime field on Python's numbers, then small elements of the field, zero divisors among them.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import islice
+from time import monotonic
+from typing import Any
+
+from hfield.errors import HFieldError, UndecidedError
+from hfield.product import Constants, conjugate
+from hfield.proving.interpret import (
+    Interpretation,
+    PrimeInterpretation,
+    RingInterpretation,
+    bind,
+)
+from hfield.proving.language import Sort, Statement
+from hfield.proving.vanish import constant
+from hfield.rings.base import Ring
+from hfield.syntax import weight
+
+Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
+MAX_EVALUATION = 20_000
+
+
+def holds(world: Interpretation, statement: Statement) -> bool:
+    """Tell whether hypotheses ⇒ conclusion is true under the values that ``world`` is bound to."""
+    if not all(world.truth(h) for h in statement.hypotheses):
+        return True
+    return bool(world.truth(statement.conclusion))
+
+
+class Searcher:
+    """Evaluates a statement at many places; ``wanted`` is the truth value looked for."""
+
+    def __init__(
+        self,
+        statement: Statement,
+        constants: tuple[str, str, str],
+        world: Interpretation,
+        deadline: float,
+        wanted: bool = False,
+    ) -> None:
+        self.statement, self.constants, self.world = statement, constants, world
+        self.deadline, self.wanted = deadline, wanted
+        self.fixed: Assignment = {}
+        if isinstance(world, RingInterpretation):
+            self.fixed = {text: constant(world.ring, text) for text in statement.constants}
+        self.letters = any(c.isalpha() for text in constants for c in text)
+
+    def test(self, assignment: Assignment) -> bool:
+        """Tell whether the statement has the wanted truth value there."""
+        values = {**self.fixed, **assignment}
+        if self.letters or not hasattr(self.world, "constants"):
+            bind(self.world, self.constants, values)
+        self.world.values = values
+        return holds(self.world, self.statement) is self.wanted
+
+    def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
+        """Return the first assignment with the wanted truth value, before the deadline."""
+        for n, assignment in enumerate(assignments):
+            if n % 16 == 15 and monotonic() > self.deadline:
+                return None
+            if self.test(assignment):
+                return assignment
+        return None
+
+
+def by_weight(
+    unknowns: Sequence[tuple[str, Sort]], scalars: Sequence[Any], heaviest: int
+) -> Iterator[Assignment]:
+    """Run through assignments by total weight, where ``scalars[n]`` weighs n and the first is 0."""
+    widths = [1 if sort is Sort.SCALAR else 4 for _, sort in unknowns]
+    names = [name for name, _ in unknowns]
+    for total in range(heaviest + 1):
+        for vector in vectors(sum(widths), total, len(scalars) - 1):
+            values, start, out = [scalars[n] for n in vector], 0, {}
+            for name, width in zip(names, widths, strict=True):
+                piece = values[start : start + width]
+                out[name] = piece[0] if width == 1 else tuple(piece)
+                start += width
+            yield out
+
+
+def vectors(length: int, total: int, largest: int) -> Iterator[list[int]]:
+    """Run through vectors of nonnegative integers with a given sum, none above ``largest``."""
+    if length == 0:
+        if total == 0:
+            yield []
+        return
+    for first in range(min(total, largest), -1, -1):
+        if total - first > largest * (length - 1):
+            return
+        for rest in vectors(length - 1, total - first, largest):
+            yield [first, *rest]
+
+
+def prime_scalars(p: int) -> list[int]:
+    """Return 0 and then small numbers of the prime field, each once."""
+    if not p:
+        return [0, 1, -1, 2, -2, 3]
+    return list(dict.fromkeys(n % p for n in (0, 1, -1, 2, -2, 3)))
+
+
+@lru_cache(maxsize=64)
+def small_scalars(field: Ring) -> tuple[Any, ...]:
+    """Return some elements of the field, 0 and 1 first; all of them if there are at most 64."""
+    if field.order is not None:
+        return tuple(islice(field.elements(), 64))
+    found: dict[Any, Any] = {}
+    candidates: list[Callable[[], Any]] = [
+        lambda: field.zero,
+        lambda: field.one,
+        lambda: field(-1),
+        lambda: field.gen,
+        lambda: field.gen + field.one,
+        lambda: field(2),
+        lambda: field.inverse(field(2)),
+        lambda: field.zero - field.gen,
+    ]
+    for make in candidates:
+        try:
+            x = make()
+        except HFieldError:  # no generator, or 2 has no inverse
+            continue
+        found.setdefault(field.key(x), x)
+    return tuple(found.values())
+
+
+@lru_cache(maxsize=256)
+def zero_divisors(field: Ring, c: Constants) -> tuple[Any, ...]:
+    """Return elements of norm 0, if the field is known to have some in this algebra."""
+    from hfield.structure.zero import zero_norm
+
+    try:
+        found = zero_norm(field, c).element
+    except UndecidedError:
+        return ()
+    if found is None:
+        return ()
+    return (found, conjugate(c, found))
+
+
+def pool(field: Ring, c: Constants) -> list[Any]:
+    """Return a few telling quaternions: 0, the basis, zero divisors, small combinations."""
+    zero, one = field.zero, field.one
+    basis = [tuple(one if n == m else zero for n in range(4)) for m in range(4)]
+    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(field, c)]
+    for x in small_scalars(field)[2:6]:
+        out.extend([(x, zero, zero, zero), (zero, x, zero, zero), (zero, one, x, zero)])
+    return out
+
+
+def from_pool(
+    unknowns: Sequence[tuple[str, Sort]], quaternions: Sequence[Any], scalars: Sequence[Any]
+) -> Iterator[Assignment]:
+    """Run through assignments of the quaternions and scalars given, small positions first."""
+    kinds = [scalars if sort is Sort.SCALAR else quaternions for _, sort in unknowns]
+    names = [name for name, _ in unknowns]
+    largest = max((len(kind) for kind in kinds), default=1) - 1
+    for total in range(largest * len(kinds) + 1):
+        for vector in vectors(len(kinds), total, largest):
+            if all(n < len(kind) for n, kind in zip(vector, kinds, strict=True)):
+                chosen = (kind[n] for n, kind in zip(vector, kinds, strict=True))
+                yield dict(zip(names, chosen, strict=True))
+
+
+def prime_search(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    p: int,
+    limit: int,
+    deadline: float,
+    wanted: bool = False,
+) -> Assignment | None:
+    """Search the prime field of characteristic p; a witness there is one over every extension."""
+    if statement.constants:
+        return None
+    scalars = prime_scalars(p)
+    if not p and too_heavy(statement):
+        scalars = scalars[:3]
+    seeker = Searcher(statement, constants, PrimeInterpretation(p), deadline, wanted)
+    return seeker.first(islice(by_weight(statement.unknowns, scalars, 12), limit))
+
+
+def ring_search(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    field: Ring,
+    limit: int,
+    deadline: float,
+    wanted: bool = False,
+) -> Assignment | None:
+    """Search small elements of the field, and its zero divisors."""
+    if field.order is None and too_heavy(statement):
+        return None
+    seeker = Searcher(statement, constants, RingInterpretation(field), deadline, wanted)
+    scalars = small_scalars(field)
+    found = seeker.first(islice(by_weight(statement.unknowns, scalars, 12), limit))
+    if found is not None or field.order == field.characteristic:
+        return found
+    c = seeker.world.constants
+    return seeker.first(islice(from_pool(statement.unknowns, pool(field, c), scalars), limit))
+
+
+def too_heavy(statement: Statement) -> bool:
+    """Tell whether evaluating at numbers above 1 could grow without bound."""
+    return any(weight(n) > MAX_EVALUATION for n in (*statement.hypotheses, statement.conclusion))
+
+
+def witness_texts(field: Ring | None, assignment: Mapping[str, Any]) -> dict[str, list[str]]:
+    """Write an assignment so that the field reads it back; numbers of a prime field as they are."""
+
+    def text(x: Any) -> str:
+        return str(x) if field is None else field.text(x)
+
+    return {
+        name: [text(u) for u in x] if isinstance(x, tuple) else [text(x)]
+        for name, x in assignment.items()
+    }

@@ -1,0 +1,143 @@
+"""The interactive session: an algebra with e, i, j, k at hand, in IPython or in plain Python."""
+
+from __future__ import annotations
+
+import sys
+from code import InteractiveConsole
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import hfield
+from hfield.errors import HFieldError
+from hfield.notation import BASIS
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+    from hfield.ledger.blackboard import Explanation
+    from hfield.ledger.notebook import Report
+
+
+def explain(claim: str, field: str = "QQ") -> Explanation:
+    """Decide a claim of the thesis over one field and show each step.
+
+    ``explain("centre", "GF(4)")`` takes an id such as ``C1.1.2-c`` or a name; ``universal`` is every
+    commutative ring. ``hfield claims`` in a shell lists them.
+    """
+    from hfield.ledger.blackboard import explain
+
+    return explain(claim, field)
+
+
+def verify(*claims: str, field: str | Sequence[str] = ()) -> Report:
+    """Decide claims of the thesis and show what came out, with the errata.
+
+    ``verify("associativity", "centre")`` runs over the whole panel, ``verify("centre",
+    field="GF9,QQ")`` over two fields, ``verify()`` decides everything (it takes a while).
+    """
+    from hfield.ledger.notebook import verify
+
+    return verify(claims, [field] if isinstance(field, str) else field)
+
+
+def namespace(A: QuaternionAlgebra) -> dict[str, Any]:
+    """Return the names of a session: the public ones, ``A``, ``F``, its generators, ``e i j k``."""
+    from fractions import Fraction
+
+    names = {name: getattr(hfield, name) for name in hfield.__all__}
+    names |= {"Fraction": Fraction, "explain": explain, "verify": verify}
+    names |= {name: x for name, x in A.ring.names().items() if name not in names}
+    return {**names, "A": A, "F": A.ring, **dict(zip(BASIS, A.basis, strict=True))}
+
+
+def banner(A: QuaternionAlgebra) -> str:
+    """Return what greets: where one is, and a few lines worth typing."""
+    generators = "".join(f", {name}" for name in A.ring.names())
+    return f"""\
+hfield {hfield.__version__}: the quaternion algebra A = {A} over F = {A.ring}; e, i, j, k{generators}
+
+  (1 + i)*(j - k)**-1                  compute, exactly
+  q = A(1, 2, 0, 1); q.norm()          also q.conjugate(), q.inverse(), q.matrix(), help(q)
+  print(A.table_text("unicode"))       the multiplication table
+  H(GF(7)).zero_norm_element()         another field: GF(9), RR, ring("QQ(sqrt(2))") …
+  prove("p*q == q*p", "GF(4)")         decide a statement of your own
+  explain("centre", "GF(4)")           a claim of the thesis, step by step; also verify("centre")
+
+F(1)/2 or Fraction(1, 2) is a half; Python's own 1/2 is a float and does not mix.
+"""
+
+
+def start(A: QuaternionAlgebra) -> int:
+    """Run a session and return its exit status; text piped in is run without prompts."""
+    names = namespace(A)
+    if not sys.stdin.isatty():
+        return _run_piped(names)
+    try:
+        from IPython.terminal.ipapp import TerminalIPythonApp
+    except ImportError:
+        return _run_plain(names, banner(A))
+    return _run_ipython(TerminalIPythonApp, names, banner(A))
+
+
+class _Console(InteractiveConsole):
+    """Python's own console; an error of ours is told in one line."""
+
+    failed = False
+
+    def showtraceback(self) -> None:
+        """Show the error that was just raised."""
+        self.failed = True
+        error = sys.exc_info()[1]
+        if isinstance(error, HFieldError):
+            self.write(f"{_one_line(error)}\n")
+        else:
+            super().showtraceback()
+
+    def showsyntaxerror(self, *args: Any, **kwargs: Any) -> None:
+        """Show a syntax error."""
+        self.failed = True
+        super().showsyntaxerror(*args, **kwargs)
+
+
+def _one_line(error: HFieldError) -> str:
+    return f"{type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def _run_piped(names: dict[str, Any]) -> int:
+    """Run the lines of stdin, as if typed; 1 if one of them failed."""
+    console = _Console(names, "<stdin>")
+    more = False
+    for line in sys.stdin:
+        more = console.push(line.rstrip("\n"))
+    if more:
+        console.push("")
+    return int(console.failed)
+
+
+def _run_plain(names: dict[str, Any], greeting: str) -> int:
+    try:
+        import readline
+        from rlcompleter import Completer
+    except ImportError:  # a Python without readline still makes a session
+        pass
+    else:
+        readline.set_completer(Completer(names).complete)
+        readline.parse_and_bind("tab: complete")
+    _Console(names).interact(greeting, "")
+    return 0
+
+
+def _run_ipython(app: Any, names: dict[str, Any], greeting: str) -> int:
+    from traitlets.config import Config
+
+    config = Config()
+    config.TerminalInteractiveShell.banner1 = greeting
+    config.TerminalInteractiveShell.banner2 = ""
+    session = app.instance(config=config, user_ns=names)
+    session.initialize([])
+
+    def tell(shell: Any, kind: Any, error: HFieldError, trace: Any, tb_offset: Any = None) -> None:
+        print(_one_line(error), file=sys.stderr)
+
+    session.shell.set_custom_exc((HFieldError,), tell)
+    session.start()
+    return 0

@@ -1,0 +1,238 @@
+"""What H(F) asks of a base ring: the protocol that every adapter, and a user's own ring, satisfies.
+
+A ring is a parent object; its elements are the values of some library as they come, with ``+``,
+``-`` and ``*`` of their own. Only four things have to be given: ``name``, ``characteristic``,
+``__call__`` and, for whatever is not merely ``0 == x``, ``is_zero``. The rest has defaults that
+say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
+"""
+
+import random
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Hashable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from hfield import syntax
+from hfield.errors import (
+    CoercionError,
+    HFieldError,
+    NotationError,
+    NotFiniteError,
+    NotInvertibleError,
+    UndecidedError,
+    shorten,
+)
+from hfield.rings.owners import describe
+from hfield.rings.printing import from_unicode
+
+INFINITY = float("inf")
+
+
+@dataclass(frozen=True)
+class Known:
+    """A fact about a ring with its reason: ``value`` is None where it is not known."""
+
+    value: Any
+    reason: str
+
+    def __str__(self) -> str:
+        shown = {None: "not known", INFINITY: "∞"}.get(self.value, self.value)
+        return f"{shown}, because {self.reason}" if self.reason else str(shown)
+
+
+class Ring(ABC):
+    """A commutative ring with 1.
+
+    ``name`` is the text that :func:`hfield.ring` reads back; two rings are equal when their names
+    are. ``order`` is None for an infinite ring, ``gen_name`` the text of the generator, if any.
+    """
+
+    name: str
+    characteristic: int
+    order: int | None = None
+    is_exact: bool = True
+    is_field: bool = False
+    gen_name: str | None = None
+    parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
+
+    # --- what an adapter must give -------------------------------------------------------------
+
+    @abstractmethod
+    def __call__(self, x: Any) -> Any:
+        """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
+
+    # --- what it gives where it can ------------------------------------------------------------
+
+    @property
+    def gen(self) -> Any:
+        """The generator: the class of x, the square root, the variable."""
+        raise UndecidedError(f"{self.name} has no generator")
+
+    @property
+    def level(self) -> Known:
+        """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
+        return Known(None, "nothing is known of the squares of this ring")
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Elements, as few as the level says, whose squares add up to −1; () if not known."""
+        return ()
+
+    @property
+    def orderings(self) -> Known:
+        """How many orderings the field has (0 exactly when the level is finite)."""
+        if self.level.value is None:
+            return Known(None, self.level.reason)
+        if self.level.value == INFINITY:
+            return Known(None, "at least one, for −1 is not a sum of squares")
+        return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0)."""
+        raise UndecidedError(f"{self.name} has no ordering that is known")
+
+    def check_ordering(self, ordering: int) -> None:
+        """Refuse the number of an ordering that the ring does not have."""
+        known = self.orderings.value
+        if ordering < 0 or (known is not None and ordering >= known):
+            raise UndecidedError(f"{self.name} has no ordering number {ordering}; there are {known}")
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == self.zero)
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x, or raise :class:`NotInvertibleError`."""
+        if self.is_zero(x - self.one):
+            return x
+        if self.is_zero(x + self.one):
+            return x
+        raise NotInvertibleError(f"{self.text(x)} is not known to be invertible in {self.name}")
+
+    def annihilator(self, x: Any) -> Any:
+        """Return some nonzero y with x·y = 0, or None; in a domain only x = 0 has one."""
+        return self.one if self.is_zero(x) else None
+
+    def sqrt(self, x: Any) -> Any:
+        """Return some y with y² = x, or None when there is none; undecided if not known."""
+        raise UndecidedError(f"square roots in {self.name} cannot be decided")
+
+    def elements(self) -> Iterator[Any]:
+        """Run through all elements of a finite ring, 0 and 1 first."""
+        raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random element, small if the ring is infinite; the same for the same seed."""
+        return self(rng.randint(-9, 9))
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
+        return str(x)
+
+    def key(self, x: Any) -> Hashable:
+        """Return a hashable stand-in: equal elements have equal keys."""
+        return self.text(x)
+
+    def array(self, values: Any) -> Any:
+        """Turn an element, a sequence or an array into an array that computes elementwise."""
+        from hfield.rings.arrays import objects
+
+        return objects(values, self)
+
+    def array_inverse(self, values: Any) -> Any:
+        """Invert an array of units elementwise; the caller has checked that they are units."""
+        import numpy as np
+
+        inverses = [self.inverse(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
+        return self.array(inverses).reshape(values.shape)
+
+    def array_units(self, values: Any) -> Any:
+        """Return a bool array: which entries are units. Faster where a library tells at once."""
+        import numpy as np
+
+        flags = [self.is_unit(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
+        return np.array(flags, dtype=bool).reshape(values.shape)
+
+    def scalar(self, x: Any) -> Any:
+        """Turn an entry of ``array`` back into an element."""
+        return x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+
+    # --- what follows --------------------------------------------------------------------------
+
+    @property
+    def zero(self) -> Any:
+        """The element 0."""
+        return self(0)
+
+    @property
+    def one(self) -> Any:
+        """The element 1."""
+        return self(1)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return self.is_zero(x - y)
+
+    def is_unit(self, x: Any) -> bool:
+        """Tell whether x has an inverse."""
+        try:
+            self.inverse(x)
+        except NotInvertibleError:
+            return False
+        return True
+
+    def divide(self, x: Any, y: Any) -> Any:
+        """Return x·y⁻¹."""
+        return x * self.inverse(y)
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ by repeated squaring; n < 0 inverts first."""
+        return power(self.one, x if n >= 0 else self.inverse(x), abs(n))
+
+    def names(self) -> dict[str, Any]:
+        """What names mean in this ring's texts: its generators (GF(4)(t) has x and t)."""
+        return {} if self.gen_name is None else {self.gen_name: self.gen}
+
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """What functions mean in this ring's texts, such as ``sqrt`` where numbers are written so."""
+        return {}
+
+    def parse(self, text: str) -> Any:
+        """Read an element from text, in the grammar of :mod:`hfield.syntax`."""
+        functions = {"/": self.divide, "**": self.power, **self.functions()}
+        reader = syntax.Reader(self, self.names(), functions, self.name, self.parse_limit)
+        return reader.read(from_unicode(text))
+
+    def refuse(self, x: Any, hint: str = "") -> CoercionError:
+        """Return the error for a value that is not an element of this ring."""
+        called, mend = describe(x, self.name, self.is_exact, self.characteristic)
+        name = shorten(self.name)
+        return CoercionError(f"{shorten(called, 80)} is not an element of {name}: {hint or mend}")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Ring) and self.name == other.name
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __repr__(self) -> str:
+        return self.name
+
+    def __reduce__(self) -> Any:
+        from hfield.rings import ring
+
+        return ring, (self.name,)
+
+
+def power(one: Any, x: Any, n: int) -> Any:
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``."""
+    result = one
+    while n:
+        if n & 1:
+            result = result * x
+        n >>= 1
+        if n:
+            x = x * x
+    return result
+
+

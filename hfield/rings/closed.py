@@ -1,0 +1,317 @@
+"""Closed forms: numbers that sympy holds as expressions, with a test for 0 that does not guess."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cached_property
+from math import ceil, exp, log
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
+from hfield.rings.balls import MAX_BITS, fingerprint
+from hfield.rings.surds import ONE, Surd, as_surd, from_rational, sqrt_rational
+
+FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
+MAX_OPERATIONS = 3_000
+SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
+TRANSCENDENTAL_BITS = 1_000  # a transcendental number that small must simplify to 0, or is refused
+RECOGNISED = 500.0  # rational numbers of a height up to this are recognised
+
+
+class Closed:
+    """An immutable number given by a sympy expression in radicals, cosines, π, exponentials …
+
+    Equality is decided (see :mod:`hfield.rings.heights`) and agrees with that of ``Surd``; equal
+    numbers have equal hashes. The expression is made when it is first needed, sympy loaded with it.
+    """
+
+    __array_ufunc__ = None  # or numpy would take a number for something to convert
+
+    def __init__(self, make: Callable[[], Any]) -> None:
+        self._make = make
+
+    @cached_property
+    def expr(self) -> Any:
+        """The sympy expression."""
+        return self._make()
+
+    @cached_property
+    def bounds(self) -> Any:
+        """Bounds of degree and height; None if the number is not seen to be algebraic."""
+        from hfield.rings.heights import bounds
+
+        return bounds(self.expr)
+
+    def __reduce__(self) -> Any:
+        return number, (self.expr,)
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def _combine(self, other: Any, operation: Callable[[Any, Any], Any]) -> Any:
+        o = to_sympy(other)
+        return NotImplemented if o is None else number(operation(self.expr, o))
+
+    def __add__(self, other: Any) -> Any:
+        return self._combine(other, lambda x, y: x + y)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Any:
+        return self._combine(other, lambda x, y: x - y)
+
+    def __rsub__(self, other: Any) -> Any:
+        return self._combine(other, lambda x, y: y - x)
+
+    def __mul__(self, other: Any) -> Any:
+        return self._combine(other, _times)
+
+    __rmul__ = __mul__
+
+    def __neg__(self) -> Any:
+        return number(-self.expr)
+
+    def __pos__(self) -> Closed:
+        return self
+
+    def __truediv__(self, other: Any) -> Any:
+        o = other if isinstance(other, Closed) else as_surd(other)
+        return NotImplemented if o is None else self * o.inverse()
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self.inverse() * other
+
+    def __pow__(self, n: int) -> Any:
+        from hfield.rings.base import power
+
+        return power(ONE, self if n >= 0 else self.inverse(), abs(n))
+
+    def inverse(self) -> Any:
+        """Return 1/self; the caller has seen that it is not 0."""
+        return number(1 / self.expr)
+
+    # --- equality ------------------------------------------------------------------------------
+
+    def __eq__(self, other: object) -> bool:
+        if other is self:
+            return True
+        o = to_sympy(other)
+        if o is None:
+            return NotImplemented
+        difference = Closed(lambda: self.expr - o)
+        return difference.is_zero()
+
+    def __hash__(self) -> int:
+        return hash(fingerprint(self.ball))
+
+    def ball(self, bits: int) -> Any:
+        """Return a complex ball of flint around the number, computed with that many bits."""
+        from hfield.rings.evaluate import evaluate
+
+        with flint.ctx.workprec(bits):
+            return evaluate(self.expr)
+
+    def is_zero(self) -> bool:
+        """Tell whether the number is 0. Raises :class:`UndecidedError` for some transcendental ones."""
+        known = self.bounds
+        need = None if known is None else known.degree * known.height
+        return bool(self.expr == 0) or self._vanishes(need, lambda z: z, lambda x: x)
+
+    def is_real(self) -> bool:
+        """Tell whether the number is real. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
+        import sympy
+
+        if self.expr.is_real:
+            return True
+        known = self.bounds
+        # im(x) = (x − conj(x))/2i has at most twice the height and 2·log 2 more, in a field that i and
+        # the conjugates of all parts generate.
+        need = None if known is None else 2 * known.degree**2 * (2 * known.height + 2 * log(2))
+        return self._vanishes(need, lambda z: z.imag, sympy.im)
+
+    def _vanishes(
+        self, need: float | None, part: Callable[[Any], Any], form: Callable[[Any], Any]
+    ) -> bool:
+        """Tell whether a part of the number is 0: if not, it is at least exp(−need) in absolute value."""
+        if need is not None and need / log(2) > MAX_BITS:
+            need, bits = None, MAX_BITS  # too much to prove 0, but enough to see that it is not
+        small = TRANSCENDENTAL_BITS if need is None else ceil(need / log(2)) + 2
+        bits = 64
+        while bits <= 4 * small + 4096:
+            value = part(self.ball(bits))
+            if not value.contains(0):
+                return False
+            if value.abs_upper() < flint.arb(2) ** -small:
+                if need is not None or _simplifies_to_zero(form(self.expr)):
+                    return True
+                break
+            bits *= 2
+        raise UndecidedError(
+            f"whether {shorten(self)} is 0, or real, is not decided: it is below 2^-{small} and not seen "
+            "to vanish; expected algebraic numbers of small degree, or numbers that differ clearly"
+        )
+
+    def sign(self) -> int:
+        """Return the sign of a real number."""
+        if self.is_zero():
+            return 0
+        bits = 64
+        while not ((value := self.ball(bits).real) > 0 or value < 0):
+            bits *= 2  # ends, for is_zero has separated the number from 0
+        return 1 if value > 0 else -1
+
+    def rational(self) -> Fraction | None:
+        """Return the number as a Fraction if it is one (of height up to 500), or None."""
+        known = self.bounds
+        if known is None or known.height > RECOGNISED:
+            return None
+        z = self.ball(ceil(2 * known.height / log(2)) + 64)
+        if not (z.imag.contains(0) and z.is_finite()):
+            return None
+        middle = z.real.mid().fmpq()
+        largest = int(exp(known.height)) + 1  # a rational number is no higher than the bound
+        near = Fraction(int(middle.p), int(middle.q)).limit_denominator(largest)
+        if not z.real.contains(flint.fmpq(near.numerator, near.denominator)):
+            return None
+        return near if self == near else None
+
+    def text(self, style: str = "plain") -> str:
+        """Write the number; ``plain`` reads back."""
+        from hfield.rings.closed_text import closed_text
+
+        return closed_text(self.expr, style)
+
+    def __repr__(self) -> str:
+        return self.text()
+
+
+def _pi() -> Any:
+    import sympy
+
+    return sympy.pi
+
+
+PI = Closed(_pi)
+
+
+def number(expr: Any) -> Surd | Closed:
+    """Return a sympy number in its simplest form: a surd where it is one, else a closed form.
+
+    Raises :class:`CoercionError` for what is infinite or undefined, :class:`TooLargeError`.
+    """
+    import sympy
+
+    _check_size(expr)
+    expr = sympy.expand(expr)
+    _check_size(expr)
+    if expr.is_finite is False or expr is sympy.nan:
+        raise CoercionError(f"the expression is {shorten(expr)}, not a number")
+    surd = _simple(expr)
+    if surd is not None:
+        return surd
+    from hfield.rings.evaluate import is_known
+
+    if not is_known(expr):
+        raise CoercionError(f"{shorten(expr)} has a part that is not enclosed here: {', '.join(FUNCTIONS)} are")
+    closed = Closed(lambda: expr)
+    value = closed.rational()
+    return closed if value is None else from_rational(value)
+
+
+def _times(x: Any, y: Any) -> Any:
+    """Return x·y, unless multiplying it out could become too large."""
+    _check_operations(max(int(x.count_ops()), 1) * max(int(y.count_ops()), 1) // 20)
+    return x * y
+
+
+def _check_size(expr: Any) -> None:
+    _check_operations(int(expr.count_ops()))
+
+
+def _check_operations(operations: int) -> None:
+    if operations > MAX_OPERATIONS:
+        raise TooLargeError(
+            f"a closed form of {operations} operations; at most {MAX_OPERATIONS} are computed with"
+        )
+
+
+def _simple(expr: Any) -> Surd | None:
+    """Return an expression in square roots of rational numbers as a surd, or None."""
+    import sympy
+
+    if expr.is_Rational:
+        return from_rational(Fraction(int(expr.p), int(expr.q)))
+    if expr is sympy.I:
+        return sqrt_rational(flint.fmpq(-1))
+    if expr.is_Pow and expr.base.is_Rational and expr.exp.is_Rational and expr.exp.q == 2:
+        root = sqrt_rational(flint.fmpq(int(expr.base.p), int(expr.base.q)))
+        return root ** int(expr.exp.p)
+    if not (expr.is_Add or expr.is_Mul):
+        return None
+    parts = [_simple(arg) for arg in expr.args]
+    out = from_rational(0 if expr.is_Add else 1)
+    for part in parts:
+        if part is None:
+            return None
+        out = out + part if expr.is_Add else out * part
+    return out
+
+
+def to_sympy(x: Any) -> Any:
+    """Return a number as a sympy expression; None if it is no number."""
+    if isinstance(x, Closed):
+        return x.expr
+    surd = as_surd(x)
+    if surd is None:
+        return None
+    import sympy
+
+    terms = (sympy.Rational(int(c.p), int(c.q)) * sympy.sqrt(n) for n, c in surd.terms.items())
+    return sympy.Add(*terms)
+
+
+def from_sympy(x: Any) -> Surd | Closed | None:
+    """Return a sympy number that can be told from 0; None if x has symbols, floats or unknown parts.
+
+    Raises :class:`UndecidedError` for a transcendental number that cannot.
+    """
+    import sympy
+
+    from hfield.rings.evaluate import is_known
+
+    if not isinstance(x, sympy.Expr) or not is_known(x):
+        return None
+    value = number(x)
+    if isinstance(value, Closed) and value.bounds is None and value.is_zero():
+        return from_rational(0)
+    return value
+
+
+def root(x: Any, n: int) -> Surd | Closed:
+    """Return the principal n-th root, nested square roots resolved where sympy can."""
+    import sympy
+
+    expr = to_sympy(x)
+    if expr == 0 or (isinstance(x, Closed) and x.is_zero()):
+        return from_rational(0)
+    taken = sympy.root(expr, n)
+    return number(sympy.sqrtdenest(taken) if n == 2 else taken)
+
+
+def function(name: str) -> Callable[[Any], Surd | Closed]:
+    """Return one of ``FUNCTIONS`` as a function of numbers."""
+
+    def call(x: Any) -> Surd | Closed:
+        import sympy
+
+        return number(getattr(sympy, name)(to_sympy(x)))
+
+    return call
+
+
+def _simplifies_to_zero(expr: Any) -> bool:
+    import sympy
+
+    return expr.count_ops() <= SIMPLIFIED and bool(sympy.simplify(expr) == 0)

@@ -1,0 +1,51 @@
+"""sympy numbers in flint's complex balls, to any precision and with rigorous error bounds."""
+
+from typing import Any
+
+import flint
+import sympy
+
+from hfield.rings.closed import FUNCTIONS
+
+_FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
+
+
+def is_known(expr: Any) -> bool:
+    """Tell whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
+    if expr.is_Rational or expr is sympy.I or expr is sympy.pi or expr is sympy.E:
+        return True
+    if expr.is_Add or expr.is_Mul or expr.is_Pow or expr.func in _FUNCTIONS:
+        return all(is_known(arg) for arg in expr.args)
+    return False
+
+
+def evaluate(expr: Any) -> Any:
+    """Return a ball around a number of known parts, at flint's current precision."""
+    if expr.is_Rational:
+        return flint.acb(flint.arb(flint.fmpq(int(expr.p), int(expr.q))))
+    if expr is sympy.I:
+        return flint.acb(0, 1)
+    if expr is sympy.pi:
+        return flint.acb(flint.arb.pi())
+    if expr is sympy.E:
+        return flint.acb(flint.arb.const_e())
+    if expr.is_Add or expr.is_Mul:
+        out = flint.acb(0 if expr.is_Add else 1)
+        for arg in expr.args:
+            out = out + evaluate(arg) if expr.is_Add else out * evaluate(arg)
+        return out
+    if expr.is_Pow and not isinstance(expr, sympy.exp):
+        return _power(expr)
+    return getattr(evaluate(expr.args[0]), _FUNCTIONS[expr.func])()
+
+
+def _power(expr: Any) -> Any:
+    """Enclose baseᵉˣᵖ, the principal value."""
+    base = evaluate(expr.base)
+    if expr.exp.is_Integer:
+        return base ** int(expr.exp)
+    if expr.base.is_real and not base.imag.is_zero():
+        base = flint.acb(base.real)  # or the branch cut would run through the ball
+    if expr.exp.is_Rational and base.imag.is_zero() and base.real > 0:
+        return flint.acb(base.real.root(int(expr.exp.q)) ** int(expr.exp.p))
+    return (evaluate(expr.exp) * base.log()).exp()

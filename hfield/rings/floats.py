@@ -1,0 +1,169 @@
+"""Floats as a ring: RDF, the real numbers as far as float64 goes. It computes, but proves nothing."""
+
+import math
+import random
+from collections.abc import Callable, Hashable
+from typing import Any
+
+from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
+from hfield.rings.base import Known, Ring
+from hfield.rings.rational import rational, unwrap
+
+_FUNCTIONS: dict[str, Callable[..., float]] = {
+    "sqrt": math.sqrt, "cbrt": math.cbrt, "cos": math.cos, "sin": math.sin, "tan": math.tan,
+    "exp": math.exp, "log": math.log,
+}  # fmt: skip
+
+
+class Floats(Ring):
+    """float64, without NaN and infinity; elements are Python floats, arrays numpy's.
+
+    >>> RDF("1/3")
+    0.3333333333333333
+    """
+
+    name = "RDF"
+    characteristic = 0
+    is_exact = False
+    is_field = True
+    parse_limit = 100_000
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a real number into the nearest float, read a text.
+
+        Raises :class:`CoercionError`; NaN and infinity are refused.
+        """
+        x = unwrap(x)
+        if isinstance(x, str):
+            if x.strip().lower().lstrip("+-−") in ("nan", "inf", "infinity"):
+                return self._finite(float(x.replace("−", "-")))
+            return self._finite(self.parse(x))
+        number = rational(x)
+        if number is not None:
+            try:
+                return self._finite(float(number))
+            except OverflowError:
+                raise self._not_finite(shorten(number)) from None
+        if isinstance(x, float) or type(x).__name__ in ("float16", "float32", "float128", "longdouble"):
+            return self._finite(float(x))
+        raise self.refuse(x, "expected a real number or its text")
+
+    def _finite(self, x: float) -> float:
+        if not math.isfinite(x):
+            raise self._not_finite(str(x))
+        return x
+
+    def _not_finite(self, shown: str) -> CoercionError:
+        return CoercionError(f"{shown} is not an element of RDF: expected a finite float64")
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0.0, exactly; this proves nothing about the number meant."""
+        return bool(x == 0)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether two floats are the same."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return x itself."""
+        return x + 0.0
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""
+        if x == 0:
+            raise NotInvertibleError("cannot divide by 0 in RDF")
+        if not math.isfinite(1.0 / x):
+            raise NotInvertibleError(f"1/{x} is too large for RDF")
+        return 1.0 / x
+
+    def divide(self, x: Any, y: Any) -> Any:
+        """Return x/y, rounded once. Raises :class:`NotInvertibleError` for y = 0."""
+        if y == 0:
+            raise NotInvertibleError("cannot divide by 0 in RDF")
+        return x / y
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ. Raises :class:`NotInvertibleError` for 0 to a negative power."""
+        try:
+            return float(x**n)
+        except ZeroDivisionError:
+            raise NotInvertibleError("cannot divide by 0 in RDF") from None
+        except OverflowError:
+            raise CoercionError(f"{x}**{n} is too large for RDF") from None
+
+    def sqrt(self, x: Any) -> Any:
+        """Return the root, rounded, or None for x < 0."""
+        return math.sqrt(x) if x >= 0 else None
+
+    @property
+    def level(self) -> Known:
+        """Not known: float arithmetic is no proof of anything."""
+        return Known(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return the sign of the float. Raises :class:`UndecidedError` for a second ordering."""
+        if ordering:
+            raise UndecidedError(f"RDF has no ordering number {ordering}, only the usual one, 0")
+        return int(x > 0) - int(x < 0)
+
+    def names(self) -> dict[str, Any]:
+        """The constant pi."""
+        return {"pi": math.pi}
+
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """The usual functions, as in ``sqrt(2)/2`` and ``cos(pi/3)``."""
+        return {name: _checked(name, f) for name, f in _FUNCTIONS.items()}
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random float between −1 and 1; the same for the same seed."""
+        return rng.uniform(-1.0, 1.0)
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write the shortest text that reads back as the same float."""
+        text = repr(float(x))
+        mantissa, e, exponent = text.partition("e")
+        if style == "latex" and e:
+            return rf"{mantissa} \cdot 10^{{{int(exponent)}}}"
+        return text.replace("-", "−") if style == "unicode" else text
+
+    def array(self, values: Any) -> Any:
+        """Return a float64 array. Raises :class:`CoercionError` where an entry is not a finite real."""
+        import numpy as np
+
+        source = values if isinstance(values, np.ndarray) else np.asarray(values, dtype=object)
+        if source.dtype == object:
+            source = np.array([self(x) for x in source.ravel()], dtype=float).reshape(source.shape)
+        if source.dtype.kind not in "iubf":
+            raise CoercionError(f"an array of {source.dtype} is not an array of floats")
+        out = np.asarray(source, dtype=np.float64)
+        if not np.isfinite(out).all():
+            where = tuple(int(n) for n in np.argwhere(~np.isfinite(out))[0])
+            raise CoercionError(
+                f"the array has {out[where]} at index {where}: expected finite float64 entries"
+            )
+        return out
+
+    def array_units(self, values: Any) -> Any:
+        """Return a bool array: which entries are not 0."""
+        return values != 0
+
+    def array_inverse(self, values: Any) -> Any:
+        """Invert an array of nonzero entries elementwise."""
+        return 1.0 / values
+
+    def scalar(self, x: Any) -> Any:
+        """Turn an entry of an array into a Python float."""
+        return float(x)
+
+
+def _checked(name: str, function: Callable[..., float]) -> Callable[..., float]:
+    def call(x: float) -> float:
+        try:
+            return function(x)
+        except (ValueError, OverflowError):
+            raise CoercionError(f"{name}({x}) is not a finite real number") from None
+
+    return call
+
+
+RDF = Floats()

@@ -1,0 +1,302 @@
+"""Fields of rational functions in one variable over QQ and over finite fields, on flint's polynomials.
+
+flint has polynomials over these fields but no fractions of them; :class:`Quotient` adds those, in
+lowest terms with monic denominator, so that equal functions have equal parts.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Hashable
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.modular import WORD
+from hfield.rings.printing import quotient_text, sum_text
+from hfield.rings.rational import rational, unwrap
+
+
+class Quotient:
+    """An immutable rational function: two flint polynomials in lowest terms, ``den`` monic."""
+
+    __slots__ = ("den", "field", "num")
+
+    def __init__(self, field: FunctionField, num: Any, den: Any) -> None:
+        object.__setattr__(self, "field", field)
+        object.__setattr__(self, "num", num)
+        object.__setattr__(self, "den", den)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError("rational functions are immutable")
+
+    def _other(self, other: Any) -> Any:
+        """Return ``other`` as a quotient of the same field, or None if it cannot mix in."""
+        if type(other) is Quotient:
+            if other.field is self.field or other.field == self.field:
+                return other
+            raise CoercionError(
+                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
+            )
+        if isinstance(other, (int, Fraction)):
+            return self.field(other)
+        return None
+
+    def __add__(self, other: Any) -> Any:
+        o = self._other(other)
+        if o is None:
+            return NotImplemented
+        if self.den == o.den:
+            if self.field.is_one(self.den):
+                return Quotient(self.field, self.num + o.num, self.den)
+            return self.field.quotient(self.num + o.num, self.den)
+        return self.field.quotient(self.num * o.den + o.num * self.den, self.den * o.den)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Quotient:
+        return Quotient(self.field, -self.num, self.den)
+
+    def __pos__(self) -> Quotient:
+        return self
+
+    def __sub__(self, other: Any) -> Any:
+        o = self._other(other)
+        return NotImplemented if o is None else self + -o
+
+    def __rsub__(self, other: Any) -> Any:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Any:
+        o = self._other(other)
+        if o is None:
+            return NotImplemented
+        if self.field.is_one(self.den) and self.field.is_one(o.den):
+            return Quotient(self.field, self.num * o.num, self.den)
+        return self.field.quotient(self.num * o.num, self.den * o.den)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        o = self._other(other)
+        return NotImplemented if o is None else self * self.field.inverse(o)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self.field.inverse(self) * other
+
+    def __pow__(self, n: int) -> Quotient:
+        base = self if n >= 0 else self.field.inverse(self)
+        return Quotient(self.field, base.num ** abs(n), base.den ** abs(n))
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Quotient) and other.field != self.field:
+            return False
+        o = self._other(other)
+        if o is None:
+            return NotImplemented
+        return bool(self.num == o.num and self.den == o.den)
+
+    def __hash__(self) -> int:
+        return hash(self.field.key(self))
+
+    def __repr__(self) -> str:
+        return self.field.text(self)
+
+    def __reduce__(self) -> Any:
+        return self.field, (self.field.text(self),)
+
+
+class FunctionField(Ring):
+    """F(t), the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
+
+    >>> from hfield.rings import ring
+    >>> F = ring("QQ(x)")
+    >>> F("(x^2-1)/(2*x+2)")
+    1/2*x-1/2
+    """
+
+    is_field = True
+
+    def __init__(self, base: Ring, variable: str) -> None:
+        self.base, self.gen_name = base, variable
+        self.name = f"{base.name}({variable})"
+        self.characteristic = base.characteristic
+        self._polynomial = _polynomials_over(base)
+        self._one = self._polynomial([base.one])
+        self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+
+    @property
+    def gen(self) -> Any:
+        """The variable."""
+        return self._gen
+
+    def names(self) -> dict[str, Any]:
+        """The variable and the generator of the base field."""
+        lifted = {name: self.constant(x) for name, x in self.base.names().items()}
+        return {**lifted, self.gen_name or "": self._gen}
+
+    def constant(self, c: Any) -> Quotient:
+        """Return the constant function of an element of the base field."""
+        return Quotient(self, self._polynomial([c]), self._one)
+
+    def quotient(self, num: Any, den: Any) -> Quotient:
+        """Return num/den in lowest terms; den is not 0."""
+        common = num.gcd(den)
+        if not self.is_one(common):
+            num, den = num // common, den // common
+        lead = den.leading_coefficient()
+        if lead != 1:
+            scale = self._polynomial([self.base.inverse(self._base_element(lead))])
+            num, den = num * scale, den * scale
+        return Quotient(self, num, den)
+
+    def is_one(self, poly: Any) -> bool:
+        """Tell whether a flint polynomial is 1."""
+        return bool(poly == self._one)
+
+    def _base_element(self, c: Any) -> Any:
+        """Return a coefficient as flint gives it as an element of the base field."""
+        return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a number or an element of the base field into a constant, read a text.
+
+        Raises :class:`CoercionError`.
+        """
+        x = unwrap(x)
+        if isinstance(x, Quotient):
+            if x.field == self:
+                return x
+            raise self.refuse(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if number is None:
+            try:
+                return self.constant(self.base(x))
+            except CoercionError:
+                raise self.refuse(x) from None
+        return self.constant(self.base(number))
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x.num == 0)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return the coefficients of numerator and denominator."""
+        return tuple(
+            tuple(self.base.key(self._base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
+        )
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if x.num == 0:
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        return self.quotient(x.den, x.num)
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ; n < 0 inverts first."""
+        return x**n
+
+    def sqrt(self, x: Any) -> Any:
+        """Return some y with y² = x, or None: numerator, denominator and constant must be squares."""
+        if self.is_zero(x):
+            return x
+        lead = self._base_element(x.num.leading_coefficient())
+        c = self.base.sqrt(lead)
+        if c is None:
+            return None
+        monic = x.num * self._polynomial([self.base.inverse(lead)])
+        top, bottom = _root(monic), _root(x.den)
+        if top is None or bottom is None:
+            return None
+        return Quotient(self, top * self._polynomial([c]), bottom)
+
+    @property
+    def level(self) -> Known:
+        """The level of the base field: a sum of squares −1 in F(t) has one in F, at a pole-free point."""
+        known = self.base.level
+        if known.value == INFINITY:
+            return Known(INFINITY, f"{self.name} has an ordering, with {self.gen_name} infinitely large")
+        shown = f"it is the level of {self.base.name}, for −1 is as many squares in F(t) as in F"
+        return Known(known.value, f"{shown}; there {known.reason}")
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Return constants whose squares add up to −1."""
+        return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
+
+    @property
+    def orderings(self) -> Known:
+        """Infinitely many over QQ, none over a finite field."""
+        if self.characteristic:
+            return super().orderings
+        return Known(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return the sign of x in the ordering in which the variable is infinitely large."""
+        if self.characteristic or ordering:
+            return super().sign(x, ordering)
+        return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
+        draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
+        return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x, such as ``(x+1)/(x^2+2)``."""
+        return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
+
+    def _sum(self, poly: Any, style: str) -> str:
+        terms = [
+            (self.base.text(self._base_element(c), style), [(self.gen_name or "", n)])
+            for n, c in enumerate(poly.coeffs())
+            if c != 0
+        ]
+        return sum_text(reversed(terms), style)
+
+
+def build(base: Ring, variables: tuple[str, ...]) -> FunctionField:
+    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
+    shown = f"{base}({','.join(variables)})"
+    if len(variables) != 1:
+        raise RingError(
+            f"{shorten(shown)}: rational functions have one variable here; the polynomials "
+            f"QQ[{','.join(variables)}] have several"
+        )
+    if not isinstance(base, (PrimeField, ExtensionField)) and base.name != "QQ":
+        raise RingError(
+            f"{shorten(shown)}: rational functions are over QQ or a finite field, as in QQ(x) or GF(4)(t)"
+        )
+    return FunctionField(base, variables[0])
+
+
+def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
+    """Return what makes flint polynomials over the field from coefficients, low degree first."""
+    if base.name == "QQ":
+        return flint.fmpq_poly  # type: ignore[no-any-return,unused-ignore]
+    if isinstance(base, ExtensionField):
+        return flint.fq_default_poly_ctx(base.context)  # type: ignore[no-any-return,unused-ignore]
+    p = base.characteristic
+    if p < WORD:
+        return lambda coefficients: flint.nmod_poly(coefficients, p)
+    return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]
+
+
+def _root(poly: Any) -> Any:
+    """Return the square root of a monic polynomial, or None."""
+    if poly.degree() % 2:
+        return None
+    try:
+        root = poly.sqrt()
+    except flint.utils.flint_exceptions.DomainError:
+        return None
+    return root if root * root == poly else None

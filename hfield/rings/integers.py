@@ -1,0 +1,160 @@
+"""The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
+
+import random
+from collections.abc import Hashable
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.modular import Modular, is_prime
+from hfield.rings.printing import number_text
+from hfield.rings.rational import fmpq, rational, unwrap
+
+_ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
+
+
+class _Ordered(Ring):
+    """What ℤ and ℚ share: exact numbers with their one ordering."""
+
+    characteristic = 0
+
+    @property
+    def level(self) -> Known:
+        """Infinite: −1 is no sum of squares."""
+        return Known(INFINITY, _ORDERED)
+
+    @property
+    def orderings(self) -> Known:
+        """The usual ordering is the only one."""
+        return Known(1, "every positive number is a sum of four squares over one square")
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return −1, 0 or 1."""
+        self.check_ordering(ordering)
+        return int(x > 0) - int(x < 0)
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == 0)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return x itself: flint's numbers are hashable."""
+        return x
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x, such as ``-1/2``."""
+        return number_text(x, style)
+
+
+class Integers(_Ordered):
+    """ℤ; elements are flint's ``fmpz``. ``ZZ / 6`` is the residue ring."""
+
+    name = "ZZ"
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a whole number into an element, read a text. Raises :class:`CoercionError`."""
+        x = unwrap(x)
+        if isinstance(x, flint.fmpz):
+            return x
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if number is None:
+            raise self.refuse(x)
+        if isinstance(number, Fraction):
+            raise CoercionError(f"{shorten(number)} is not an integer; QQ has it")
+        return flint.fmpz(number)
+
+    def __truediv__(self, n: int) -> Modular:
+        return Zmod(n)
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x for x = 1 or −1. Raises :class:`NotInvertibleError`."""
+        if x == 1 or x == -1:
+            return x
+        if x == 0:
+            raise NotInvertibleError("cannot divide by 0 in ZZ")
+        raise NotInvertibleError(f"{shorten(x)} has no inverse in ZZ, only 1 and -1 have; QQ has 1/x")
+
+    def divide(self, x: Any, y: Any) -> Any:
+        """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""
+        if y == 0 or x % y != 0:
+            self.inverse(y)
+        return x // y
+
+    def sqrt(self, x: Any) -> Any:
+        """Return the root y ≥ 0 with y² = x, or None."""
+        return x.isqrt() if x >= 0 and x.is_square() else None
+
+
+class Rationals(_Ordered):
+    """ℚ; elements are flint's ``fmpq``."""
+
+    name = "QQ"
+    is_field = True
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
+        x = unwrap(x)
+        if isinstance(x, flint.fmpq):
+            return x
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if number is None:
+            raise self.refuse(x)
+        return fmpq(number)
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if x == 0:
+            raise NotInvertibleError("cannot divide by 0 in QQ")
+        return 1 / x
+
+    def sqrt(self, x: Any) -> Any:
+        """Return the root y ≥ 0 with y² = x, or None."""
+        if x < 0 or not (x.p.is_square() and x.q.is_square()):
+            return None
+        return flint.fmpq(x.p.isqrt(), x.q.isqrt())
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a small random fraction; the same for the same seed."""
+        return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
+
+
+class Residues(Modular):
+    """ℤ/n for n ≥ 2, prime or not."""
+
+    def __init__(self, n: int) -> None:
+        super().__init__(f"ZZ/{n}", n, n.bit_length() <= 1024 and is_prime(n))
+
+
+def Zmod(n: int) -> Modular:
+    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int, at least 2."""
+    number = rational(n)
+    if not isinstance(number, int):
+        raise RingError(f"ZZ/{shorten(n)}: the modulus must be an integer, as in ZZ/6")
+    if number.bit_length() > 4096:
+        raise RingError(
+            f"ZZ/n with n of {number.bit_length()} bits is too large; at most 4096 bits are taken"
+        )
+    if number == 0:
+        raise RingError("ZZ/0 is the ring of integers itself: write ZZ")
+    if number == 1:
+        raise RingError("ZZ/1 is the zero ring, where 1 = 0; expected a modulus of at least 2")
+    if number < 0:
+        raise RingError(
+            f"ZZ/{shorten(number, 20)}: the modulus must be at least 2; write ZZ/{shorten(-number, 20)}"
+        )
+    return Residues(number)
+
+
+ZZ = Integers()
+QQ = Rationals()

@@ -1,0 +1,217 @@
+"""Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
+
+import random
+from collections.abc import Callable, Hashable, Iterator
+from fractions import Fraction
+from math import gcd, isqrt
+from typing import Any
+
+import flint
+
+from hfield.errors import (
+    NotInvertibleError,
+    TooLargeError,
+    UndecidedError,
+    shorten,
+)
+from hfield.rings.base import Known, Ring
+from hfield.rings.rational import rational, unwrap
+
+WORD = 2**63
+SEARCH = 2_000  # the largest modulus over which squares are searched one by one
+
+
+class Modular(Ring):
+    """The ring of integers modulo n ≥ 2; elements are flint's ``nmod`` or ``fmpz_mod``."""
+
+    def __init__(self, name: str, modulus: int, is_field: bool) -> None:
+        self.name = name
+        self.characteristic = self.order = self.modulus = modulus
+        self.is_field = is_field
+        self._make: Callable[[int], Any]
+        if modulus < WORD:
+            self._make = lambda x: flint.nmod(x % modulus, modulus)
+        else:
+            self._make = flint.fmpz_mod_ctx(modulus)
+        self._type = type(self._make(0))
+
+    def __call__(self, x: Any) -> Any:
+        """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text.
+
+        Raises :class:`CoercionError`, and :class:`NotInvertibleError` where b is not a unit.
+        """
+        x = unwrap(x)
+        if isinstance(x, self._type):
+            if self._modulus_of(x) == self.modulus:
+                return x
+            raise self.refuse(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if number is None:
+            raise self.refuse(x)
+        if isinstance(number, Fraction):
+            return self.divide(self._make(number.numerator), self._make(number.denominator))
+        return self._make(number)
+
+    def _modulus_of(self, x: Any) -> int:
+        """Return the modulus of a residue; flint's fmpz_mod tells its own only through −1."""
+        return int(x.modulus()) if self.modulus < WORD else int(-(x - x + 1)) + 1
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == 0)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return the residue between 0 and n − 1."""
+        return int(x)
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError`, which names a zero divisor's partner."""
+        value = int(x)
+        common = gcd(value, self.modulus)
+        if common == 1:
+            return 1 / x
+        if value == 0:
+            raise NotInvertibleError(f"cannot divide by 0 in {shorten(self.name)}")
+        raise NotInvertibleError(
+            f"cannot divide by {shorten(value, 24)} in {shorten(self.name)}: it is a zero divisor, "
+            f"times {shorten(self.modulus // common, 24)} it gives 0"
+        )
+
+    def is_unit(self, x: Any) -> bool:
+        """Tell whether x has an inverse."""
+        return gcd(int(x), self.modulus) == 1
+
+    def annihilator(self, x: Any) -> Any:
+        """Return some nonzero y with x·y = 0, or None."""
+        common = gcd(int(x), self.modulus)
+        return None if common == 1 else self._make(self.modulus // common)
+
+    def sqrt(self, x: Any) -> Any:
+        """Return the smallest y with y² = x, or None. Raises :class:`UndecidedError`, if n is too large."""
+        if self.is_zero(x):
+            return x
+        if self.is_field:
+            return self._field_sqrt(x)
+        if self.modulus > SEARCH**2:
+            raise UndecidedError(
+                f"square roots in {shorten(self.name)} need the factors of a large modulus"
+            )
+        for n in range(self.modulus // 2 + 1):
+            y = self._make(n)
+            if y * y == x:
+                return y
+        return None
+
+    def _field_sqrt(self, x: Any) -> Any:
+        if self.modulus == 2:
+            return x
+        value = flint.fmpz(int(x))
+        if value.jacobi(self.modulus) != 1:
+            return None
+        root = int(value.sqrtmod(self.modulus))
+        return self._make(min(root, self.modulus - root))
+
+    @property
+    def level(self) -> Known:
+        """The least number of squares with sum −1."""
+        squares = self.minus_one_as_squares()
+        if not squares:
+            return Known(None, f"the modulus is too large to search (above {SEARCH})")
+        shown = " + ".join(f"{int(y)}²" for y in squares)
+        return Known(len(squares), f"−1 = {shown} in {shorten(self.name)}, and fewer squares do not do")
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Return as few elements as possible whose squares add up to −1; () if n is too large."""
+        minus_one = self._make(-1)
+        if self.is_field:
+            root = self.sqrt(minus_one)
+            return (root,) if root is not None else self._two_squares()
+        if self.modulus > SEARCH:
+            return ()
+        return self._fewest_squares()
+
+    def _two_squares(self) -> tuple[Any, ...]:
+        """Return x, y with x² + y² = −1 in a prime field; about every second x will do."""
+        for n in range(1, self.modulus):
+            x = self._make(n)
+            y = self.sqrt(-1 - x * x)
+            if y is not None:
+                return x, y
+        raise AssertionError("every finite field of odd characteristic has two such squares")
+
+    def _fewest_squares(self) -> tuple[Any, ...]:
+        """Search sums of 1, 2, … squares breadth first; four suffice (Lagrange)."""
+        n = self.modulus
+        roots: dict[int, int] = {}
+        for y in range(n // 2 + 1):
+            roots.setdefault(y * y % n, y)
+        sums: dict[int, tuple[int, ...]] = {0: ()}
+        while n - 1 not in sums:
+            longer = dict(sums)
+            for total, parts in sums.items():
+                for square, y in roots.items():
+                    longer.setdefault((total + square) % n, (*parts, y))
+            sums = longer
+        return tuple(self._make(y) for y in sums[n - 1])
+
+    def elements(self) -> Iterator[Any]:
+        """Run through 0, 1, …, n − 1."""
+        return (self._make(n) for n in range(self.modulus))
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random element; the same for the same seed."""
+        return self._make(rng.randrange(self.modulus))
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
+        base = x if n >= 0 else self.inverse(x)
+        return self._make(pow(int(base), abs(n), self.modulus))
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write the residue between 0 and n − 1."""
+        return str(int(x))
+
+
+def is_prime(n: int) -> bool:
+    """Tell, with proof, whether n is prime. Raises :class:`TooLargeError` beyond 1024 bits."""
+    if n < 2:
+        return False
+    if n.bit_length() > 1024:
+        raise TooLargeError(
+            f"whether a number of {n.bit_length()} bits is prime is not tested; at most 1024 bits are"
+        )
+    number = flint.fmpz(n)
+    return bool(number.is_probable_prime()) and bool(number.is_prime())
+
+
+def prime_power(q: int) -> tuple[int, int] | None:
+    """Return (p, n) with q = pⁿ and p prime, or None."""
+    if q < 2:
+        return None
+    for n in range(q.bit_length(), 0, -1):
+        root = int(flint.fmpz(q).root(n)) if n > 1 else q
+        if root > 1 and root**n == q and is_prime(root):
+            return root, n
+    return None
+
+
+def factored(n: int, limit: int = 10**40) -> list[tuple[int, int]] | None:
+    """Return the prime factors of n with exponents, or None when they are out of quick reach."""
+    parts = flint.fmpz(n).factor() if n < limit else flint.fmpz(n).factor_smooth(40)
+    pairs = [(int(p), int(e)) for p, e in parts]
+    done: list[tuple[int, int]] = []
+    for p, e in pairs:
+        if p < limit or p.bit_length() <= 1024 and is_prime(p):
+            done.append((p, e))
+            continue
+        root = isqrt(p)
+        if root * root != p or (more := factored(root, limit)) is None:
+            return None
+        done.extend((r, 2 * e * m) for r, m in more)
+    return sorted(done)

@@ -1,0 +1,40 @@
+"""Whose element a value is, in words, for the errors that refuse it."""
+
+from typing import Any
+
+import flint
+
+
+def owner(x: Any) -> str | None:
+    """Return a name for what x belongs to, or None if x is a number or nothing that is known."""
+    kind = type(x).__name__
+    if isinstance(x, flint.nmod):
+        return f"the integers modulo {x.modulus()}"
+    if isinstance(x, flint.fmpz_mod):
+        return "the integers modulo another large number"
+    if isinstance(x, flint.fq_default):
+        p, n = int(x.polynomial().modulus()), len(x.to_list())
+        return f"GF({p**n})"
+    if kind == "Quotient":
+        return str(x.field)
+    if kind.endswith("_mpoly"):
+        return f"the polynomials in {','.join(x.context().names())} ({kind})"
+    if kind in ("Surd", "Closed"):
+        return "the algebraic numbers"
+    if hasattr(type(x), "irreducible_poly"):
+        return f"galois's {type(x).name} modulo {type(x).irreducible_poly}"
+    return None
+
+
+def describe(x: Any, ring: str, is_exact: bool, characteristic: int) -> tuple[str, str]:
+    """Return how to call x, and how to mend it where it is refused by the ring of that name."""
+    found = owner(x)
+    if found is not None:
+        other = ", with another modulus" if found == ring else ""
+        return f"{x} of {found}{other}", "elements of different rings do not mix; convert it explicitly"
+    called = f"{x!r} ({type(x).__name__})"
+    if is_exact and isinstance(x, (float, complex)):
+        example = "'3' or '1/2'" if characteristic else f"{str(x)!r}"
+        number = f"write a text such as {example}, or a Fraction" if x == x else "and this is no number"
+        return called, f"a float is not exact; {number}"
+    return called, "expected an int, a Fraction, an element of the ring, or a text"

@@ -1,0 +1,195 @@
+"""Polynomial rings in several variables over ZZ, QQ and GF(p), on flint's ``mpoly`` types."""
+
+import random
+from collections.abc import Hashable
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
+from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.finite import PrimeField
+from hfield.rings.integers import QQ, ZZ
+from hfield.rings.modular import WORD
+from hfield.rings.printing import sum_text
+from hfield.rings.rational import rational, unwrap
+
+MAX_VARIABLES = 64
+
+
+class PolynomialRing(Ring):
+    """R[x, y, …] for R = ZZ, QQ or GF(p); elements are flint polynomials, ordered by degree.
+
+    >>> from hfield.rings import ring
+    >>> R = ring("ZZ[a,b]")
+    >>> R.text(R("(a+b)^2"))
+    'a^2+2*a*b+b^2'
+    """
+
+    def __init__(self, base: Ring, variables: tuple[str, ...]) -> None:
+        self.base, self.variables = base, variables
+        self.name = f"{base.name}[{','.join(variables)}]"
+        self.characteristic = base.characteristic
+        self.gen_name = variables[0]
+        # (Σ of all variables)ⁿ has C(n + variables, n) terms: the limit keeps that below a few millions.
+        self.parse_limit = {1: 20_000, 2: 1_000, 3: 150, 4: 60}.get(len(variables), 30)
+        self.context = _context(base, variables)
+        self._gens = dict(zip(variables, self.context.gens(), strict=True))
+        self._type = type(self.context.gens()[0])
+
+    @property
+    def gen(self) -> Any:
+        """The first variable."""
+        return self._gens[self.variables[0]]
+
+    def names(self) -> dict[str, Any]:
+        """The variables."""
+        return dict(self._gens)
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a number or an element of the base ring into a constant, read a text.
+
+        Raises :class:`CoercionError` for an element of another polynomial ring.
+        """
+        x = unwrap(x)
+        if isinstance(x, self._type):
+            if x.context() is self.context:
+                return x
+            raise self.refuse(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if isinstance(number, Fraction) and self.base is ZZ:
+            raise CoercionError(f"{shorten(number)} is not in {self.name}; QQ[…] has it")
+        try:
+            return self._constant(self.base(x if number is None else number))
+        except CoercionError:
+            raise self.refuse(x) from None
+
+    def _constant(self, c: Any) -> Any:
+        return self.context.constant(int(c) if self.characteristic else c)
+
+    def _constant_part(self, x: Any) -> Any:
+        """Return the element of the base ring that a constant polynomial is."""
+        c = x.leading_coefficient() if x != 0 else 0
+        return self.base(int(c) if self.characteristic else c)
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == 0)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return the exponents and coefficients, in order."""
+        return tuple((exponents, int(c) if self.characteristic else c) for exponents, c in x.terms())
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x of a constant. Raises :class:`NotInvertibleError` for all other polynomials."""
+        if not x.is_constant():
+            raise NotInvertibleError(
+                f"{shorten(self.text(x))} is not constant, so it has no inverse in {self.name}"
+            )
+        try:
+            return self._constant(self.base.inverse(self._constant_part(x)))
+        except NotInvertibleError as error:
+            raise NotInvertibleError(f"{error}, nor in {self.name}") from None
+
+    def divide(self, x: Any, y: Any) -> Any:
+        """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""
+        if y == 0:
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        quotient, remainder = divmod(x, y)
+        if remainder != 0:
+            raise NotInvertibleError(
+                f"{shorten(self.text(y))} does not divide {shorten(self.text(x))} in {self.name}"
+            )
+        return quotient
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ; n < 0 inverts first."""
+        return (x if n >= 0 else self.inverse(x)) ** abs(n)
+
+    def sqrt(self, x: Any) -> Any:
+        """Return some y with y² = x, or None."""
+        if x == 0:
+            return x
+        if self.characteristic:
+            raise UndecidedError(f"square roots in {self.name} are not computed")
+        try:
+            root = x.sqrt()
+        except flint.utils.flint_exceptions.DomainError:
+            return None
+        return root if root * root == x else None
+
+    @property
+    def level(self) -> Known:
+        """The level of the base ring: setting all variables to 0 keeps a sum of squares."""
+        known = self.base.level
+        why = f"{known.reason}; setting all variables to 0 carries this from {self.base} to {self.name}"
+        return Known(known.value, why)
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Return constants whose squares add up to −1."""
+        return tuple(self._constant(c) for c in self.base.minus_one_as_squares())
+
+    @property
+    def orderings(self) -> Known:
+        """Infinitely many in characteristic 0, none else."""
+        if self.characteristic:
+            return super().orderings
+        return Known(INFINITY, "each variable may be infinitely large or near any point")
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return the sign in the ordering by leading coefficients, the first variable the largest."""
+        if self.characteristic or ordering:
+            return super().sign(x, ordering)
+        return self.base.sign(self._constant_part(_leading(x)))
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random polynomial of at most 3 terms; the same for the same seed."""
+        out = self.context.constant(0)
+        for _ in range(3):
+            exponents = tuple(rng.choice((0, 0, 1, 2)) for _ in self.variables)
+            c = self._constant(self.base.random(rng))
+            out += c * self.context.from_dict({exponents: 1})
+        return out
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x, such as ``a^2+2*a*b+b^2``."""
+        return sum_text(
+            (
+                (self.base.text(self.base(c), style), list(zip(self.variables, exponents, strict=True)))
+                for exponents, c in x.terms()
+            ),
+            style,
+        )
+
+
+def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
+    """Return the polynomial ring. Raises :class:`RingError` for what is not offered."""
+    shown = shorten(f"{base}[{','.join(variables)}]")
+    if base not in (ZZ, QQ) and not isinstance(base, PrimeField):
+        raise RingError(f"{shown}: polynomials are over ZZ, QQ or GF(p) with p prime, as in QQ[x,y]")
+    if len(variables) > MAX_VARIABLES:
+        raise RingError(f"{shown}: {len(variables)} variables; at most {MAX_VARIABLES} are taken")
+    return PolynomialRing(base, variables)
+
+
+def _context(base: Ring, variables: tuple[str, ...]) -> Any:
+    order = flint.Ordering.deglex
+    if base == ZZ:
+        return flint.fmpz_mpoly_ctx.get(variables, order)
+    if base == QQ:
+        return flint.fmpq_mpoly_ctx.get(variables, order)
+    if base.characteristic < WORD:
+        return flint.nmod_mpoly_ctx.get(variables, base.characteristic, order)
+    return flint.fmpz_mod_mpoly_ctx.get(variables, base.characteristic, order)
+
+
+def _leading(x: Any) -> Any:
+    """Return the leading coefficient as a constant polynomial."""
+    return x.context().constant(x.leading_coefficient()) if x != 0 else x

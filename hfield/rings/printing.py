@@ -1,0 +1,106 @@
+"""Sums of terms as text, in the three styles; ``plain`` is what the rings read back."""
+
+import re
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any
+
+SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+Factor = tuple[str, int]
+
+
+def sum_text(terms: Iterable[tuple[str, Sequence[Factor]]], style: str) -> str:
+    """Write ``Σ coefficient · Π nameⁿ`` without spaces; terms with coefficient ``0`` must be left out.
+
+    A coefficient is a text: a number, or a sum, which is put into parentheses where it has to be.
+    """
+    out = ""
+    for coefficient, factors in terms:
+        term = _term(coefficient, factors, style)
+        minus = "−" if style == "unicode" else "-"
+        out += term if not out or term.startswith(minus) else f"+{term}"
+    return out or "0"
+
+
+def _term(coefficient: str, factors: Sequence[Factor], style: str) -> str:
+    times = {"plain": "*", "unicode": "·"}.get(style, "")
+    minus = "−" if style == "unicode" else "-"
+    body = times.join(power_text(name, n, style) for name, n in factors if n)
+    if not body:
+        return coefficient
+    if coefficient == "1":
+        return body
+    if coefficient == f"{minus}1":
+        return f"{minus}{body}"
+    if not is_number(coefficient, style):
+        coefficient = parentheses(coefficient, style)
+    return f"{coefficient}{times or (' ' if style == 'latex' and body[0].isdigit() else '')}{body}"
+
+
+def power_text(name: str, n: int, style: str) -> str:
+    """Write ``nameⁿ``."""
+    if n == 1:
+        return name
+    if style == "unicode":
+        return name + str(n).translate(SUPERSCRIPTS)
+    return f"{name}^{{{n}}}" if style == "latex" else f"{name}^{n}"
+
+
+def number_text(x: int | Fraction | Any, style: str) -> str:
+    """Write a rational number."""
+    numerator, denominator = int(x.numerator), int(x.denominator)
+    minus = "−" if style == "unicode" else "-"
+    sign = minus if numerator < 0 else ""
+    digits = str(abs(numerator))
+    if denominator == 1:
+        return sign + digits
+    if style == "latex":
+        return rf"{sign}\frac{{{digits}}}{{{denominator}}}"
+    return f"{sign}{digits}/{denominator}"
+
+
+def is_number(text: str, style: str) -> bool:
+    """Tell whether a text is a signed number, which needs no parentheses before a name."""
+    body = text[1:] if text[:1] in ("-", "−") else text
+    if style == "latex" and body.startswith(r"\frac"):
+        return body.count(r"\frac") == 1 and body.endswith("}") and body[5:].count("{") == 2
+    return body.replace("/", "", 1).isdigit()
+
+
+def is_sum(text: str) -> bool:
+    """Tell whether a text has a plus or minus outside all parentheses, a leading sign apart."""
+    depth = 0
+    for n, char in enumerate(text):
+        depth += (char in "([{") - (char in ")]}")
+        if n and depth == 0 and char in "+-−" and text[n - 1] not in "^":
+            return True
+    return False
+
+
+def parentheses(text: str, style: str) -> str:
+    """Put a text into parentheses."""
+    return rf"\left({text}\right)" if style == "latex" else f"({text})"
+
+
+def quotient_text(numerator: str, denominator: str, style: str) -> str:
+    """Write a fraction of two sums; a denominator ``1`` is left out."""
+    if denominator == "1":
+        return numerator
+    if style == "latex":
+        return rf"\frac{{{numerator}}}{{{denominator}}}"
+    minus = "−" if style == "unicode" else "-"
+    top = parentheses(numerator, style) if is_sum(numerator) else numerator
+    if numerator.startswith(minus) and is_sum(numerator):
+        top = parentheses(numerator, style)
+    simple = denominator.replace("^", "").isalnum() and not denominator[0].isdigit()
+    bottom = denominator if simple or denominator.isdigit() else parentheses(denominator, style)
+    return f"{top}/{bottom}"
+
+
+def from_unicode(text: str) -> str:
+    """Rewrite superscripts and roots as the grammar knows them: ``x²`` to ``x^2``, ``√2`` to ``sqrt(2)``."""
+    text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^({m[0].translate(_DIGITS)})", text)
+    return re.sub(r"√\s*(\d+)", r"sqrt(\1)", text).replace("√", "sqrt")

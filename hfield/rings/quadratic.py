@@ -1,0 +1,182 @@
+"""Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
+
+import random
+from collections.abc import Callable, Hashable
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
+from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.integers import QQ
+from hfield.rings.rational import rational, unwrap
+from hfield.rings.squares import four_squares, three_squares
+from hfield.rings.surds import Surd, from_rational, squarefree
+
+
+class QuadraticField(Ring):
+    """ℚ(√d) for a squarefree integer d ≠ 1; ``gen`` is √d, or I for d = −1.
+
+    >>> from hfield.rings import ring
+    >>> F = ring("QQ(sqrt(2))")
+    >>> F.inverse(1 + F.gen)
+    -1+sqrt(2)
+    """
+
+    characteristic = 0
+    is_field = True
+
+    def __init__(self, d: int) -> None:
+        self.d = d
+        self.gen_name = "I" if d == -1 else f"sqrt({d})"
+        self.name = f"QQ({self.gen_name})"
+
+    @property
+    def gen(self) -> Any:
+        """The square root of d, the principal one."""
+        return Surd({self.d: flint.fmpq(1)})
+
+    def names(self) -> dict[str, Any]:
+        """The imaginary unit I, in QQ(I)."""
+        return {"I": self.gen} if self.d == -1 else {}
+
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
+        return {"sqrt": self._sqrt_here}
+
+    def _sqrt_here(self, x: Any) -> Any:
+        y = self.sqrt(x)
+        if y is None:
+            raise CoercionError(
+                f"{shorten(self.text(x))} has no square root in {self.name}; RR has sqrt(x) for every x ≥ 0, CC for all"
+            )
+        return y
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a rational number or a surd in ℚ(√d) into an element, read a text.
+
+        Raises :class:`CoercionError`.
+        """
+        x = unwrap(x)
+        if isinstance(x, Surd):
+            if not x.terms.keys() <= {1, self.d}:
+                raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}")
+            return x
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if number is None:
+            number_or_surd = _from_sympy(x)
+            if number_or_surd is not None:
+                return self(number_or_surd)
+            raise self.refuse(x)
+        return from_rational(number)
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return not x.terms
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return the two rational coordinates of x."""
+        return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if not x.terms:
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        return x.inverse()
+
+    def sqrt(self, x: Any) -> Any:
+        """Return the principal root, or None when it is not in the field.
+
+        A root in the field has a rational norm, so that :meth:`Surd.sqrt` finds it.
+        """
+        y = x.sqrt()
+        return y if y is not None and y.terms.keys() <= {1, self.d} else None
+
+    @property
+    def level(self) -> Known:
+        """∞ for d > 0; else 1 for d = −1, 4 where −d = 7 mod 8, and 2 for all others."""
+        if self.d > 0:
+            return Known(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
+        squares = self.minus_one_as_squares()
+        shown = " + ".join(f"({self.text(y)})^2" for y in squares)
+        why = {
+            1: "",
+            2: ", and −1 itself is no square",
+            4: f", and fewer squares do not do, for {-self.d} = 7 mod 8",
+        }[len(squares)]
+        return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Return as few elements as possible whose squares add up to −1.
+
+        With w² = −m and m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is
+        no sum of three squares, m = 7 mod 8, four squares of m, each over w, are needed.
+        """
+        m, w = -self.d, self.gen
+        if m < 0:
+            return ()
+        if m == 1:
+            return (w,)
+        parts = three_squares(m)
+        if parts is None:
+            return tuple(self.inverse(w) * n for n in four_squares(m))
+        a, b, c = parts
+        scale = Fraction(1, b * b + c * c) if b or c else Fraction(1)
+        return (w * b + a * c) * scale, (w * c - a * b) * scale
+
+    @property
+    def orderings(self) -> Known:
+        """Two for d > 0, in which √d is positive or negative; none for d < 0."""
+        if self.d < 0:
+            return super().orderings
+        return Known(2, f"{self.gen_name} may be positive (ordering 0) or negative (ordering 1)")
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return the sign of x with √d positive (ordering 0) or negative (ordering 1)."""
+        if self.d < 0:
+            return super().sign(x, ordering)
+        self.check_ordering(ordering)
+        return int(x.sign(self.d if ordering else 0))
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a small random element; the same for the same seed."""
+        a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
+        return a + b * self.gen
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x, such as ``1/2+3*sqrt(2)``."""
+        return str(x.text(style, imaginary=self.d == -1))
+
+
+def build(text: str) -> QuadraticField:
+    """Return ℚ(√d) for the text of a rational number d. Raises :class:`RingError`."""
+    try:
+        d = rational(QQ(text))
+        if d is None:  # pragma: no cover - QQ gives rational numbers only
+            raise AssertionError
+        _, free = squarefree(d.numerator * d.denominator) if d else (0, 1)
+    except HFieldError as error:
+        raise RingError(
+            f"QQ(sqrt({shorten(text)})): expected an integer under the root, as in QQ(sqrt(2)): {error}"
+        ) from error
+    if free == 1:
+        raise RingError(
+            f"QQ(sqrt({shorten(text)})): {shorten(d)} is a square in QQ, so this is QQ itself: write QQ"
+        )
+    return QuadraticField(free)
+
+
+def _from_sympy(x: Any) -> Any:
+    """Return a number of sympy as a surd, where it is one; else None."""
+    if type(x).__module__.partition(".")[0] != "sympy":
+        return None
+    from hfield.rings.closed import from_sympy
+
+    return from_sympy(x)

@@ -1,0 +1,48 @@
+"""What counts as an integer or a rational number when it enters a ring, whichever library made it."""
+
+import numbers
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+
+def rational(x: Any) -> int | Fraction | None:
+    """Return x as an int or a Fraction if it is an exact rational number; None for all else.
+
+    Known are the numbers of Python, numpy, gmpy2, sympy and flint. An element of a finite field is
+    none of them, though numpy would convert a galois scalar to its integer label: a label is not a
+    multiple of 1. Neither is a float, which stands for a rational by accident of rounding.
+    """
+    if isinstance(x, int):  # a bool counts as 0 or 1
+        return int(x)
+    if isinstance(x, flint.fmpz):
+        return int(x)
+    if isinstance(x, flint.fmpq):
+        return reduced(Fraction(int(x.p), int(x.q)))
+    if isinstance(x, numbers.Rational):
+        return reduced(Fraction(int(x.numerator), int(x.denominator)))
+    if is_plain_array(x) and x.ndim == 0:
+        return rational(x.item())
+    return None
+
+
+def is_plain_array(x: Any) -> bool:
+    """Tell whether x is a numpy array and not one of a library with an arithmetic of its own."""
+    kind = type(x)
+    return kind.__name__ in ("ndarray", "Objects") and hasattr(x, "dtype")
+
+
+def unwrap(x: Any) -> Any:
+    """Return the entry of a 0-dimensional array of numbers or ring elements, or x itself."""
+    return x.item() if is_plain_array(x) and x.ndim == 0 else x
+
+
+def reduced(x: Fraction) -> int | Fraction:
+    """Return an int where the Fraction is one."""
+    return x.numerator if x.denominator == 1 else x
+
+
+def fmpq(x: int | Fraction) -> Any:
+    """Turn an int or a Fraction into flint's rational."""
+    return flint.fmpq(x.numerator, x.denominator)

@@ -1,0 +1,54 @@
+"""Integers as sums of two, three and four squares, found by search (Rabin and Shallit, 1986)."""
+
+from math import isqrt
+
+import flint
+
+from hfield.rings.modular import is_prime
+
+SMALL = 10**6  # below this, two squares are searched one by one
+
+
+def three_squares(n: int) -> tuple[int, int, int] | None:
+    """Return a ≥ b ≥ c ≥ 0 with a² + b² + c² = n, or None: there are none for n = 4ᵏ(8m + 7)."""
+    if n == 0:
+        return 0, 0, 0
+    if n % 4 == 0:
+        parts = three_squares(n // 4)
+        return None if parts is None else (2 * parts[0], 2 * parts[1], 2 * parts[2])
+    if n % 8 == 7:
+        return None
+    for a in range(isqrt(n), -1, -1):
+        pair = _two_squares(n - a * a)
+        if pair is not None:
+            x, y, z = sorted((a, *pair), reverse=True)
+            return x, y, z
+    raise AssertionError("every n not of the form 4^k(8m+7) is a sum of three squares (Legendre)")
+
+
+def four_squares(n: int) -> tuple[int, int, int, int]:
+    """Return four integers ≥ 0 whose squares add up to n ≥ 0 (Lagrange)."""
+    for d in range(isqrt(n) + 1):
+        parts = three_squares(n - d * d)
+        if parts is not None:
+            return (*parts, d)
+    raise AssertionError("every n is a sum of four squares")
+
+
+def _two_squares(n: int) -> tuple[int, int] | None:
+    """Return b, c with b² + c² = n; None where there are none, or n is large and not twice a prime."""
+    if n < SMALL:
+        for b in range(isqrt(n), isqrt(n // 2) - 1, -1):
+            c = isqrt(n - b * b)
+            if b * b + c * c == n:
+                return b, c
+        return None
+    if n % 2 == 0:
+        half = _two_squares(n // 2)
+        return None if half is None else (half[0] + half[1], abs(half[0] - half[1]))
+    if n % 4 != 1 or not is_prime(n):
+        return None
+    b, c = n, int(flint.fmpz(n - 1).sqrtmod(n))  # Cornacchia: run Euclid down to √n
+    while c * c > n:
+        b, c = c, b % c
+    return c, isqrt(n - c * c)

@@ -1,0 +1,173 @@
+"""Reduction at infinity: from a lattice without bad places to a zero of the conic, or to a conic over k."""
+
+import itertools
+from typing import Any
+
+from hfield.errors import UndecidedError
+from hfield.product import Constants
+from hfield.structure.conic import solve_conic
+from hfield.structure.hilbert import ramified_places_q
+from hfield.structure.integers import fraction
+from hfield.structure.linear import kernel
+from hfield.structure.minimise import Conic, Lattice, RamifiedError, Vector, minimise
+from hfield.structure.residue import ResidueField
+
+INFINITE = "inf"
+
+
+def solve_conic_functions(field: Any, c: Constants) -> tuple[Any, Any, Any]:
+    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
+
+    Raises :class:`RamifiedError` with the place where the algebra ramifies; over ℚ(x) the place may be
+    the tuple of ramified places of a constant algebra over ℚ.
+    """
+    conic = Conic(field, c)
+    lattice = conic.start()
+    for p in conic.bad_primes():
+        minimise(conic, lattice, p)
+    basis = _reduce(field, lattice.basis, _at_infinity(field, c))
+    for v in basis:
+        if conic.value(v).num == 0:
+            return v[0], v[1], v[2]
+    if field.base.order is None:
+        constants = _specialised_zero(field, c, basis)
+    else:
+        constants = _constant_zero(field, conic.coefficients(Lattice(basis, lattice.scale)))
+    x, y, z = (
+        sum(column[1:], column[0])
+        for column in zip(
+            *([s * x for x in v] for s, v in zip(constants, basis, strict=True)), strict=True
+        )
+    )
+    return x, y, z
+
+
+def _inverted(field: Any, x: Any) -> Any:
+    """Return x with the variable replaced by its inverse."""
+    one = field.one.num
+
+    def reverse(poly: Any) -> Any:
+        result = field.zero.num
+        for coefficient in poly.coeffs():
+            result = result * field.gen.num + field.constant(field.base(coefficient)).num
+        return field.quotient(result, one) * field.power(field.gen, -max(int(poly.degree()), 0))
+
+    return reverse(x.num) * field.inverse(reverse(x.den))
+
+
+def _at_infinity(field: Any, c: Constants) -> list[Vector]:
+    """Return a basis of a good lattice at infinity."""
+    a, t, b = (_inverted(field, x) for x in c)
+    conic = Conic(field, Constants(a, t, b))
+    lattice = conic.start()
+    try:
+        minimise(conic, lattice, field.gen.num)
+    except RamifiedError:
+        raise RamifiedError(INFINITE) from None
+    return [[_inverted(field, x) for x in v] for v in lattice.basis]
+
+
+def _reduce(field: Any, basis: list[Vector], local: list[Vector]) -> list[Vector]:
+    """Reduce a basis over k[t] with respect to the degree that a lattice at infinity defines."""
+    vectors = [list(v) for v in basis]
+    inverse = _inverse(field, local)
+    kappa = ResidueField(field, field.gen.num)
+    while True:
+        images = [_apply(inverse, v) for v in vectors]
+        degrees = [max(_degree(x) for x in image) for image in images]
+        leading = [
+            [_leading(field, x) if _degree(x) == n else field.base.zero for x in image]
+            for image, n in zip(images, degrees, strict=True)
+        ]
+        relations = kernel(field.base, [list(row) for row in zip(*leading, strict=True)], 3)
+        if not relations:
+            return vectors
+        relation = [kappa.scalar(x) for x in relations[0]]
+        top = max((i for i in range(3) if relation[i] != 0), key=lambda i: degrees[i])
+        combined = [field.zero] * 3
+        for i in range(3):
+            if relation[i] != 0:
+                factor = field.constant(relations[0][i]) * field.power(
+                    field.gen, degrees[top] - degrees[i]
+                )
+                combined = [x + factor * y for x, y in zip(combined, vectors[i], strict=True)]
+        vectors[top] = combined
+
+
+def _degree(x: Any) -> int:
+    """Return the degree of a rational function; a very small number for 0."""
+    return int(x.num.degree()) - int(x.den.degree()) if x.num != 0 else -(10**9)
+
+
+def _leading(field: Any, x: Any) -> Any:
+    """Return the leading coefficient (denominators are monic)."""
+    return field.base(x.num.leading_coefficient())
+
+
+def _apply(rows: list[Vector], v: Vector) -> Vector:
+    return [row[0] * v[0] + row[1] * v[1] + row[2] * v[2] for row in rows]
+
+
+def _inverse(field: Any, columns: list[Vector]) -> list[Vector]:
+    """Return the rows of the inverse of the matrix with the given columns, by cofactors."""
+    u, v, w = columns
+    rows = [_cross(v, w), _cross(w, u), _cross(u, v)]
+    scale = field.inverse(rows[0][0] * u[0] + rows[0][1] * u[1] + rows[0][2] * u[2])
+    return [[scale * x for x in row] for row in rows]
+
+
+def _cross(u: Vector, v: Vector) -> Vector:
+    return [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+
+
+def _constant_zero(field: Any, form: tuple[Any, ...]) -> list[Any]:
+    """Return a zero in k³, as constants of k(t), of a nondegenerate form with coefficients in a finite k."""
+    base = field.base
+    a, b, c, r, s, t = (base(f.num[0]) for f in form)
+    kappa = ResidueField(field, field.gen.num)
+    # on the line through (0, 0, 1) and (1, x, 0): about every other one carries a zero
+    for x in base.elements():
+        p = a + b * (x * x) + t * x
+        q = s + r * x
+        root = kappa.quadratic_root(*(kappa.scalar(f) for f in (p, q, c)))
+        if root is not None:
+            u, v = (field.quotient(f, field.one.num) for f in root)
+            return [u, u * field.constant(x), v]
+    raise UndecidedError(f"a conic over {base.name} without a point was met")
+
+
+def _specialised_zero(field: Any, c: Constants, basis: list[Vector]) -> list[Any]:
+    """Return coefficients in ℚ of a zero on a basis on which the form is constant, up to its scale.
+
+    The form is the same at every point of the line, so a zero of it at a point with small values, where it
+    is easy to find, is a zero everywhere. Raises :class:`RamifiedError` when there is none.
+    """
+    for n in itertools.count():
+        point = field.base((n + 1) // 2 * (-1) ** n)
+        if any(x.den(point) == 0 for v in [c, *basis] for x in v):
+            continue
+        a, t, b = (fraction(_at(x, point)) for x in c)
+        matrix = [[field.constant(_at(x, point)) for x in v] for v in basis]
+        determinant = sum(
+            (x * y for x, y in zip(_cross(matrix[1], matrix[2]), matrix[0], strict=True)),
+            field.zero,
+        )
+        square = a + t * t / 4
+        if not (square and b) or field.is_zero(determinant):
+            continue
+        places = ramified_places_q(square, b)
+        if places:
+            raise RamifiedError(places)
+        x, y, z = solve_conic(square, b)
+        target = [field(u) for u in (z - t / 2 * x, x, y)]
+        return _apply(_inverse(field, matrix), target)
+    raise AssertionError("all but finitely many points are good")
+
+
+def _at(x: Any, point: Any) -> Any:
+    """Return the value of a rational function at a point where its denominator is not 0."""
+    return x.num(point) / x.den(point)

@@ -1,0 +1,99 @@
+"""Every ring and every algebra over it through the same axioms.
+
+A ring joins by a line in ``RINGS``; a user's own ring may call ``check_ring`` and
+``check_algebra`` from its own tests.
+"""
+
+from collections.abc import Callable
+from random import Random
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from hfield import Quaternion, QuaternionAlgebra, ring
+from hfield.errors import NotInvertibleError
+from tests.rings.axioms import RINGS, check_ring
+
+# a, b, t: Hamilton, general, degenerate, Artin–Schreier, anything.
+CONSTANTS = [(-1, -1, 0), (2, 3, 0), (0, 1, 0), (0, 0, 0), (1, 1, 1), (5, -2, 3)]
+
+
+def elements(A: QuaternionAlgebra, seeds: tuple[int, int, int]) -> list[Quaternion]:
+    """Three random elements of A; hypothesis shrinks the seeds."""
+    return [A.random_element(seed) for seed in seeds]
+
+
+def check_algebra(A: QuaternionAlgebra, seeds: tuple[int, int, int]) -> None:
+    """The axioms of an associative algebra with standard involution, on three elements."""
+    p, q, r = elements(A, seeds)
+    e, i, j, k = A.basis
+    s = A.ring.random(Random(seeds[0]))
+    a, t, b = A.constants
+    assert (i * i, j * j, i * j, j * i) == (a + t * i, A(b), k, t * j - k)
+    assert e * q == q == q * e
+    assert (p * q) * r == p * (q * r)
+    assert p * (q + r) == p * q + p * r
+    assert (p + q) * r == p * r + q * r
+    assert (s * p) * q == s * (p * q) == p * (s * q)
+    assert p + q == q + p
+    assert p - p == 0 == 0 * p
+    assert (p * q).conjugate() == q.conjugate() * p.conjugate()
+    assert q.conjugate().conjugate() == q
+    assert q * q.conjugate() == q.norm() == q.conjugate() * q
+    assert q + q.conjugate() == q.trace()
+    assert A.ring.equal((p * q).norm(), p.norm() * q.norm())
+    assert q * q - q.trace() * q + q.norm() == 0
+    assert q**3 == q * q * q
+    assert A(*q.coordinates) == q
+    assert A.parse(str(q)) == q
+    if A.ring.is_exact:
+        assert hash(q) == hash(A(*q.coordinates))
+    assert q.is_unit() == (not _fails(q.inverse))
+    if q.is_unit():
+        assert q * q.inverse() == 1 == q.inverse() * q
+    y = q.annihilator()
+    if y is not None:
+        assert y != 0
+        assert q * y == 0
+        assert q.is_zero_divisor()
+        assert not q.is_unit() or A.ring.characteristic == 1
+
+
+def _fails(invert: Callable[[], object]) -> bool:
+    try:
+        invert()
+    except NotInvertibleError:
+        return True
+    return False
+
+
+@pytest.mark.parametrize("name", RINGS)
+@settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@given(seeds=st.tuples(*[st.integers(0, 999)] * 3))
+def test_rings(name: str, seeds: tuple[int, int, int]) -> None:
+    check_ring(ring(name), seeds)
+
+
+@pytest.mark.parametrize("name", [name for name in RINGS if ring(name).is_exact])
+@settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@given(seeds=st.tuples(*[st.integers(0, 999)] * 3), constants=st.sampled_from(CONSTANTS))
+def test_algebras(name: str, seeds: tuple[int, int, int], constants: tuple[int, int, int]) -> None:
+    a, b, t = constants
+    check_algebra(QuaternionAlgebra(ring(name), a, b, t), seeds)
+
+
+@pytest.mark.parametrize("constants", CONSTANTS)
+def test_the_axioms_can_fail(constants: tuple[int, int, int]) -> None:
+    """A product with one term dropped is caught."""
+    a, b, t = constants
+    A = QuaternionAlgebra(ring("QQ"), a, b, t)
+
+    class Broken(Quaternion):
+        def __mul__(self, other: object) -> Quaternion:
+            good = Quaternion.__mul__(self, other)
+            return self._new(*good.coordinates[:3], good.coordinates[3] + self.coordinates[1])
+
+    A.__dict__["basis"] = tuple(Broken(A, q.coordinates) for q in A.basis)
+    with pytest.raises(AssertionError):
+        check_algebra(A, (1, 2, 3))

@@ -1,0 +1,63 @@
+"""Whatever is typed, the answer is a result or one line that says what was wrong."""
+
+import io
+from contextlib import redirect_stderr, redirect_stdout
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from hfield.cli import main
+
+FIELDS = ["QQ", "ZZ", "ZZ/6", "GF(7)", "GF(4)", "GF(9, x^2+1)", "QQ(x)", "GF(2)(t)", "ZZ[a,b]", "RDF"]
+TOKENS = [
+    *("e i j k x t a 0 1 2 3 7 1/2 0.5 1e3 10**3 **2 **-1 ** ^ + - * / ( ) [ ] [0] , = == != =>".split()),
+    *("conj( norm( inv( comm( sqrt( not and or exists: p q __ . ' \" \\ \x00 é √ ½ ² ∞ nan inf".split()),
+]
+NAMES = ["QQ", "ZZ", "GF", "(", ")", "[", "]", ",", "/", "^", "*", "+", "-", "x", "I", "sqrt", "0"]
+NAMES += ["1", "2", "4", "9", "6", "-7", "RR", "CC", "RDF", "t", "|", "universal", " ", "e", "²", "é"]
+
+
+def answer(*words):
+    out, err = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(err):
+        status = main(words)
+    return status, out.getvalue(), err.getvalue()
+
+
+def check(*words):
+    status, out, err = answer(*words)
+    assert status in (0, 2), (words, err)
+    if status == 2:
+        assert out == ""
+        assert err.startswith("hfield: error: ")
+        assert err.count("\n") == 1
+        assert len(err) < 1000
+    else:
+        assert err == ""
+    return status, out
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.lists(st.sampled_from(TOKENS), max_size=12).map("".join), st.sampled_from(FIELDS))
+def test_eval_of_anything(text, field):
+    status, out = check("eval", text, "--field", field)
+    if status == 0 and field != "RDF":
+        assert check("eval", out.strip(), "--field", field) == (0, out)
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.lists(st.sampled_from(NAMES), max_size=8).map("".join))
+def test_any_field(text):
+    check("eval", "i*j", f"--field={text}")
+
+
+@settings(deadline=None, max_examples=200)
+@given(st.lists(st.sampled_from(NAMES), max_size=8).map("".join), st.sampled_from(["()", "[)"]))
+def test_any_algebra(text, brackets):
+    check("eval", "i*j", f"--algebra={brackets[0]}{text}|GF(4){brackets[1]}")
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.lists(st.text(max_size=8), max_size=4))
+def test_any_words(words):
+    check("eval", *(word for word in words if not word.startswith(("-o", "--out"))))

@@ -1,0 +1,54 @@
+"""The command starts at once: ``--version`` and ``--help`` import nothing heavy."""
+
+import subprocess
+import sys
+import time
+
+import pytest
+
+HEAVY = ("sympy", "galois", "numpy", "matplotlib", "flint", "numba", "IPython")
+LIMIT = 0.2  # seconds
+
+PROBE = """
+import sys
+from hfield.cli import main
+{extra}
+assert main([{word!r}]) == 0
+print([name for name in {heavy!r} if name in sys.modules], file=sys.stderr)
+"""
+
+
+def imported(word, extra=""):
+    """Return what a fresh process has imported after ``hfield WORD``."""
+    code = PROBE.format(word=word, extra=extra, heavy=HEAVY)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    return done.stderr.strip()
+
+
+@pytest.mark.parametrize("word", ["--version", "--help"])
+def test_nothing_heavy_is_imported(word):
+    assert imported(word) == "[]"
+
+
+def test_the_probe_can_fail():
+    assert imported("--version", "import numpy") == "['numpy']"
+
+
+@pytest.mark.parametrize("word", ["--version", "--help"])
+def test_it_starts_at_once(word):
+    def seconds():
+        start = time.perf_counter()
+        subprocess.run([sys.executable, "-m", "hfield", word], capture_output=True, check=True)
+        return time.perf_counter() - start
+
+    assert min(seconds() for _ in range(5)) < LIMIT
+
+
+@pytest.mark.parametrize("command", [["eval", "i*j"], ["table", "--field", "GF9"]])
+def test_finite_fields_and_rationals_need_no_sympy_nor_galois(command):
+    code = (
+        "import sys; from hfield.cli import main; assert main(sys.argv[1:]) == 0; "
+        "assert not {'sympy', 'galois', 'matplotlib'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code, *command], check=True, timeout=60)

@@ -1,0 +1,68 @@
+"""The seam for parallel work."""
+
+import importlib.util
+import operator
+import os
+
+import pytest
+
+from hfield.executors import ExecutorError, InProcess, open_executor
+
+
+def test_in_process_is_lazy_and_keeps_order():
+    done = []
+    values = InProcess().map(lambda x: done.append(x) or x * x, range(5))
+    assert next(values) == 0
+    assert done == [0]
+    assert list(values) == [1, 4, 9, 16]
+
+
+def test_in_process_futures():
+    executor = InProcess()
+    assert executor.submit(pow, 2, 10).result() == 1024
+    with pytest.raises(ZeroDivisionError):
+        executor.submit(operator.truediv, 1, 0).result()
+
+
+def test_one_job_needs_no_process():
+    with open_executor() as executor:
+        assert list(executor.map(lambda _: os.getpid(), range(2))) == [os.getpid()] * 2
+
+
+def test_processes():
+    with open_executor(jobs=2) as executor:
+        assert list(executor.map(abs, [-1, 2, -3])) == [1, 2, 3]
+
+
+def test_a_worker_that_dies_is_told():
+    with pytest.raises(ExecutorError, match="ended abruptly"), open_executor(jobs=2) as executor:
+        list(executor.map(os._exit, [1]))
+
+
+def test_an_interrupt_ends_the_workers():
+    import multiprocessing
+
+    workers = set()
+
+    def interrupted():
+        before = set(multiprocessing.active_children())
+        with open_executor(jobs=2) as executor:
+            list(executor.map(abs, [-1, 2]))
+            workers.update(set(multiprocessing.active_children()) - before)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert workers
+    for worker in workers:
+        worker.join(10)
+        assert not worker.is_alive()
+
+
+@pytest.mark.skipif(importlib.util.find_spec("distributed") is not None, reason="Dask is here")
+def test_a_missing_dask_is_told():
+    with (
+        pytest.raises(ExecutorError, match="pip install distributed"),
+        open_executor(dask="tcp://127.0.0.1:1"),
+    ):
+        pass

@@ -1,0 +1,91 @@
+"""The floors of the house: a room imports only what stands below it, and there is no circle."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+# From the ground up. A room may import rooms of lower floors, and its own.
+FLOORS = [
+    {"hfield.errors", "hfield.product", "hfield.certificates"},
+    {"hfield.syntax", "hfield.executors"},
+    {"hfield.rings"},
+    {"hfield.notation"},
+    {"hfield.structure"},
+    {"hfield.quaternion"},
+    {"hfield.algebra"},
+    {"hfield.proving"},
+    {"hfield.ledger"},
+    {"hfield.repl"},
+    {"hfield.commands"},
+    {"hfield.cli"},
+    {"hfield.__main__"},
+    {"rotation"},
+    {"anim"},
+]
+FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
+# The face hands out names of all floors and is imported by nobody inside.
+FACES = {"hfield"}
+
+
+def room_of(module: str) -> str:
+    return next(
+        (r for r in sorted(FLOOR, key=len, reverse=True) if f"{module}.".startswith(f"{r}.")), ""
+    )
+
+
+def imports(source: str, package: str) -> set[str]:
+    """All modules that a source imports, also inside functions; ``from x import y`` counts as x.y too."""
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"a relative import in {package}: write it in full"
+            found.add(node.module or "")
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+def breaches(module: str, source: str) -> list[str]:
+    """The imports of ``module`` that do not run downwards."""
+    here = room_of(module)
+    return [
+        f"{module} (floor of {here}) imports {target}"
+        for target in imports(source, module)
+        if room_of(target) and room_of(target) != here and FLOOR[room_of(target)] >= FLOOR[here]
+    ]
+
+
+def sources() -> list[tuple[str, str]]:
+    out = []
+    for package in ("hfield", "rotation", "anim"):
+        for path in sorted((ROOT / package).rglob("*.py")):
+            parts = path.relative_to(ROOT).with_suffix("").parts
+            module = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+            out.append((module, path.read_text(encoding="utf-8")))
+    return out
+
+
+@pytest.mark.parametrize(
+    ("module", "source"), sources(), ids=lambda x: x if len(x) < 60 else "source"
+)
+def test_imports_run_downwards(module: str, source: str) -> None:
+    if module in FACES:
+        return
+    assert room_of(module), f"{module} stands on no floor: add its room to FLOORS"
+    assert breaches(module, source) == []
+
+
+def test_the_check_can_fail() -> None:
+    assert breaches("hfield.rings.base", "def f():\n    from hfield.ledger import claim\n")
+    assert breaches("hfield.structure.x", "import hfield.algebra\n")
+    assert not breaches("hfield.algebra", "from hfield import product\n")
+
+
+def test_the_checker_of_certificates_stands_alone() -> None:
+    for module, source in sources():
+        if module.startswith("hfield.certificates"):
+            outside = {t for t in imports(source, module) if t.startswith("hfield")}
+            assert all(t.startswith("hfield.certificates") for t in outside), (module, outside)
