@@ -79,7 +79,9 @@ def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = ""
         elif not letter:
             terms.append(text)
         else:
-            terms.append(f"{_factor(text, style)}{times}{letter}")
+            factor = _factor(text, style)
+            dot = "·" if style == "unicode" and factor[-1:].isalpha() else times
+            terms.append(f"{factor}{dot}{letter}")
     out = terms[0] if terms else "0"
     for term in terms[1:]:
         negative = term.startswith(("-", "−"))

@@ -8,13 +8,40 @@ from hypothesis import strategies as st
 
 from hfield.cli import main
 
-FIELDS = ["QQ", "ZZ", "ZZ/6", "GF(7)", "GF(4)", "GF(9, x^2+1)", "QQ(x)", "GF(2)(t)", "ZZ[a,b]", "RDF"]
-TOKENS = [
-    *("e i j k x t a 0 1 2 3 7 1/2 0.5 1e3 10**3 **2 **-1 ** ^ + - * / ( ) [ ] [0] , = == != =>".split()),
-    *("conj( norm( inv( comm( sqrt( not and or exists: p q __ . ' \" \\ \x00 é √ ½ ² ∞ nan inf".split()),
+FIELDS = [
+    "QQ",
+    "ZZ",
+    "ZZ/6",
+    "GF(7)",
+    "GF(4)",
+    "GF(9, x^2+1)",
+    "QQ(x)",
+    "GF(2)(t)",
+    "ZZ[a,b]",
+    "RDF",
 ]
+WORDS = """e i j k x t a 0 1 2 3 7 1/2 0.5 1e3 10**3 **2 **-1 ** ^ + - * / ( ) [ ] [0] , = == != =>
+conj( norm( inv( comm( sqrt( not and or exists: p q __ . ' " \\ é √ ½ ² ∞ nan inf"""
+TOKENS = [*WORDS.split(), " ", "\x00"]
 NAMES = ["QQ", "ZZ", "GF", "(", ")", "[", "]", ",", "/", "^", "*", "+", "-", "x", "I", "sqrt", "0"]
-NAMES += ["1", "2", "4", "9", "6", "-7", "RR", "CC", "RDF", "t", "|", "universal", " ", "e", "²", "é"]
+NAMES += [
+    "1",
+    "2",
+    "4",
+    "9",
+    "6",
+    "-7",
+    "RR",
+    "CC",
+    "RDF",
+    "t",
+    "|",
+    "universal",
+    " ",
+    "e",
+    "²",
+    "é",
+]
 
 
 def answer(*words):

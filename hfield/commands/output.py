@@ -81,7 +81,10 @@ def open_output(path: str | None) -> Iterator[Sink]:
 
 @contextmanager
 def _open_file(path: Path) -> Iterator[TextIO]:
-    """Open a temporary neighbour that takes the place of ``path`` at the end; devices are opened."""
+    """Open a temporary neighbour that takes the place of ``path`` at the end; devices are opened.
+
+    Where nothing was written, nothing is replaced.
+    """
     target = path.resolve()
     mode = target.stat().st_mode if target.exists() else None
     if mode is not None and not stat.S_ISREG(mode):
@@ -94,9 +97,11 @@ def _open_file(path: Path) -> Iterator[TextIO]:
     try:
         with neighbour.open("x", encoding="utf-8") as stream:
             yield stream
+            written = stream.tell() > 0
         if mode is not None:
             neighbour.chmod(stat.S_IMODE(mode))
-        neighbour.replace(target)
+        if written:
+            neighbour.replace(target)
     finally:
         with suppress(FileNotFoundError):
             neighbour.unlink()

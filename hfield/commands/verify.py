@@ -67,7 +67,7 @@ def run(args: Namespace) -> int:
 
             out.write(report(rows, out.style(), chosen=bool(chosen), everything=args.all))
     clashes = contradictions(rows)
-    for clash in clashes:
+    for clash in clashes if args.format == "json" else ():
         note(f"contradiction: {clash}")
     return int(bool(clashes) or not all(row.settled for row in rows))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -9,11 +10,12 @@ from dataclasses import dataclass
 from hfield.errors import NotationError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row, find
 from hfield.ledger.columns import SelectionError, rows_to_decide, split_columns
-from hfield.ledger.errata import witness_text
+from hfield.ledger.evaluated import evaluated
 from hfield.ledger.matrix import Style
 from hfield.ledger.run import decide_row
-from hfield.proving.decision import NOT_APPLICABLE, Decision
-from hfield.proving.printing import to_latex, to_unicode
+from hfield.ledger.wording import over, pretty, witness_text
+from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+from hfield.proving.printing import to_latex
 from hfield.syntax import parse
 
 _LABEL = 12
@@ -32,27 +34,29 @@ class Explanation:
         title = f"{claim.id}  {claim.name}"
         lines = [
             style.bold(title),
-            f"thesis {claim.section}, {claim.kind}; {_over(row.field)}",
+            f"thesis {claim.section}, {claim.kind}; {over(row.field)}",
             "",
             *_wrap("statement", claim.statement, style),
             *_wrap("printed", claim.printed, style),
         ]
         if claim.as_printed:
-            lines += _wrap("read as", _pretty(claim.as_printed), style)
+            lines += _wrap("read as", pretty(claim.as_printed.text), style)
         if claim.note:
             lines += _wrap("note", claim.note, style)
-        lines += ["", *_decision(row.as_printed, row.field, style)]
+        text = claim.as_printed.text if claim.as_printed else ""
+        lines += ["", *_decision(text, row.as_printed, row.field, style)]
         if row.as_corrected is not None and claim.corrected:
-            lines += ["", *_wrap("corrected", _pretty(claim.corrected), style)]
-            lines += ["", *_decision(row.as_corrected, row.field, style)]
+            lines += ["", *_wrap("corrected", pretty(claim.corrected.text), style)]
+            lines += ["", *_decision(claim.corrected.text, row.as_corrected, row.field, style)]
         return "\n".join(lines)
 
     def latex(self) -> str:
         """Write statement and verdict as one formula of LaTeX."""
         claim, row = self.row.claim, self.row
-        lines = [_formula(claim.as_printed, claim.printed, row.as_printed, row.field)]
-        if row.as_corrected is not None:
-            lines.append(_formula(claim.corrected, "", row.as_corrected, row.field))
+        text = claim.as_printed.text if claim.as_printed else claim.statement
+        lines = [_formula(text, row.as_printed, row.field)]
+        if row.as_corrected is not None and claim.corrected:
+            lines.append(_formula(claim.corrected.text, row.as_corrected, row.field))
         body = r" \\ ".join(lines)
         return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
 
@@ -95,23 +99,29 @@ def explain(claim: str, field: str | None = None) -> Explanation:
     return Explanation(decide_row(found, name))
 
 
-def _over(field: str) -> str:
-    named = {UNIVERSAL: "over every commutative ring", NO_FIELD: "about no field in particular"}
-    return named.get(field, f"over {field}")
+def decision_text(
+    statement: str, decision: Decision, algebra: str, field: str | None, style: Style
+) -> str:
+    """Write a statement of the language in ``algebra`` and its decision; no field means all."""
+    where = "for every F" if field is None else over(field)
+    lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
+    told = _decision(statement, decision, field or UNIVERSAL, style, algebra)
+    return "\n".join([*lines, *told])
 
 
-def _pretty(proposition: Proposition) -> str:
-    """Write a statement of the language with mathematical signs; words stay as they are."""
-    try:
-        return to_unicode(parse(proposition.text))
-    except NotationError:
-        return proposition.text
+def decision_latex(statement: str, decision: Decision, field: str | None) -> str:
+    """Write a statement of the language and its verdict as a formula of LaTeX."""
+    body = _formula(statement, decision, field or UNIVERSAL)
+    return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
 
 
-def _decision(decision: Decision, field: str, style: Style) -> Iterator[str]:
+def _decision(
+    text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
+) -> Iterator[str]:
     verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
-    scope = f", over {decision.scope}" if decision.scope and decision.scope != "field" else ""
-    method = "" if decision.verdict == NOT_APPLICABLE else f"  (by {decision.method}{scope})"
+    method = ""
+    if decision.verdict != NOT_APPLICABLE:
+        method = f"  (by {decision.method}{_scope(decision)})"
     yield from _wrap("verdict", verdict + method, style, plain=False)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
@@ -119,10 +129,24 @@ def _decision(decision: Decision, field: str, style: Style) -> Iterator[str]:
     witness = witness_text(decision.witness, field)
     if witness:
         yield from _wrap("witness", witness, style)
+    if decision.verdict == REFUTED:
+        for n, line in enumerate(evaluated(text, decision.witness, field, algebra)):
+            yield from _wrap("" if n else "there", line, style)
     for theorem in decision.assumes:
         yield from _wrap("assumes", theorem, style)
     for attempt in decision.tried:
         yield from _wrap("tried", attempt, style)
+
+
+def _scope(decision: Decision) -> str:
+    """Say where the statement holds, beyond the field it was decided over."""
+    if decision.scope in (None, FIELD):
+        return ""
+    primes = re.fullmatch(r"characteristics \[(.+)\]", decision.scope or "")
+    if primes is None:
+        return f", over all {decision.scope}"
+    plural = "s" if "," in primes[1] else ""
+    return f"; it holds exactly in characteristic{plural} {primes[1]}"
 
 
 def _wrap(
@@ -136,8 +160,7 @@ def _wrap(
         yield (head if n == 0 else " " * len(head)) + line
 
 
-def _formula(proposition: Proposition | None, fallback: str, decision: Decision, field: str) -> str:
-    text = proposition.text if proposition else fallback
+def _formula(text: str, decision: Decision, field: str) -> str:
     try:
         shown = to_latex(parse(text))
     except NotationError:

@@ -86,22 +86,6 @@ def head(field: str, ascii_only: bool = False) -> str:
     return text if ascii_only else text.replace("-", "−") if field != NO_FIELD else text
 
 
-def name_fields(some: Sequence[str], every: Sequence[str]) -> str:
-    """Say which of the columns ``every`` are meant, in the shortest of three ways.
-
-    >>> name_fields(["QQ", "RR"], ["QQ", "RR", "CC"])
-    'QQ, RR'
-    """
-    if set(some) == {NO_FIELD}:
-        return "no field in particular"
-    rest = [field for field in every if field not in some]
-    if len(some) > 1 and not rest:
-        return f"all {len(some)} columns"
-    if len(some) > 4 and len(rest) <= len(some) / 3:
-        return f"all columns but {', '.join(rest)}"
-    return ", ".join(some)
-
-
 def panel_order(field: str) -> int:
     """Return the place of a column in the panel; a field outside it comes last."""
     return PANEL.index(field) if field in PANEL else len(PANEL)

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from hfield.errors import HFieldError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
-from hfield.ledger.columns import name_fields, panel_order
-from hfield.notation import element_text
+from hfield.ledger.columns import panel_order
+from hfield.ledger.evaluated import evaluated
+from hfield.ledger.wording import STATED_FIELD, name_fields, pretty, witness_text
 from hfield.proving.decision import REFUTED
-from hfield.rings import ring
-
-STATED_FIELD = "F"  # the key of a witness that names the field it lives in
 
 
 @dataclass(frozen=True)
@@ -33,28 +30,54 @@ class Erratum:
         return min(self.refuted, key=_size)
 
     @property
-    def reason(self) -> str:
-        """Why the print fails: the note of the claim, else the last step of its refutation."""
-        steps = self.telling.as_printed.steps
-        return self.claim.note or (steps[-1].strip() if steps else "")
+    def witness(self) -> str:
+        """The smallest witness with its field; nothing for a statement without unknowns."""
+        witness, field = self.telling.as_printed.witness, self.telling.field
+        shown = witness_text(witness, field)
+        stated = not witness or STATED_FIELD in witness or field in (UNIVERSAL, NO_FIELD)
+        return shown if stated else f"{shown} over {field}"
 
     @property
-    def witness(self) -> str:
-        """The smallest witness with its field, or nothing for a statement without unknowns."""
-        row = self.telling
-        shown = witness_text(row.as_printed.witness, row.field)
-        field = _home(row.as_printed.witness, row.field)
-        return f"{shown} over {field}" if shown and field else shown
+    def failures(self) -> list[str]:
+        """What fails at the witness, worked out; for a claim in words, the last step."""
+        decision, printed = self.telling.as_printed, self.claim.as_printed
+        text = printed.text if printed else ""
+        return evaluated(text, decision.witness, self.telling.field) or [
+            step.strip() for step in decision.steps[-1:]
+        ]
 
-    def outcome(self, corrected: bool = False) -> list[tuple[str, str]]:
-        """Return pairs (verdict, the columns that share it), for the print or its correction."""
+    @property
+    def lines(self) -> list[tuple[str, str]]:
+        """The erratum as pairs of a label and a text."""
+        claim, (first, *rest) = self.claim, self._outcome(corrected=False)
+        lines = [("claim", claim.statement)] if claim.statement != claim.printed else []
+        lines += [("prints", claim.printed)] if claim.printed not in ("", "—") else []
+        lines.append(("refuted", first.removeprefix("refuted ")))
+        lines += [("elsewhere", "; ".join(rest))] if rest else []
+        lines += [("why", claim.note)] if claim.note else []
+        lines += [("witness", self.witness)] if self.witness else []
+        lines += [("" if n else "there", text) for n, text in enumerate(self.failures)]
+        if claim.corrected:
+            lines.append(("corrected", pretty(claim.corrected.text)))
+            lines.append(("", "; ".join(self._outcome(corrected=True))))
+        return lines
+
+    def _outcome(self, corrected: bool) -> list[str]:
+        """Return each verdict with the columns that share it, ``refuted`` first."""
+        rows = self.refuted if corrected else self.rows
         columns: dict[str, list[str]] = {}
-        for row in self.refuted if corrected else self.rows:
+        for row in rows:
             decision = row.as_corrected if corrected else row.as_printed
             if decision is not None:
                 columns.setdefault(decision.verdict, []).append(row.field)
+        if corrected and len(columns) == 1 and len(self.refuted) > 1:
+            return [f"{verdict} over the same columns" for verdict in columns]
         every = [row.field for row in self.rows]
-        return [(verdict, name_fields(fields, every)) for verdict, fields in columns.items()]
+        return [
+            f"{verdict.replace('-', ' ')} "
+            + ("as it stands" if fields == [NO_FIELD] else f"over {name_fields(fields, every)}")
+            for verdict, fields in sorted(columns.items(), key=lambda item: item[0] != REFUTED)
+        ]
 
 
 def errata(rows: Sequence[Row]) -> list[Erratum]:
@@ -64,34 +87,6 @@ def errata(rows: Sequence[Row]) -> list[Erratum]:
         by_claim.setdefault(row.claim.id, []).append(row)
     found = (Erratum(group[0].claim, tuple(group)) for group in by_claim.values())
     return [erratum for erratum in found if erratum.refuted]
-
-
-def witness_text(witness: Mapping[str, Sequence[str]] | None, field: str) -> str:
-    """Write a witness in one line with quaternions as elements: ``p = i, q = 1 + j``."""
-    home = _home(witness, field)
-    parts = [
-        f"{name} = {_value(values, home)}"
-        for name, values in (witness or {}).items()
-        if name != STATED_FIELD
-    ]
-    return ", ".join(parts) or ("F = " + home if witness and home else "")
-
-
-def _home(witness: Mapping[str, Sequence[str]] | None, field: str) -> str:
-    """Return the field in which the values of a witness live; none for a claim about no field."""
-    if witness and STATED_FIELD in witness:
-        return witness[STATED_FIELD][0]
-    return "" if field in (UNIVERSAL, NO_FIELD) else field
-
-
-def _value(values: Sequence[str], home: str) -> str:
-    if home and len(values) == 4:
-        try:
-            F = ring(home)
-            return element_text(F, [F(text) for text in values], "unicode", "e")
-        except HFieldError:  # values of another kind than coordinates are shown as they are
-            return f"({', '.join(values)})"
-    return values[0] if len(values) == 1 else f"({', '.join(values)})"
 
 
 def _size(row: Row) -> tuple[int, int, int, int]:

@@ -68,7 +68,7 @@ class LevelAbove:
 class Division:
     """Every nonzero element of H(F) is invertible: no nonzero element has norm 0."""
 
-    text = "every nonzero element of H(F) has an inverse"
+    text: str = "every nonzero element of H(F) has an inverse"
 
     def decide(self, field: Ring | None) -> Decision:
         """Find a nonzero element of norm 0, or the reason why there is none."""
@@ -109,7 +109,8 @@ class PositiveNorm:
                 "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
             )
             return Decision("proved", "ordering", steps=steps)
-        for q in (one, *((x, *(field.zero,) * 3) for x in field.names().values())):
+        generators = [field.gen] if field.gen_name else []
+        for q in (one, *((x, *(field.zero,) * 3) for x in generators)):
             n = norm(hamilton(field), q)
             value = next((m for m in range(-20, 21) if m and field.equal(n, field(m))), None)
             if value is not None and value * self.sign < 0:

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from hfield.ledger.claim import Row
 from hfield.ledger.columns import head
-from hfield.ledger.errata import Erratum, errata, witness_text
+from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import MARKS, columns_of
 from hfield.ledger.report import totals
 from hfield.ledger.run import contradictions
+from hfield.ledger.wording import witness_text
 
 
 def markdown(rows: Sequence[Row], *, everything: bool = False) -> str:
@@ -47,17 +48,8 @@ def _list(title: str, items: Sequence[str]) -> list[str]:
 
 def _erratum(erratum: Erratum) -> str:
     claim = erratum.claim
-    lines = [
-        f"### {claim.id} {claim.name}",
-        f"- prints: {_escape(claim.printed or claim.statement)}",
-    ]
-    lines += [f"- {verdict}: {fields}" for verdict, fields in erratum.outcome()]
-    lines += [f"- why: {_escape(erratum.reason)}"] if erratum.reason else []
-    lines += [f"- witness: {_escape(erratum.witness)}"] if erratum.witness else []
-    if claim.corrected:
-        verdicts = "; ".join(f"{verdict}: {fields}" for verdict, fields in erratum.outcome(True))
-        lines.append(f"- corrected: `{claim.corrected.text}` ({verdicts})")
-    return "\n".join([lines[0], "", *lines[1:]])
+    lines = [f"- {label}{': ' if label else ''}{_escape(text)}" for label, text in erratum.lines]
+    return "\n".join([f"### {claim.id} {claim.name}", "", *lines])
 
 
 def table(grid: Sequence[Sequence[str]]) -> str:

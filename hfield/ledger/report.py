@@ -5,10 +5,12 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
-from hfield.ledger.claim import Claim, Row
-from hfield.ledger.errata import Erratum, errata, witness_text
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
+from hfield.ledger.columns import head
+from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import Style, matrix, tally
 from hfield.ledger.run import contradictions
+from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
 
 _LABEL = 11  # width of the labels in the errata
@@ -25,22 +27,30 @@ def report(
     parts = []
     if shown:
         title = "The claims" if chosen or everything else "Headline claims"
-        parts += [style.bold(f"{title}, as printed"), matrix(shown, style), style.legend()]
+        parts += [style.bold(f"{title}, as printed"), matrix(shown, style), _legend(shown, style)]
     if rest:
         parts += [style.bold("The other claims, rows by verdict as printed"), summary(rest)]
     if everything:
         parts += [style.bold("Every row"), "\n".join(_line(row, style) for row in rows)]
-    parts += _section(
-        "Contradictions", [_wrap("!", text, style) for text in contradictions(rows)], style
-    )
-    parts += _section("Undecided", [_undecided(row, style) for row in rows if _is_open(row)], style)
-    parts += _section("Errata", [erratum_text(erratum, style) for erratum in errata(rows)], style)
-    parts.append(totals(rows))
-    return "\n\n".join(part for part in parts if part)
+    sections = {
+        "Contradictions": "\n".join(_wrap("!", text, style, 2) for text in contradictions(rows)),
+        "Undecided": "\n".join(_wrap("?", text, style, 2) for text in _undecided(rows)),
+        "Errata": "\n\n".join(erratum_text(erratum, style) for erratum in errata(rows)),
+    }
+    for title, text in sections.items():
+        parts += [style.bold(title), text] if text else []
+    return "\n\n".join([*parts, totals(rows)])
 
 
-def _section(title: str, items: Sequence[str], style: Style) -> list[str]:
-    return [style.bold(title), *items] if items else []
+def _legend(rows: Sequence[Row], style: Style) -> str:
+    """Return the meaning of the marks, and of the two columns that are no fields."""
+    fields = {row.field for row in rows}
+    lines = [style.legend()]
+    if UNIVERSAL in fields:
+        lines.append(f"{head(UNIVERSAL, style.ascii_only)} is every commutative ring at once")
+    if NO_FIELD in fields:
+        lines.append(f"{NO_FIELD} is for claims about no field in particular")
+    return "\n".join(lines)
 
 
 def summary(rows: Sequence[Row]) -> str:
@@ -94,33 +104,21 @@ def erratum_text(erratum: Erratum, style: Style) -> str:
     """Write one erratum: the print, where it fails, why, the witness, the correction."""
     claim = erratum.claim
     lines = [style.bold(f"{claim.id}  {claim.name}") + f"  ({claim.kind})"]
-    lines.append(_wrap("prints", claim.printed or claim.statement, style))
-    for verdict, fields in erratum.outcome():
-        lines.append(_wrap(verdict, f"over {fields}" if fields else "", style))
-    if erratum.reason:
-        lines.append(_wrap("why", erratum.reason, style))
-    if erratum.witness:
-        lines.append(_wrap("witness", erratum.witness, style))
-    if claim.corrected:
-        verdicts = "; ".join(
-            f"{verdict} over {fields}" for verdict, fields in erratum.outcome(True)
-        )
-        lines += [_wrap("corrected", claim.corrected.text, style), _wrap("", verdicts, style)]
-    return "\n".join(lines)
+    return "\n".join(lines + [_wrap(label, text, style) for label, text in erratum.lines])
 
 
-def _undecided(row: Row, style: Style) -> str:
-    decision = row.as_printed
-    what = "as printed"
-    if decision.verdict != UNDECIDED and row.as_corrected is not None:
-        decision, what = row.as_corrected, "as corrected"
-    tried = "; ".join(decision.tried) or decision.method
-    return _wrap("?", f"{row.claim.id} over {row.field}, {what}. Tried: {tried}", style)
-
-
-def _is_open(row: Row) -> bool:
-    decisions = (row.as_printed, row.as_corrected)
-    return any(decision is not None and decision.verdict == UNDECIDED for decision in decisions)
+def _undecided(rows: Sequence[Row]) -> list[str]:
+    """Say what was tried for the rows that are undecided, those of a claim together."""
+    fields: dict[tuple[str, str, str], list[str]] = {}
+    for row in rows:
+        for what, decision in (("printed", row.as_printed), ("corrected", row.as_corrected)):
+            if decision is not None and decision.verdict == UNDECIDED:
+                tried = "; ".join(decision.tried) or decision.method
+                fields.setdefault((row.claim.id, what, tried), []).append(row.field)
+    return [
+        f"{name} as {what}, over {', '.join(where)}. Tried: {tried}"
+        for (name, what, tried), where in fields.items()
+    ]
 
 
 def _line(row: Row, style: Style) -> str:
@@ -136,8 +134,8 @@ def _line(row: Row, style: Style) -> str:
     return text
 
 
-def _wrap(label: str, text: str, style: Style) -> str:
-    head = f"  {label:<{_LABEL}}"
+def _wrap(label: str, text: str, style: Style, width: int = _LABEL) -> str:
+    head = f"  {label:<{width}}"
     wrapped = textwrap.wrap(
         text, style.width - len(head), break_on_hyphens=False, break_long_words=True
     )

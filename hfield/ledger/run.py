@@ -66,25 +66,27 @@ def decide_row(claim: Claim, field: str) -> Row:
 
 
 def contradictions(rows: Sequence[Row]) -> list[str]:
-    """Name what cannot all be true: proved for every field and refuted in one, or a false correction."""
+    """Name what cannot all be true: proved in general and refuted in one field, or a false correction."""
     everywhere = {row.claim.id: row for row in rows if row.field == UNIVERSAL}
-    out = []
+    found: dict[str, list[str]] = {}
     for row in rows:
         if row.as_corrected is not None and row.as_corrected.verdict == REFUTED:
-            out.append(f"{row.claim.id}: its correction is refuted over {row.field}")
+            found.setdefault(f"{row.claim.id}: its correction is refuted", []).append(row.field)
         universal = everywhere.get(row.claim.id)
-        if universal is None or universal is row or not _is_field(row.field):
+        if universal is None or not _is_field(row.field):
             continue
-        kinds = {"as printed": (universal.as_printed, row.as_printed)}
-        if universal.as_corrected is not None and row.as_corrected is not None:
-            kinds["as corrected"] = (universal.as_corrected, row.as_corrected)
-        for kind, (general, special) in kinds.items():
-            if general.verdict in (PROVED, VACUOUS) and special.verdict == REFUTED:
-                out.append(
-                    f"{row.claim.id} {kind}: {general.verdict} in general (over {general.scope}), "
-                    f"but refuted over {row.field}"
-                )
-    return out
+        pairs = {
+            "printed": (universal.as_printed, row.as_printed),
+            "corrected": (universal.as_corrected, row.as_corrected),
+        }
+        for kind, (general, special) in pairs.items():
+            if general is None or special is None or special.verdict != REFUTED:
+                continue
+            if general.verdict in (PROVED, VACUOUS):
+                scope = f" (over {general.scope})" if general.scope else ""
+                text = f"{row.claim.id} as {kind}: {general.verdict} in general{scope}, but refuted"
+                found.setdefault(text, []).append(row.field)
+    return [f"{text} over {', '.join(fields)}" for text, fields in found.items()]
 
 
 def _is_field(name: str) -> bool:

@@ -21,7 +21,8 @@ from hfield.rings.base import Ring
 MAX_CASES = 10**8
 FEW_CASES = 1_500  # below, a loop is faster than loading numpy
 BLOCK = 1 << 18
-MAX_TABLE = 1 << 10  # elements of a ring whose products are tabulated
+MAX_TABLE = 1 << 8  # elements of a ring whose products are tabulated
+MAX_PRIME = 1 << 16  # elements of a prime field whose inverses are
 
 
 def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple[str, int]]:
@@ -56,7 +57,8 @@ def counterexample(
     cases = field.order ** len(places)
     if cases > MAX_CASES:
         raise TooLargeError(f"{field.order}^{len(places)} cases are more than 10^8")
-    if cases <= FEW_CASES or (field.order > MAX_TABLE and field.order != field.characteristic):
+    largest = MAX_PRIME if field.order == field.characteristic else MAX_TABLE
+    if cases <= FEW_CASES or field.order > largest:
         found = _one_by_one(statement, constants, field, places, deadline, wanted)
     else:
         found = _in_blocks(statement, constants, field, places, deadline, wanted)
@@ -206,7 +208,9 @@ class _TableInterpretation(Interpretation):
     def element(self, x: Any) -> _Entries:
         import numpy as np
 
-        return self.table.entry(np.array(self.table.index[self.table.field.key(x)], self.table.kind))
+        return self.table.entry(
+            np.array(self.table.index[self.table.field.key(x)], self.table.kind)
+        )
 
     def number(self, value: Any) -> Value:
         if isinstance(value, int):
@@ -235,4 +239,3 @@ class _TableInterpretation(Interpretation):
 @lru_cache(maxsize=16)
 def _table(field: Ring) -> _Table:
     return _Table(field)
-

@@ -28,14 +28,13 @@ class Expanded:
     """A statement as clauses over the variables ``variables`` (their texts) of ``context``.
 
     The first ``unknowns`` variables are coordinates, letters and scalars; the others are constants
-    of the field. ``formula`` is what the clauses come from; ``hypotheses`` that of the hypotheses.
+    of the field.
     """
 
     context: Any
     variables: tuple[str, ...]
     unknowns: int
     clauses: tuple[Clause, ...]
-    hypotheses: Formula
 
     @property
     def has_constants(self) -> bool:
@@ -57,23 +56,30 @@ def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
     """
     if any(weight(node) > MAX_WEIGHT for node in (*statement.hypotheses, statement.conclusion)):
         raise TooLargeError("the degree or the numbers are too large to expand")
-    names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
-    variables = (*names, *statement.constants)
-    context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(variables))], Ordering.degrevlex)
-    divides = statement.divides or any("/" in text or "**" in text for text in constants)
-    scalars = dict(zip(variables, context.gens(), strict=True))
-    kind = _Fractions if divides else Polynomials
-    values: dict[str, Any] = {name: scalars[name] for name in statement.constants}
-    for name, sort in statement.unknowns:
-        coordinates = tuple(scalars[c] for c in coordinate_names(name, sort))
-        values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
-    world = kind(context)
-    bind(world, constants, {name: _lifted(world, x) for name, x in values.items()})
+    world, variables, unknowns = polynomial_world(statement, constants)
     hypotheses = TRUE
     for h in statement.hypotheses:
         hypotheses = hypotheses & world.truth(h)
     whole = ~hypotheses | world.truth(statement.conclusion)
-    return Expanded(context, variables, len(names), clauses(whole), hypotheses)
+    return Expanded(world.context, variables, unknowns, clauses(whole))
+
+
+def polynomial_world(
+    statement: Statement, constants: tuple[str, str, str]
+) -> tuple["Polynomials", tuple[str, ...], int]:
+    """Return the interpretation by polynomials, its variables, and how many are of unknowns."""
+    names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
+    variables = (*names, *statement.constants)
+    context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(variables))], Ordering.degrevlex)
+    divides = statement.divides or any("/" in text or "**" in text for text in constants)
+    world = (_Fractions if divides else Polynomials)(context)
+    scalars = dict(zip(variables, map(world.lift, context.gens()), strict=True))
+    values: dict[str, Any] = {name: scalars[name] for name in statement.constants}
+    for name, sort in statement.unknowns:
+        coordinates = tuple(scalars[c] for c in coordinate_names(name, sort))
+        values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
+    bind(world, constants, values)
+    return world, variables, len(names)
 
 
 class Budget:
@@ -208,10 +214,6 @@ class Quotient:
 
     def _charge(self, top: Any, bottom: Any) -> None:
         self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))
-
-
-def _lifted(world: Polynomials, x: Any) -> Any:
-    return tuple(map(world.lift, x)) if isinstance(x, tuple) else world.lift(x)
 
 
 def _size(x: Any) -> int:

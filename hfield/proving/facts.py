@@ -32,6 +32,10 @@ class Rule:
     positive: bool = False
     assumes: tuple[str, ...] = ()
 
+    def __str__(self) -> str:
+        what = "the norm" if self.form == NORM else "a sum of squares"
+        return f"{what} is 0 only if all its terms are ({self.reason})"
+
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""

@@ -177,9 +177,7 @@ class Basis:
             for lcm, i in fresh.items()
             if not any(other != lcm and mon.divides(other, lcm) for other in fresh)
         ]
-        coprime = {
-            mon.lcm(self.leads[i], lead) for _, i in self.active if self._coprime(i, lead)
-        }
+        coprime = {mon.lcm(self.leads[i], lead) for _, i in self.active if self._coprime(i, lead)}
         for lcm, i in minimal:
             if lcm not in coprime:
                 heapq.heappush(self.pairs, (mon.degree(lcm), lcm, i, new))

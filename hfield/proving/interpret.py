@@ -140,6 +140,7 @@ class Interpretation(ABC):
         return self.values[to_text(node)], self.always
 
     def name(self, name: str) -> Any:
+        """Return the value of a name; e, i, j, k are the basis."""
         if name in self.values:
             return self.values[name]
         zero, one = self.zero, self.one
@@ -147,6 +148,7 @@ class Interpretation(ABC):
         return tuple(one if n == basis else zero for n in range(4))
 
     def binary(self, op: str, x: Any, y: Any) -> Any:
+        """Return x + y, x − y or x·y of scalars and quaternions."""
         if isinstance(x, tuple) or isinstance(y, tuple):
             if op in "+-":
                 pairs = zip(self.embed(x), self.embed(y), strict=True)
@@ -155,12 +157,13 @@ class Interpretation(ABC):
                 return tuple(x * v for v in y)
             if not isinstance(y, tuple):
                 return tuple(u * y for u in x)
-            return multiply(self.constants, x, y)  # type: ignore[arg-type]
+            return multiply(self.constants, x, y)
         if op == "+":
             return x + y
         return x - y if op == "-" else x * y
 
     def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ for n ≥ 0."""
         result: Any = None
         while n:
             if n & 1:
@@ -171,14 +174,16 @@ class Interpretation(ABC):
         return self.one if result is None else result
 
     def inverse(self, x: Any) -> Value:
+        """Return the inverse of a scalar or a quaternion."""
         if not isinstance(x, tuple):
             return self.reciprocal(x)
         self.charge(x)
-        factor, defined = self.reciprocal(norm(self.constants, x))  # type: ignore[arg-type]
-        bar = conjugate(self.constants, x)  # type: ignore[arg-type]
+        factor, defined = self.reciprocal(norm(self.constants, x))
+        bar = conjugate(self.constants, x)
         return tuple(u * factor for u in bar), defined
 
     def call(self, function: str, arguments: tuple[Node, ...]) -> Value:
+        """Return the value of a function."""
         x, d = self.term(arguments[0])
         x = self.embed(x)
         if function == "inv":
@@ -193,7 +198,7 @@ class Interpretation(ABC):
             self.charge(x)
         return _FUNCTIONS[function](self, x), d
 
-    def charge(self, x: Any) -> None:
+    def charge(self, x: Any) -> None:  # noqa: B027  an offer, not a duty
         """Called before x is multiplied by its conjugate; may refuse what would take too long."""
 
 

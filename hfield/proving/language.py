@@ -95,8 +95,9 @@ def read_statement(
     """Read ``text``, with the hypotheses ``given`` put in front of it.
 
     ``field`` lends its generator's name. ``constants`` are the texts of an algebra's structure
-    constants, ``letters`` the names in them that are scalar unknowns. Raises :class:`NotationError` with the position of the
-    fault: of grammar, of a name that means nothing, or of a sort that does not fit.
+    constants, ``letters`` the names in them that are scalar unknowns. Raises
+    :class:`NotationError` with the position of the fault: of grammar, of a name that means
+    nothing, or of a sort that does not fit.
     """
     node = _parse(text)
     for h in reversed(given):

@@ -27,25 +27,26 @@ Step = Mapping[str, Any]
 class Problem:
     """``zeros`` are 0, ``nonzero`` are not; both over one context with ``variables`` as texts.
 
-    ``quaternions`` are tuples of four polynomials that the norm rule is tried on, ``norm`` computes
-    the norm of such a tuple.
+    ``quaternions`` are what the norm rule is tried on: four polynomials and their norm.
     """
 
     variables: tuple[str, ...]
     characteristic: int
     zeros: tuple[Any, ...]
     nonzero: tuple[Any, ...]
-    quaternions: tuple[tuple[Any, ...], ...] = ()
-    norm: Any = None
+    quaternions: tuple[tuple[tuple[Any, ...], Any], ...] = ()
 
 
 @dataclass(frozen=True)
 class Refutation:
-    """The steps of a proof that the problem has no solution; ``denominators`` were divided by."""
+    """The steps of a proof that the problem has no solution.
+
+    ``denominators`` were divided by, ``forms`` are those of the rules that were used.
+    """
 
     steps: tuple[Step, ...]
     denominators: tuple[int, ...]
-    rules: tuple[Rule, ...]
+    forms: tuple[str, ...]
 
 
 def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutation | None:
@@ -65,9 +66,7 @@ def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutati
     return None
 
 
-def member(
-    problem: Problem, targets: Sequence[Any], deadline: float
-) -> list[Cofactors] | None:
+def member(problem: Problem, targets: Sequence[Any], deadline: float) -> list[Cofactors] | None:
     """Return cofactors that put every target into the ideal of the zeros, or None."""
     ideal = Ideal(len(problem.variables), problem.characteristic)
     try:
@@ -89,7 +88,7 @@ class _Search:
         self.problem, self.rules, self.deadline = problem, rules, deadline
         self.steps: list[Step] = []
         self.denominators: list[int] = []
-        self.used: dict[str, Rule] = {}
+        self.used: dict[str, None] = {}
         self.complete, self.unreliable = True, False
         count = len(problem.nonzero)
         self.names = (*problem.variables, *(f"T{n + 1}" for n in range(count)))
@@ -106,7 +105,7 @@ class _Search:
 
     def result(self) -> Refutation:
         """Return what was found."""
-        return Refutation(tuple(self.steps), tuple(self.denominators), tuple(self.used.values()))
+        return Refutation(tuple(self.steps), tuple(self.denominators), tuple(self.used))
 
     def run(self, ideal: Ideal, depth: int) -> bool:
         """Let the ideal grow until it contains 1; append the steps of the proof."""
@@ -141,7 +140,7 @@ class _Search:
         found = ideal.cofactors(form)
         if found is None or all(ideal.cofactors(t) is not None for t in terms):
             return False
-        self.used[rule.form] = rule
+        self.used[rule.form] = None
         self._step({"step": rule.form, "terms": [self.text(t) for t in terms], **step}, found)
         ideal.extend(terms)
         return True
@@ -150,9 +149,9 @@ class _Search:
         rule = next((r for r in self.rules if r.form == NORM), None)
         if rule is None:
             return False
-        for q in self.problem.quaternions:
+        for q, norm in self.problem.quaternions:
             terms = [ideal.lift(u) for u in q]
-            if self._derive(ideal, rule, self.problem.norm(terms), terms, {}):
+            if self._derive(ideal, rule, ideal.lift(norm), terms, {}):
                 return True
         return False
 

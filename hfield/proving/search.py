@@ -200,11 +200,12 @@ def ring_search(
         return None
     seeker = Searcher(statement, constants, RingInterpretation(field), deadline, wanted)
     scalars = small_scalars(field)
-    found = seeker.first(islice(by_weight(statement.unknowns, scalars, 12), limit))
-    if found is not None or field.order == field.characteristic:
-        return found
-    c = seeker.world.constants
-    return seeker.first(islice(from_pool(statement.unknowns, pool(field, c), scalars), limit))
+    places = by_weight(statement.unknowns, scalars, 12)
+    if seeker.letters:
+        return seeker.first(islice(places, 2 * limit))
+    c = Constants(*(constant(field, text) for text in constants))
+    found = seeker.first(islice(from_pool(statement.unknowns, pool(field, c), scalars), limit))
+    return seeker.first(islice(places, limit)) if found is None else found
 
 
 def too_heavy(statement: Statement) -> bool:

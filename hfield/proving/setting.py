@@ -61,7 +61,9 @@ def _read(field: Ring | None, algebra: str) -> Setting:
     if inside != UNNAMED:
         own = ring(inside)
         if field is not None and field != own:
-            raise NotationError(f"the algebra {algebra} is over {own.name}, the field is {field.name}")
+            raise NotationError(
+                f"the algebra {algebra} is over {own.name}, the field is {field.name}"
+            )
         field = own
     letters: dict[str, None] = {}
     texts = []
@@ -75,7 +77,11 @@ def _plain(text: str, field: Ring | None) -> str:
     """Return the text of a constant without blanks, in the field's own spelling where it reads it."""
     if field is not None and not _letters(text, field):
         value = field(text)
-        return "-1" if field.equal(value, field(-1)) and field.characteristic != 2 else field.text(value)
+        return (
+            "-1"
+            if field.equal(value, field(-1)) and field.characteristic != 2
+            else field.text(value)
+        )
     return "".join(text.split())
 
 

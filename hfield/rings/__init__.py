@@ -10,7 +10,7 @@ from typing import Any
 from hfield.errors import RingError, shorten
 from hfield.rings.algebraic import CC, RR
 from hfield.rings.base import INFINITY, Known, Ring
-from hfield.rings.finite import GF
+from hfield.rings.field_specs import GF
 from hfield.rings.floats import RDF
 from hfield.rings.integers import QQ, ZZ, Zmod
 
@@ -38,4 +38,6 @@ def ring(spec: Any) -> Ring:
 def _ring(spec: str) -> Ring:
     from hfield.rings.specs import build
 
-    return build(spec)
+    made = build(spec)
+    canonical = "".join(made.name.split())
+    return made if canonical == spec else _ring(canonical)

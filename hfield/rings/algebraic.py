@@ -36,6 +36,7 @@ class AlgebraicNumbers(Ring):
         self.name = name
         self.is_real = name == "RR"
         self.gen_name = None if self.is_real else "I"
+        self.closure = "real closed" if self.is_real else "algebraically closed"
 
     @property
     def gen(self) -> Any:
@@ -105,7 +106,7 @@ class AlgebraicNumbers(Ring):
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Hashable) -> Hashable:
         """Return x itself: equal numbers have equal hashes, whatever form they have."""
         return x
 

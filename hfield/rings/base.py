@@ -16,15 +16,14 @@ from typing import Any
 from hfield import syntax
 from hfield.errors import (
     CoercionError,
-    HFieldError,
-    NotationError,
     NotFiniteError,
     NotInvertibleError,
+    RingError,
     UndecidedError,
     shorten,
 )
 from hfield.rings.owners import describe
-from hfield.rings.printing import from_unicode
+from hfield.rings.printing import from_unicode, number_text
 
 INFINITY = float("inf")
 
@@ -54,6 +53,7 @@ class Ring(ABC):
     is_exact: bool = True
     is_field: bool = False
     gen_name: str | None = None
+    closure: str | None = None  # "real closed" or "algebraically closed", where it is
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
     # --- what an adapter must give -------------------------------------------------------------
@@ -95,7 +95,9 @@ class Ring(ABC):
         """Refuse the number of an ordering that the ring does not have."""
         known = self.orderings.value
         if ordering < 0 or (known is not None and ordering >= known):
-            raise UndecidedError(f"{self.name} has no ordering number {ordering}; there are {known}")
+            raise UndecidedError(
+                f"{self.name} has no ordering number {ordering}; there are {known}"
+            )
 
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""
@@ -203,6 +205,16 @@ class Ring(ABC):
         reader = syntax.Reader(self, self.names(), functions, self.name, self.parse_limit)
         return reader.read(from_unicode(text))
 
+    def ratio(self, x: Fraction) -> Any:
+        """Return a Fraction as an element. Raises :class:`NotInvertibleError`: 1/2 is not in GF(4)."""
+        try:
+            return self.divide(self(x.numerator), self(x.denominator))
+        except NotInvertibleError:
+            raise NotInvertibleError(
+                f"{shorten(number_text(x))} is not an element of {shorten(self.name)}: its denominator "
+                f"has no inverse there, for the characteristic is {shorten(self.characteristic)}"
+            ) from None
+
     def refuse(self, x: Any, hint: str = "") -> CoercionError:
         """Return the error for a value that is not an element of this ring."""
         called, mend = describe(x, self.name, self.is_exact, self.characteristic)
@@ -218,10 +230,15 @@ class Ring(ABC):
     def __repr__(self) -> str:
         return self.name
 
-    def __reduce__(self) -> Any:
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        """Pickle by name; a ring whose name :func:`hfield.ring` does not know, as any object."""
         from hfield.rings import ring
 
-        return ring, (self.name,)
+        try:
+            known = ring(self.name) == self
+        except RingError:
+            known = False
+        return (ring, (self.name,)) if known else super().__reduce_ex__(protocol)
 
 
 def power(one: Any, x: Any, n: int) -> Any:
@@ -234,5 +251,3 @@ def power(one: Any, x: Any, n: int) -> Any:
         if n:
             x = x * x
     return result
-
-

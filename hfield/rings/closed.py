@@ -10,12 +10,12 @@ from typing import Any
 
 import flint
 
-from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
+from hfield.errors import CoercionError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint
-from hfield.rings.surds import ONE, Surd, as_surd, from_rational, sqrt_rational
+from hfield.rings.radicals import check_size, surd_of, sympy_of, times
+from hfield.rings.surds import ONE, Surd, as_surd, from_rational
 
 FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
-MAX_OPERATIONS = 3_000
 SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
 TRANSCENDENTAL_BITS = 1_000  # a transcendental number that small must simplify to 0, or is refused
 RECOGNISED = 500.0  # rational numbers of a height up to this are recognised
@@ -66,7 +66,7 @@ class Closed:
         return self._combine(other, lambda x, y: y - x)
 
     def __mul__(self, other: Any) -> Any:
-        return self._combine(other, _times)
+        return self._combine(other, times)
 
     __rmul__ = __mul__
 
@@ -203,60 +203,22 @@ def number(expr: Any) -> Surd | Closed:
     """
     import sympy
 
-    _check_size(expr)
+    check_size(expr)
     expr = sympy.expand(expr)
-    _check_size(expr)
+    check_size(expr)
     if expr.is_finite is False or expr is sympy.nan:
         raise CoercionError(f"the expression is {shorten(expr)}, not a number")
-    surd = _simple(expr)
+    surd = surd_of(expr)
     if surd is not None:
         return surd
     from hfield.rings.evaluate import is_known
 
     if not is_known(expr):
-        raise CoercionError(f"{shorten(expr)} has a part that is not enclosed here: {', '.join(FUNCTIONS)} are")
+        known = ", ".join(FUNCTIONS)
+        raise CoercionError(f"{shorten(expr)} has a part that is not known here; expected {known}")
     closed = Closed(lambda: expr)
     value = closed.rational()
     return closed if value is None else from_rational(value)
-
-
-def _times(x: Any, y: Any) -> Any:
-    """Return x·y, unless multiplying it out could become too large."""
-    _check_operations(max(int(x.count_ops()), 1) * max(int(y.count_ops()), 1) // 20)
-    return x * y
-
-
-def _check_size(expr: Any) -> None:
-    _check_operations(int(expr.count_ops()))
-
-
-def _check_operations(operations: int) -> None:
-    if operations > MAX_OPERATIONS:
-        raise TooLargeError(
-            f"a closed form of {operations} operations; at most {MAX_OPERATIONS} are computed with"
-        )
-
-
-def _simple(expr: Any) -> Surd | None:
-    """Return an expression in square roots of rational numbers as a surd, or None."""
-    import sympy
-
-    if expr.is_Rational:
-        return from_rational(Fraction(int(expr.p), int(expr.q)))
-    if expr is sympy.I:
-        return sqrt_rational(flint.fmpq(-1))
-    if expr.is_Pow and expr.base.is_Rational and expr.exp.is_Rational and expr.exp.q == 2:
-        root = sqrt_rational(flint.fmpq(int(expr.base.p), int(expr.base.q)))
-        return root ** int(expr.exp.p)
-    if not (expr.is_Add or expr.is_Mul):
-        return None
-    parts = [_simple(arg) for arg in expr.args]
-    out = from_rational(0 if expr.is_Add else 1)
-    for part in parts:
-        if part is None:
-            return None
-        out = out + part if expr.is_Add else out * part
-    return out
 
 
 def to_sympy(x: Any) -> Any:
@@ -264,12 +226,7 @@ def to_sympy(x: Any) -> Any:
     if isinstance(x, Closed):
         return x.expr
     surd = as_surd(x)
-    if surd is None:
-        return None
-    import sympy
-
-    terms = (sympy.Rational(int(c.p), int(c.q)) * sympy.sqrt(n) for n, c in surd.terms.items())
-    return sympy.Add(*terms)
+    return None if surd is None else sympy_of(surd)
 
 
 def from_sympy(x: Any) -> Surd | Closed | None:
@@ -297,7 +254,7 @@ def root(x: Any, n: int) -> Surd | Closed:
     if expr == 0 or (isinstance(x, Closed) and x.is_zero()):
         return from_rational(0)
     taken = sympy.root(expr, n)
-    return number(sympy.sqrtdenest(taken) if n == 2 else taken)
+    return number(sympy.sqrtdenest(taken) if n == 2 and expr.is_real else taken)
 
 
 def function(name: str) -> Callable[[Any], Surd | Closed]:
@@ -314,4 +271,4 @@ def function(name: str) -> Callable[[Any], Surd | Closed]:
 def _simplifies_to_zero(expr: Any) -> bool:
     import sympy
 
-    return expr.count_ops() <= SIMPLIFIED and bool(sympy.simplify(expr) == 0)
+    return bool(expr.count_ops() <= SIMPLIFIED and sympy.simplify(expr) == 0)

@@ -5,7 +5,7 @@ from typing import Any
 import sympy
 
 from hfield.rings.closed import FUNCTIONS
-from hfield.rings.printing import is_sum, parentheses, power_text
+from hfield.rings.printing import is_sum, number_text, parentheses, power_text
 
 _FUNCTIONS = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
@@ -30,7 +30,7 @@ def _text(expr: Any) -> str:
     if expr.is_Mul:
         return _product(expr)
     if expr.is_Rational:
-        return str(expr)
+        return number_text(expr)
     if expr is sympy.E:
         return "exp(1)"
     if isinstance(expr, _FUNCTIONS):

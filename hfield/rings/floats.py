@@ -7,6 +7,7 @@ from typing import Any
 
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
 from hfield.rings.base import Known, Ring
+from hfield.rings.printing import number_text
 from hfield.rings.rational import rational, unwrap
 
 _FUNCTIONS: dict[str, Callable[..., float]] = {
@@ -43,8 +44,13 @@ class Floats(Ring):
             try:
                 return self._finite(float(number))
             except OverflowError:
-                raise self._not_finite(shorten(number)) from None
-        if isinstance(x, float) or type(x).__name__ in ("float16", "float32", "float128", "longdouble"):
+                raise self._not_finite(shorten(number_text(number))) from None
+        if isinstance(x, float) or type(x).__name__ in (
+            "float16",
+            "float32",
+            "float128",
+            "longdouble",
+        ):
             return self._finite(float(x))
         raise self.refuse(x, "expected a real number or its text")
 
@@ -64,9 +70,9 @@ class Floats(Ring):
         """Tell whether two floats are the same."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Hashable) -> Hashable:
         """Return x itself."""
-        return x + 0.0
+        return x
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""

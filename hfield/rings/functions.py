@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Hashable
-from fractions import Fraction
 from typing import Any
 
 import flint
@@ -18,96 +17,10 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.modular import WORD
 from hfield.rings.printing import quotient_text, sum_text
+from hfield.rings.quotient import Quotient
 from hfield.rings.rational import rational, unwrap
 
-
-class Quotient:
-    """An immutable rational function: two flint polynomials in lowest terms, ``den`` monic."""
-
-    __slots__ = ("den", "field", "num")
-
-    def __init__(self, field: FunctionField, num: Any, den: Any) -> None:
-        object.__setattr__(self, "field", field)
-        object.__setattr__(self, "num", num)
-        object.__setattr__(self, "den", den)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError("rational functions are immutable")
-
-    def _other(self, other: Any) -> Any:
-        """Return ``other`` as a quotient of the same field, or None if it cannot mix in."""
-        if type(other) is Quotient:
-            if other.field is self.field or other.field == self.field:
-                return other
-            raise CoercionError(
-                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
-            )
-        if isinstance(other, (int, Fraction)):
-            return self.field(other)
-        return None
-
-    def __add__(self, other: Any) -> Any:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        if self.den == o.den:
-            if self.field.is_one(self.den):
-                return Quotient(self.field, self.num + o.num, self.den)
-            return self.field.quotient(self.num + o.num, self.den)
-        return self.field.quotient(self.num * o.den + o.num * self.den, self.den * o.den)
-
-    __radd__ = __add__
-
-    def __neg__(self) -> Quotient:
-        return Quotient(self.field, -self.num, self.den)
-
-    def __pos__(self) -> Quotient:
-        return self
-
-    def __sub__(self, other: Any) -> Any:
-        o = self._other(other)
-        return NotImplemented if o is None else self + -o
-
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
-    def __mul__(self, other: Any) -> Any:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        if self.field.is_one(self.den) and self.field.is_one(o.den):
-            return Quotient(self.field, self.num * o.num, self.den)
-        return self.field.quotient(self.num * o.num, self.den * o.den)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Any) -> Any:
-        o = self._other(other)
-        return NotImplemented if o is None else self * self.field.inverse(o)
-
-    def __rtruediv__(self, other: Any) -> Any:
-        return self.field.inverse(self) * other
-
-    def __pow__(self, n: int) -> Quotient:
-        base = self if n >= 0 else self.field.inverse(self)
-        return Quotient(self.field, base.num ** abs(n), base.den ** abs(n))
-
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, Quotient) and other.field != self.field:
-            return False
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        return bool(self.num == o.num and self.den == o.den)
-
-    def __hash__(self) -> int:
-        return hash(self.field.key(self))
-
-    def __repr__(self) -> str:
-        return self.field.text(self)
-
-    def __reduce__(self) -> Any:
-        return self.field, (self.field.text(self),)
+__all__ = ["FunctionField", "Quotient", "build"]
 
 
 class FunctionField(Ring):
@@ -225,7 +138,9 @@ class FunctionField(Ring):
         """The level of the base field: a sum of squares −1 in F(t) has one in F, at a pole-free point."""
         known = self.base.level
         if known.value == INFINITY:
-            return Known(INFINITY, f"{self.name} has an ordering, with {self.gen_name} infinitely large")
+            return Known(
+                INFINITY, f"{self.name} has an ordering, with {self.gen_name} infinitely large"
+            )
         shown = f"it is the level of {self.base.name}, for −1 is as many squares in F(t) as in F"
         return Known(known.value, f"{shown}; there {known.reason}")
 

@@ -50,7 +50,11 @@ def array(F: Any, values: Any) -> Any:
         return objects(_entries(values), F)
     if hasattr(type(values), "irreducible_poly"):
         _check(F, values)
-        return values if type(values) is cls else cls._view(values.view(np.ndarray).astype(cls.dtypes[0]))
+        return (
+            values
+            if type(values) is cls
+            else cls._view(values.view(np.ndarray).astype(cls.dtypes[0]))
+        )
     if is_plain_array(values) and values.dtype != object:
         if values.dtype.kind not in "iub":
             raise CoercionError(

@@ -44,7 +44,7 @@ class _Ordered(Ring):
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Hashable) -> Hashable:
         """Return x itself: flint's numbers are hashable."""
         return x
 
@@ -69,7 +69,7 @@ class Integers(_Ordered):
         if number is None:
             raise self.refuse(x)
         if isinstance(number, Fraction):
-            raise CoercionError(f"{shorten(number)} is not an integer; QQ has it")
+            raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
 
     def __truediv__(self, n: int) -> Modular:
@@ -81,7 +81,9 @@ class Integers(_Ordered):
             return x
         if x == 0:
             raise NotInvertibleError("cannot divide by 0 in ZZ")
-        raise NotInvertibleError(f"{shorten(x)} has no inverse in ZZ, only 1 and -1 have; QQ has 1/x")
+        raise NotInvertibleError(
+            f"{shorten(x)} has no inverse in ZZ, only 1 and -1 have; QQ has 1/x"
+        )
 
     def divide(self, x: Any, y: Any) -> Any:
         """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""

@@ -51,7 +51,7 @@ class Modular(Ring):
         if number is None:
             raise self.refuse(x)
         if isinstance(number, Fraction):
-            return self.divide(self._make(number.numerator), self._make(number.denominator))
+            return self.ratio(number)
         return self._make(number)
 
     def _modulus_of(self, x: Any) -> int:
@@ -124,7 +124,9 @@ class Modular(Ring):
         if not squares:
             return Known(None, f"the modulus is too large to search (above {SEARCH})")
         shown = " + ".join(f"{int(y)}²" for y in squares)
-        return Known(len(squares), f"−1 = {shown} in {shorten(self.name)}, and fewer squares do not do")
+        return Known(
+            len(squares), f"−1 = {shown} in {shorten(self.name)}, and fewer squares do not do"
+        )
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return as few elements as possible whose squares add up to −1; () if n is too large."""
@@ -146,19 +148,23 @@ class Modular(Ring):
         raise AssertionError("every finite field of odd characteristic has two such squares")
 
     def _fewest_squares(self) -> tuple[Any, ...]:
-        """Search sums of 1, 2, … squares breadth first; four suffice (Lagrange)."""
+        """Search sums of 1, 2, 3 and 4 squares; four suffice (Lagrange)."""
         n = self.modulus
         roots: dict[int, int] = {}
         for y in range(n // 2 + 1):
             roots.setdefault(y * y % n, y)
-        sums: dict[int, tuple[int, ...]] = {0: ()}
-        while n - 1 not in sums:
-            longer = dict(sums)
-            for total, parts in sums.items():
-                for square, y in roots.items():
-                    longer.setdefault((total + square) % n, (*parts, y))
-            sums = longer
-        return tuple(self._make(y) for y in sums[n - 1])
+
+        def find(total: int, count: int) -> tuple[int, ...] | None:
+            if count == 1:
+                return (roots[total],) if total in roots else None
+            for square, y in roots.items():
+                rest = find((total - square) % n, count - 1)
+                if rest is not None:
+                    return (y, *rest)
+            return None
+
+        found = next(parts for count in range(1, 5) if (parts := find(n - 1, count)))
+        return tuple(self._make(y) for y in found)
 
     def elements(self) -> Iterator[Any]:
         """Run through 0, 1, …, n − 1."""
@@ -207,7 +213,7 @@ def factored(n: int, limit: int = 10**40) -> list[tuple[int, int]] | None:
     pairs = [(int(p), int(e)) for p, e in parts]
     done: list[tuple[int, int]] = []
     for p, e in pairs:
-        if p < limit or p.bit_length() <= 1024 and is_prime(p):
+        if p < limit or (p.bit_length() <= 1024 and is_prime(p)):
             done.append((p, e))
             continue
         root = isqrt(p)

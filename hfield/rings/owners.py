@@ -1,5 +1,6 @@
 """Whose element a value is, in words, for the errors that refuse it."""
 
+import numbers
 from typing import Any
 
 import flint
@@ -9,9 +10,10 @@ def owner(x: Any) -> str | None:
     """Return a name for what x belongs to, or None if x is a number or nothing that is known."""
     kind = type(x).__name__
     if isinstance(x, flint.nmod):
-        return f"the integers modulo {x.modulus()}"
+        n = x.modulus()
+        return f"GF({n})" if flint.fmpz(n).is_prime() else f"ZZ/{n}"
     if isinstance(x, flint.fmpz_mod):
-        return "the integers modulo another large number"
+        return "the integers modulo another, large number"
     if isinstance(x, flint.fq_default):
         p, n = int(x.polynomial().modulus()), len(x.to_list())
         return f"GF({p**n})"
@@ -31,10 +33,15 @@ def describe(x: Any, ring: str, is_exact: bool, characteristic: int) -> tuple[st
     found = owner(x)
     if found is not None:
         other = ", with another modulus" if found == ring else ""
-        return f"{x} of {found}{other}", "elements of different rings do not mix; convert it explicitly"
+        return (
+            f"{x} of {found}{other}",
+            "elements of different rings do not mix; convert it explicitly",
+        )
     called = f"{x!r} ({type(x).__name__})"
-    if is_exact and isinstance(x, (float, complex)):
+    if is_exact and isinstance(x, numbers.Complex):
         example = "'3' or '1/2'" if characteristic else f"{str(x)!r}"
-        number = f"write a text such as {example}, or a Fraction" if x == x else "and this is no number"
+        number = (
+            f"write a text such as {example}, or a Fraction" if x == x else "and this is no number"
+        )
         return called, f"a float is not exact; {number}"
     return called, "expected an int, a Fraction, an element of the ring, or a text"

@@ -3,19 +3,29 @@
 import random
 from collections.abc import Hashable
 from fractions import Fraction
+from math import comb
 from typing import Any
 
 import flint
 
-from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
+from hfield import syntax
+from hfield.errors import (
+    CoercionError,
+    NotInvertibleError,
+    RingError,
+    TooLargeError,
+    UndecidedError,
+    shorten,
+)
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.modular import WORD
-from hfield.rings.printing import sum_text
+from hfield.rings.printing import from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
 
 MAX_VARIABLES = 64
+MAX_TERMS = 200_000
 
 
 class PolynomialRing(Ring):
@@ -32,8 +42,8 @@ class PolynomialRing(Ring):
         self.name = f"{base.name}[{','.join(variables)}]"
         self.characteristic = base.characteristic
         self.gen_name = variables[0]
-        # (Σ of all variables)ⁿ has C(n + variables, n) terms: the limit keeps that below a few millions.
-        self.parse_limit = {1: 20_000, 2: 1_000, 3: 150, 4: 60}.get(len(variables), 30)
+        # For texts of quaternions: (Σ of all variables)ⁿ then has fewer than 10⁵ terms.
+        self.parse_limit = {1: 20_000, 2: 2_000, 3: 300, 4: 150}.get(len(variables), 100)
         self.context = _context(base, variables)
         self._gens = dict(zip(variables, self.context.gens(), strict=True))
         self._type = type(self.context.gens()[0])
@@ -61,11 +71,20 @@ class PolynomialRing(Ring):
             return self.parse(x)
         number = rational(x)
         if isinstance(number, Fraction) and self.base is ZZ:
-            raise CoercionError(f"{shorten(number)} is not in {self.name}; QQ[…] has it")
+            raise CoercionError(
+                f"{shorten(number_text(number))} is not in {self.name}; QQ[…] has it"
+            )
         try:
             return self._constant(self.base(x if number is None else number))
         except CoercionError:
             raise self.refuse(x) from None
+
+    def parse(self, text: str) -> Any:
+        """Read a polynomial. Raises :class:`TooLargeError` where multiplying out would take too long."""
+        text = from_unicode(text)
+        _Size(len(self.variables)).of(syntax.parse(text))
+        functions = {"/": self.divide, "**": self.power}
+        return syntax.Reader(self, self.names(), functions, self.name, 10**6).read(text)
 
     def _constant(self, c: Any) -> Any:
         return self.context.constant(int(c) if self.characteristic else c)
@@ -85,7 +104,9 @@ class PolynomialRing(Ring):
 
     def key(self, x: Any) -> Hashable:
         """Return the exponents and coefficients, in order."""
-        return tuple((exponents, int(c) if self.characteristic else c) for exponents, c in x.terms())
+        return tuple(
+            (exponents, int(c) if self.characteristic else c) for exponents, c in x.terms()
+        )
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x of a constant. Raises :class:`NotInvertibleError` for all other polynomials."""
@@ -162,7 +183,10 @@ class PolynomialRing(Ring):
         """Write x, such as ``a^2+2*a*b+b^2``."""
         return sum_text(
             (
-                (self.base.text(self.base(c), style), list(zip(self.variables, exponents, strict=True)))
+                (
+                    self.base.text(self.base(c), style),
+                    list(zip(self.variables, exponents, strict=True)),
+                )
                 for exponents, c in x.terms()
             ),
             style,
@@ -173,7 +197,9 @@ def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
     """Return the polynomial ring. Raises :class:`RingError` for what is not offered."""
     shown = shorten(f"{base}[{','.join(variables)}]")
     if base not in (ZZ, QQ) and not isinstance(base, PrimeField):
-        raise RingError(f"{shown}: polynomials are over ZZ, QQ or GF(p) with p prime, as in QQ[x,y]")
+        raise RingError(
+            f"{shown}: polynomials are over ZZ, QQ or GF(p) with p prime, as in QQ[x,y]"
+        )
     if len(variables) > MAX_VARIABLES:
         raise RingError(f"{shown}: {len(variables)} variables; at most {MAX_VARIABLES} are taken")
     return PolynomialRing(base, variables)
@@ -193,3 +219,42 @@ def _context(base: Ring, variables: tuple[str, ...]) -> Any:
 def _leading(x: Any) -> Any:
     """Return the leading coefficient as a constant polynomial."""
     return x.context().constant(x.leading_coefficient()) if x != 0 else x
+
+
+class _Size:
+    """Bounds the number of terms and the degree of what a text multiplies out to."""
+
+    def __init__(self, variables: int) -> None:
+        self.variables = variables
+
+    def of(self, node: syntax.Node) -> tuple[int, int]:
+        """Return the two bounds. Raises :class:`TooLargeError` above ``MAX_TERMS``."""
+        terms, degree = self._raw(node)
+        if degree < 10**6:
+            terms = min(terms, comb(degree + self.variables, self.variables))
+        if terms > MAX_TERMS:
+            raise TooLargeError(
+                f"a part of the polynomial may have more than {MAX_TERMS} terms, which are not "
+                "multiplied out; use smaller exponents"
+            )
+        return terms, degree
+
+    def _raw(self, node: syntax.Node) -> tuple[int, int]:
+        match node:
+            case syntax.Name():
+                return 1, 1
+            case syntax.Negate(x):
+                return self.of(x)
+            case syntax.Binary("*" | "/", left, right):
+                (t, d), (u, e) = self.of(left), self.of(right)
+                return t * u, d + e
+            case syntax.Binary(_, left, right):
+                (t, d), (u, e) = self.of(left), self.of(right)
+                return t + u, max(d, e)
+            case syntax.Power(x, n):
+                t, d = self.of(x)
+                small = abs(n) <= 10**5
+                return (
+                    comb(t + abs(n) - 1, abs(n)) if small and t < 100 else t ** min(n, 64)
+                ), d * abs(n)
+        return 1, 0

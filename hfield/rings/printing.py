@@ -5,6 +5,8 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
+import flint
+
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 _DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
@@ -49,17 +51,19 @@ def power_text(name: str, n: int, style: str) -> str:
     return f"{name}^{{{n}}}" if style == "latex" else f"{name}^{n}"
 
 
-def number_text(x: int | Fraction | Any, style: str) -> str:
+def number_text(x: int | Fraction | Any, style: str = "plain") -> str:
     """Write a rational number."""
     numerator, denominator = int(x.numerator), int(x.denominator)
     minus = "−" if style == "unicode" else "-"
     sign = minus if numerator < 0 else ""
-    digits = str(abs(numerator))
+    # Python refuses to write integers of more than 4300 digits; flint does not.
+    digits = flint.fmpz(abs(numerator)).str()
     if denominator == 1:
-        return sign + digits
+        return f"{sign}{digits}"
+    below = flint.fmpz(denominator).str()
     if style == "latex":
-        return rf"{sign}\frac{{{digits}}}{{{denominator}}}"
-    return f"{sign}{digits}/{denominator}"
+        return rf"{sign}\frac{{{digits}}}{{{below}}}"
+    return f"{sign}{digits}/{below}"
 
 
 def is_number(text: str, style: str) -> bool:
@@ -103,4 +107,4 @@ def quotient_text(numerator: str, denominator: str, style: str) -> str:
 def from_unicode(text: str) -> str:
     """Rewrite superscripts and roots as the grammar knows them: ``x²`` to ``x^2``, ``√2`` to ``sqrt(2)``."""
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^({m[0].translate(_DIGITS)})", text)
-    return re.sub(r"√\s*(\d+)", r"sqrt(\1)", text).replace("√", "sqrt")
+    return re.sub(r"√\s*(\d+)", r"sqrt(\1)", text).replace("√", "sqrt").replace("π", "pi")

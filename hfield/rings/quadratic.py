@@ -49,7 +49,8 @@ class QuadraticField(Ring):
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(
-                f"{shorten(self.text(x))} has no square root in {self.name}; RR has sqrt(x) for every x ≥ 0, CC for all"
+                f"{shorten(self.text(x))} has no square root in {self.name}; "
+                "RR has one of every x ≥ 0, CC of all"
             )
         return y
 

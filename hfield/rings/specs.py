@@ -19,7 +19,10 @@ KNOWN = (
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
 
 BASIS = ("e", "i", "j", "k")
-WORDS = "and or not exists conj norm trace inv scalar vector comm sqrt root cbrt".split()
+WORDS = {
+    *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
+    *("sqrt", "cbrt", "root"),
+}
 
 _SYMBOLS = str.maketrans({"ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"})
 _NAMED = {
@@ -52,7 +55,9 @@ def _split(s: str) -> tuple[str, Groups]:
     """Split ``GF(4)(t)`` into ``GF`` and its groups ``4``, ``t``."""
     closing = {"(": ")", "[": "]"}
     head = re.split(r"[(\[]", s, maxsplit=1)[0]
-    groups, start, stack = [], len(head), []
+    groups: Groups = []
+    stack: list[str] = []
+    start = len(head)
     for n, char in enumerate(s[len(head) :], len(head)):
         if not stack:
             if char not in closing:
@@ -80,10 +85,10 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
         return _residues(groups[0][1]), groups[1:]
     if m := re.fullmatch(r"ZZ?/?(-?\d+)(ZZ?)?", head):
         return _residues(m[1]), groups
-    if m := re.fullmatch(r"(?:GF|F_?)(-?\d+(?:\^\d+)?)([A-Za-z]?)", head):
+    if m := re.fullmatch(r"(?:GF|F_?)(-?\d+(?:\^\d+)?)([a-z]?)", head):
         field = _finite(m[1])
         return (_extension(field, m[2]) if m[2] else field), groups
-    if m := re.fullmatch(r"QQ?(sqrt-?\d+|[A-Za-z])", head):
+    if m := re.fullmatch(r"QQ?(sqrt-?\d+|I|[a-z])", head):
         return _extension(build("QQ"), m[1]), groups
     if head in ("Qsqrt", "QQsqrt") and groups:
         return _extension(build("QQ"), f"sqrt({groups[0][1]})"), groups[1:]
@@ -99,7 +104,7 @@ def _residues(n: str) -> Ring:
 
 
 def _finite(inner: str) -> Ring:
-    from hfield.rings.finite import build as build_field
+    from hfield.rings.field_specs import build as build_field
 
     q, comma, modulus = inner.partition(",")
     return build_field(q, modulus if comma else None)

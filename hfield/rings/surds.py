@@ -7,7 +7,6 @@ QQ(sqrt(d)), QQ(I) and most numbers that anyone types into RR or CC lie in these
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, isqrt
@@ -83,7 +82,9 @@ class Surd:
         if o is None:
             return NotImplemented
         if len(self.terms) * len(o.terms) > MAX_TERMS**2:
-            raise TooLargeError(f"a number with more than {MAX_TERMS} square roots; compute in parts")
+            raise TooLargeError(
+                f"a number with more than {MAX_TERMS} square roots; compute in parts"
+            )
         terms: dict[int, Any] = {}
         for m, c in self.terms.items():
             for n, d in o.terms.items():
@@ -198,7 +199,8 @@ class Surd:
         """Write ``1/2+3*sqrt(2)``; ``√−7`` is ``I*sqrt(7)``, or ``sqrt(-7)`` if not ``imaginary``."""
         order = sorted(self.terms, key=lambda n: (n < 0, abs(n)))
         return sum_text(
-            ((number_text(self.terms[n], style), _factors(n, style, imaginary)) for n in order), style
+            ((number_text(self.terms[n], style), _factors(n, style, imaginary)) for n in order),
+            style,
         )
 
     def __repr__(self) -> str:
@@ -237,7 +239,8 @@ def squarefree(n: int) -> tuple[int, int]:
     factors = factored(abs(n))
     if factors is None:
         raise TooLargeError(
-            f"the square root of {shorten(n, 30)} needs its factors, which are out of quick reach"
+            f"the square root of {shorten(number_text(n), 30)} needs its factors, which are out of "
+            "quick reach"
         )
     outside, inside = 1, 1 if n > 0 else -1
     for p, exponent in factors:
@@ -274,17 +277,19 @@ def _product(m: int, n: int) -> tuple[int, int]:
 def _prime_of(n: int) -> int:
     factors = factored(abs(n))
     if factors is None:
-        raise TooLargeError(f"inverting needs the factors of {shorten(n, 30)}, which are out of reach")
+        raise TooLargeError(
+            f"inverting needs the factors of {shorten(number_text(n), 30)}, which are out of reach"
+        )
     return factors[0][0]
 
 
-def _factors(n: int, style: str, imaginary: bool) -> Iterator[Factor]:
+def _factors(n: int, style: str, imaginary: bool) -> list[Factor]:
     """Return √n as factors of a term."""
+    out = []
     if n < 0 and (imaginary or n == -1):
-        yield "I", 1
+        out.append(("I", 1))
         n = -n
     if n != 1:
-        minus = "−" if style == "unicode" else "-"
-        body = str(n).replace("-", minus)
-        shown = f"√{body}" if n > 0 else f"√({body})"
-        yield {"plain": f"sqrt({n})", "latex": rf"\sqrt{{{n}}}"}.get(style, shown), 1
+        shown = f"√{n}" if n > 0 else f"√(−{-n})"
+        out.append(({"plain": f"sqrt({n})", "latex": rf"\sqrt{{{n}}}"}.get(style, shown), 1))
+    return out

@@ -1,6 +1,7 @@
 """Reduction at infinity: from a lattice without bad places to a zero of the conic, or to a conic over k."""
 
 import itertools
+from fractions import Fraction
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -9,36 +10,47 @@ from hfield.structure.conic import solve_conic
 from hfield.structure.hilbert import ramified_places_q
 from hfield.structure.integers import fraction
 from hfield.structure.linear import kernel
-from hfield.structure.minimise import Conic, Lattice, RamifiedError, Vector, minimise
+from hfield.structure.minimise import (
+    Conic,
+    Form,
+    Lattice,
+    RamifiedError,
+    Vector,
+    half_discriminant,
+    minimise,
+    norm_form,
+)
+from hfield.structure.qforms import diagonalise
 from hfield.structure.residue import ResidueField
 
 INFINITE = "inf"
 
 
 def solve_conic_functions(field: Any, c: Constants) -> tuple[Any, Any, Any]:
-    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
+    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``; see :func:`solve_ternary`."""
+    return solve_ternary(field, norm_form(field, c))
 
-    Raises :class:`RamifiedError` with the place where the algebra ramifies; over ℚ(x) the place may be
-    the tuple of ramified places of a constant algebra over ℚ.
+
+def solve_ternary(field: Any, form: Form) -> tuple[Any, Any, Any]:
+    """Return a nontrivial zero in k(t) of a nondegenerate form in three variables.
+
+    Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
+    tuple of places of ℚ where a constant conic has no point.
     """
-    conic = Conic(field, c)
+    conic = Conic(field, form)
     lattice = conic.start()
     for p in conic.bad_primes():
         minimise(conic, lattice, p)
-    basis = _reduce(field, lattice.basis, _at_infinity(field, c))
+    basis = _reduce(field, lattice.basis, _at_infinity(field, form))
     for v in basis:
         if conic.value(v).num == 0:
             return v[0], v[1], v[2]
     if field.base.order is None:
-        constants = _specialised_zero(field, c, basis)
+        constants = _specialised_zero(conic, basis)
     else:
         constants = _constant_zero(field, conic.coefficients(Lattice(basis, lattice.scale)))
-    x, y, z = (
-        sum(column[1:], column[0])
-        for column in zip(
-            *([s * x for x in v] for s, v in zip(constants, basis, strict=True)), strict=True
-        )
-    )
+    scaled = [[s * x for x in v] for s, v in zip(constants, basis, strict=True)]
+    x, y, z = (sum(column[1:], column[0]) for column in zip(*scaled, strict=True))
     return x, y, z
 
 
@@ -55,10 +67,10 @@ def _inverted(field: Any, x: Any) -> Any:
     return reverse(x.num) * field.inverse(reverse(x.den))
 
 
-def _at_infinity(field: Any, c: Constants) -> list[Vector]:
+def _at_infinity(field: Any, form: Form) -> list[Vector]:
     """Return a basis of a good lattice at infinity."""
-    a, t, b = (_inverted(field, x) for x in c)
-    conic = Conic(field, Constants(a, t, b))
+    a, b, c, r, s, t = (_inverted(field, x) for x in form)
+    conic = Conic(field, (a, b, c, r, s, t))
     lattice = conic.start()
     try:
         minimise(conic, lattice, field.gen.num)
@@ -140,32 +152,42 @@ def _constant_zero(field: Any, form: tuple[Any, ...]) -> list[Any]:
     raise UndecidedError(f"a conic over {base.name} without a point was met")
 
 
-def _specialised_zero(field: Any, c: Constants, basis: list[Vector]) -> list[Any]:
+def _specialised_zero(conic: Conic, basis: list[Vector]) -> list[Any]:
     """Return coefficients in ℚ of a zero on a basis on which the form is constant, up to its scale.
 
-    The form is the same at every point of the line, so a zero of it at a point with small values, where it
-    is easy to find, is a zero everywhere. Raises :class:`RamifiedError` when there is none.
+    The form is the same at every point of the line, so a zero of it at a point with small values,
+    where it is easy to find, is one everywhere. Raises :class:`RamifiedError` when there is none.
     """
+    field = conic.field
     for n in itertools.count():
         point = field.base((n + 1) // 2 * (-1) ** n)
-        if any(x.den(point) == 0 for v in [c, *basis] for x in v):
+        if any(x.den(point) == 0 for v in [conic.form, *basis] for x in v):
             continue
-        a, t, b = (fraction(_at(x, point)) for x in c)
+        a, b, c, r, s, t = (fraction(_at(x, point)) for x in conic.form)
+        form = (a, b, c, r, s, t)
         matrix = [[field.constant(_at(x, point)) for x in v] for v in basis]
         determinant = sum(
             (x * y for x, y in zip(_cross(matrix[1], matrix[2]), matrix[0], strict=True)),
             field.zero,
         )
-        square = a + t * t / 4
-        if not (square and b) or field.is_zero(determinant):
-            continue
-        places = ramified_places_q(square, b)
-        if places:
-            raise RamifiedError(places)
-        x, y, z = solve_conic(square, b)
-        target = [field(u) for u in (z - t / 2 * x, x, y)]
-        return _apply(_inverse(field, matrix), target)
+        if half_discriminant(form) and not field.is_zero(determinant):
+            target = [field(x) for x in _rational_zero(form)]
+            return _apply(_inverse(field, matrix), target)
     raise AssertionError("all but finitely many points are good")
+
+
+def _rational_zero(form: Form) -> list[Fraction]:
+    """Return a rational zero of a nondegenerate form, or raise :class:`RamifiedError`."""
+    a, b, c, r, s, t = form
+    gram = [[a, t / 2, s / 2], [t / 2, b, r / 2], [s / 2, r / 2, c]]
+    (p, q, n), rows = diagonalise(gram)
+    places = ramified_places_q(-p / n, -q / n)
+    if places:
+        raise RamifiedError(places)
+    zero = solve_conic(-p / n, -q / n)
+    return [
+        sum((x * row[i] for x, row in zip(zero, rows, strict=True)), Fraction(0)) for i in range(3)
+    ]
 
 
 def _at(x: Any, point: Any) -> Any:

@@ -35,13 +35,15 @@ def solve_conic(
     g = math.gcd(m, n)
     # m·X² + n·Y² = Z² with Z = g·z:  (m/g)·X² + (n/g)·Y² − g·z² = 0
     form = (m // g, n // g, -g)
-    primes = tuple(
-        [p for p in ps if c % p == 0] for ps, c in ((in_m, form[0]), (in_n, form[1]), (in_m, g))
-    )
+    primes = (_dividing(in_m, form[0]), _dividing(in_n, form[1]), _dividing(in_m, g))
     x, y, z = legendre(form, primes)
     # a = m·s²/den², so x = X·den/s
     den_a, den_b = to_fraction(a).denominator, to_fraction(b).denominator
     return Fraction(x * den_a, s), Fraction(y * den_b, r), Fraction(g * z)
+
+
+def _dividing(primes: list[int], n: int) -> list[int]:
+    return [p for p in primes if n % p == 0]
 
 
 def legendre(
@@ -58,12 +60,11 @@ def legendre(
         for p in basis
     ]
     reduced = _combine(_reduce(gram), basis)
-    value = lambda v: sum(f * t * t for f, t in zip(form, v, strict=True)) // determinant  # noqa: E731
     first = None
     for coefficients in itertools.product(range(-2, 3), repeat=3):
         if any(coefficients):
             v = _combine([list(coefficients)], reduced)[0]
-            size = value(v)
+            size = sum(f * t * t for f, t in zip(form, v, strict=True)) // determinant
             if size == 0:
                 return _primitive(v)
             if first is None and abs(size) == 1:

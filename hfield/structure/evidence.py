@@ -12,9 +12,9 @@ from hfield.rings.base import Ring
 class ZeroNorm:
     """Either a nonzero element of norm 0 or a proof that there is none.
 
-    ``element`` holds its four coordinates, verified by multiplying out, or None. ``method`` is one
-    word or two for programs (``"squares"``, ``"ordering"``, ``"ramified places"``, …), ``reason`` a sentence for
-    people, ``places`` the ramified places where they were computed, and ``assumes`` the theorems that
+    ``element`` holds its four coordinates, verified by multiplying out, or None. ``method`` is a
+    word or two for programs (``"squares"``, ``"ordering"``, ``"ramified places"``), ``reason`` a sentence
+    for people, ``places`` the ramified places where they were computed, and ``assumes`` the theorems that
     the reason cites and nobody re-proves here.
     """
 

@@ -166,3 +166,13 @@ def ramified_places_functions(field: FunctionField, form: NormalForm) -> tuple[F
     """
     candidates = _poles_and_zeros(field, *form.constants)
     return tuple(v for v in candidates if symbol(field, form, v) < 0)
+
+
+def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
+    """Tell whether two algebras of characteristic not 2 have the same residues at all places."""
+    for v in _poles_and_zeros(field, *form.constants, *other.constants):
+        kappa, x = _tame(field, form.a, form.b, v)
+        _, y = _tame(field, other.a, other.b, v)
+        if not kappa.is_square(kappa.multiply(x, y)):
+            return False
+    return True

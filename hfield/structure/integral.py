@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -65,10 +65,9 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
     if easy:
         return easy
     used = [i for i in range(len(ring.variables)) if any(_degree_in(x, i) > 0 for x in c)] or [0]
-    field = _functions(ring, ring.variables[used[0]])
-    for values in itertools.islice(itertools.product(POINTS, repeat=len(used) - 1), 40):
-        point = dict(zip(used[1:], values, strict=True))
-        special = Constants(*(_specialise(x, field, used[0], point) for x in c))
+    for keep, point in itertools.islice(_points(used), 60):
+        field = _functions(ring, ring.variables[keep])
+        special = Constants(*(_specialise(x, field, keep, point) for x in c))
         if field.is_zero(discriminant(special)):
             continue
         answer = decide(field, special)
@@ -79,13 +78,19 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
             )
             return none(answer.method, reason, answer.places, *answer.assumes)
         if len(used) == 1:
-            return found(
-                ring, c, _lift(ring, field, used[0], answer.element), answer.method, answer.reason
-            )
+            lifted = _lift(ring, field, keep, answer.element)
+            return found(ring, c, lifted, answer.method, answer.reason)
     raise UndecidedError(
         f"whether a norm over {ring.name} can be 0 is not decided; tried: square roots; coordinates 0, ±1, "
         "± a variable; values for all variables but one"
     )
+
+
+def _points(used: list[int]) -> Iterator[tuple[int, dict[int, int]]]:
+    """Run through the variable to keep and values for the others."""
+    for values in itertools.product(POINTS, repeat=len(used) - 1):
+        for keep in used:
+            yield keep, dict(zip((i for i in used if i != keep), values, strict=True))
 
 
 def _functions(ring: PolynomialRing, variable: str) -> Any:
@@ -117,7 +122,7 @@ def _lift(ring: PolynomialRing, field: Any, index: int, q: Coordinates) -> list[
     for x in q:
         common = common * field.quotient((x * common).den, field.one.num)
     polys = [(x * common).num for x in q]
-    rows = [[c for c in p.coeffs()] for p in polys]
+    rows = [list(p.coeffs()) for p in polys]
     scale = 1
     if field.characteristic == 0:
         scale = math.lcm(*(fraction(c).denominator for row in rows for c in row))

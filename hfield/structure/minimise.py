@@ -1,7 +1,7 @@
 """Conics over a rational function field k(t): minimise at every place, reduce at infinity, solve over k.
 
-The form is ``f(w, x, y) = w² + t·wx − a·x² − b·y²``, the norm on ⟨e, i, j⟩; it has a zero exactly when the
-algebra splits. At each place a lattice is enlarged until f on it, scaled, has unit half-discriminant; a
+The form of an algebra is ``w² + t·wx − a·x² − b·y²``, the norm on ⟨e, i, j⟩; it has a zero exactly when
+the algebra splits. At each place a lattice is enlarged until f on it, scaled, has unit half-discriminant; a
 place where this fails is a ramified one. What is left is a form without bad places on a vector
 bundle of rank 3 over the projective line, and such a bundle is a sum of line bundles: either
 some vector has too small a degree for f to be anything but 0 there, or f has constant
@@ -16,7 +16,8 @@ from hfield.product import Constants
 from hfield.structure.residue import ResidueField
 
 Vector = list[Any]
-Form = tuple[Any, Any, Any, Any, Any, Any]  # f11, f22, f33, f23, f13, f12
+Form = tuple[Any, Any, Any, Any, Any, Any]
+"""The coefficients of x², y², z², yz, xz, xy."""
 
 
 class RamifiedError(ArithmeticError):
@@ -36,16 +37,16 @@ class Lattice:
 
 
 class Conic:
-    """The conic of an algebra (a, t, b) over the function field ``field``."""
+    """A nondegenerate quadratic form in three variables over the function field ``field``."""
 
-    def __init__(self, field: Any, c: Constants) -> None:
-        self.field, self.c = field, c
+    def __init__(self, field: Any, form: Form) -> None:
+        self.field, self.form = field, form
 
     def value(self, v: Vector) -> Any:
         """Return f(v)."""
-        w, x, y = v
-        a, t, b = self.c
-        return w * w + t * (w * x) - a * (x * x) - b * (y * y)
+        x, y, z = v
+        a, b, c, r, s, t = self.form
+        return a * (x * x) + b * (y * y) + c * (z * z) + r * (y * z) + s * (x * z) + t * (x * y)
 
     def coefficients(self, lattice: Lattice) -> Form:
         """Return the coefficients of the scaled form on the basis."""
@@ -70,14 +71,18 @@ class Conic:
 
     def bad_primes(self) -> list[Any]:
         """Return the monic irreducible polynomials at which the standard lattice may not be good."""
-        a, t, b = self.c
-        four = self.field(4)
         found: dict[Any, Any] = {}
-        for x in (a.den, t.den, b.den, (t * t + four * a).num, b.num):
+        for x in (*(f.den for f in self.form), half_discriminant(self.form).num):
             for p, _ in x.factor()[1]:
                 monic = self.field.quotient(self.field.one.num, p).den
                 found[str(monic)] = monic
         return list(found.values())
+
+
+def norm_form(field: Any, c: Constants) -> Form:
+    """Return the norm form of an algebra on ⟨e, i, j⟩."""
+    o, (a, t, b) = field.zero, c
+    return field.one, -a, -b, o, o, t
 
 
 def valuation(x: Any, p: Any) -> int:

@@ -113,8 +113,8 @@ def place(ring: Ring, text: Any) -> Any:
 
 def pair(ring: QuadraticField, x: Any) -> tuple[Fraction, Fraction]:
     """Return the coordinates of u + v√d."""
-    u, v = ring.key(x)  # type: ignore[misc]
-    return fraction(u), fraction(v)
+    terms = ring(x).terms
+    return fraction(terms.get(1, 0)), fraction(terms.get(ring.d, 0))
 
 
 def ramification(

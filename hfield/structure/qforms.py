@@ -136,22 +136,57 @@ def _local_classes(form: list[int], v: Place) -> list[int]:
 def _more(form: list[int]) -> Zero:
     """Solve an indefinite form in at least five variables: it has a zero (Meyer)."""
     order = sorted(range(len(form)), key=lambda i: form[i])
-    least, greatest = order[0], order[-1]
-    heads = [i for i in order[1:-1]][: len(form) - 4] + [least]
-    tail = [i for i in range(len(form)) if i not in heads]
-    bound = range(-6, 7)
-    for values in itertools.product(range(7), *(bound for _ in heads[1:])):
-        value = sum(form[i] * x * x for i, x in zip(heads, values, strict=True))
-        if not any(values):
-            continue
-        sub = [value, *(form[i] for i in tail)]
-        solution = isotropic_vector(sub)
+    for chosen, xs in _heads(form, order):
+        value = sum(form[i] * x * x for i, x in zip(chosen, xs, strict=True))
+        tail = [i for i in range(len(form)) if i not in chosen]
+        solution = isotropic_vector([value, *(form[i] for i in tail)])
         if solution is not None:
             found = [Fraction(0)] * len(form)
-            for i, x in zip(heads, values, strict=True):
-                found[i] = solution[0] * x
-            for i, x in zip(tail, solution[1:], strict=True):
-                found[i] = x
-            assert greatest in tail
+            for i, n in zip(chosen, xs, strict=True):
+                found[i] = solution[0] * n
+            for i, y in zip(tail, solution[1:], strict=True):
+                found[i] = y
             return found
     raise UndecidedError(f"no zero of the form {form} was found by fixing small values")
+
+
+def _heads(form: list[int], order: list[int]) -> Iterator[tuple[list[int], list[int]]]:
+    """Run through indices, with the least coefficient among them, and small values for these.
+
+    The least variable is taken small, so large that the value becomes negative, and divisible by a
+    prime of the coefficients, where a local condition may ask for that.
+    """
+    least = order[0]
+    choices = list(itertools.combinations(order[1:-1], len(form) - 4))
+    primes = [1, *sorted(set().union(*(factorise(f) for f in form)))]
+    for k in range(1, 25):
+        for heads in choices:
+            for xs in itertools.product(range(4), repeat=len(heads)):
+                value = sum(form[i] * x * x for i, x in zip(heads, xs, strict=True))
+                balance = math.isqrt(max(value, 0) // -form[least])
+                for p in primes[: 1 + k // 2]:
+                    for shift in {0, balance // p * p}:
+                        yield [*heads, least], [*xs, k * p + shift]
+
+
+def diagonalise(gram: list[list[Fraction]]) -> tuple[list[Fraction], list[Zero]]:
+    """Return the diagonal of a nondegenerate symmetric matrix and the rows of an orthogonal basis."""
+    n = len(gram)
+
+    def pair(u: Zero, v: Zero) -> Fraction:
+        return sum((u[i] * gram[i][j] * v[j] for i in range(n) for j in range(n)), Fraction(0))
+
+    rest = [_unit(n, i) for i in range(n)]
+    values: list[Fraction] = []
+    basis: list[Zero] = []
+    while rest:
+        for i, j in itertools.combinations(range(len(rest)), 2):
+            if not any(pair(u, u) for u in rest):
+                rest[i] = [x + y for x, y in zip(rest[i], rest[j], strict=True)]
+        v = next(u for u in rest if pair(u, u))
+        size = pair(v, v)
+        rest.remove(v)
+        rest = [[x - pair(u, v) / size * y for x, y in zip(u, v, strict=True)] for u in rest]
+        values.append(size)
+        basis.append(v)
+    return values, basis

@@ -21,7 +21,7 @@ class QuadraticPlace:
     """A place of ℚ(√d): the prime p it lies over (0 for an infinite place) and where √d goes.
 
     ``root`` is the image of √d modulo p (modulo 4 for p = 2) where p splits, ±1 at the two real
-    places, and None where there is one place above p. The text (``"7"``, ``"(7, sqrt(2) - 3)"``,
+    places, and None where there is one place above p. The text (``"7"``, ``"(7, sqrt(2)-3)"``,
     ``"inf+"``, ``"inf-"``, ``"inf"``) reads back with :func:`place_of_quadratic`.
     """
 
@@ -31,11 +31,8 @@ class QuadraticPlace:
 
     def __str__(self) -> str:
         if self.prime:
-            return (
-                str(self.prime)
-                if self.root is None
-                else f"({self.prime}, sqrt({self.d}) - {self.root})"
-            )
+            gen = "I" if self.d == -1 else f"sqrt({self.d})"
+            return str(self.prime) if self.root is None else f"({self.prime}, {gen}-{self.root})"
         return {None: "inf", 1: "inf+", -1: "inf-"}[self.root]
 
     def __repr__(self) -> str:
@@ -44,13 +41,14 @@ class QuadraticPlace:
 
 def places_above(d: int, p: int) -> tuple[QuadraticPlace, ...]:
     """Return the one or two places of ℚ(√d) above the prime p, or above infinity for p = 0."""
+    roots: list[int | None]
     if p == 0:
-        roots: list[int | None] = [1, -1] if d > 0 else [None]
+        roots = [1, -1] if d > 0 else [None]
     elif p == 2:
         roots = [1, 3] if d % 8 == 1 else [None]
     elif d % p and pow(d, (p - 1) // 2, p) == 1:
         r = sqrt_mod(d, p)
-        roots = sorted((r, p - r)) if r else [None]
+        roots = [*sorted((r, p - r))]
     else:
         roots = [None]
     return tuple(QuadraticPlace(d, p, r) for r in roots)
@@ -81,7 +79,7 @@ def place_of_quadratic(d: int, place: object) -> QuadraticPlace:
         names = ", ".join(f'"{v}"' for v in above)
         raise RingError(f"{place!r} names no single place of QQ(sqrt({d})): above it lie {names}")
     raise RingError(
-        f'{place!r} is not a place of QQ(sqrt({d})): expected "inf" or a prime, or a text that a place printed'
+        f'{place!r} is not a place of QQ(sqrt({d})): expected "inf", a prime, or the text of a place'
     )
 
 

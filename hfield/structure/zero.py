@@ -104,7 +104,7 @@ def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
 
 def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
     """Answer for an algebra whose norm form is degenerate: (t² + 4a)·b = 0, over a field."""
-    a, t, b = c
+    _, t, b = c
     zero, one = ring.zero, ring.one
     if ring.is_zero(b):
         return found(ring, c, (zero, zero, one, zero), "degenerate", "b = 0, so N(j) = −b = 0")

@@ -61,8 +61,9 @@ def test_explain_shows_the_whole_decision(run):
         "✗ refuted  (by identity)",
         "        1. p·q ≠ q·p",
         "p = i, q = j + k",
+        "there       p·q = 2j + k ≠ j + 2k = q·p",
         "p·q − q·p = [p, q]",
-        "✓ proved  (by identity, over fields)",
+        "✓ proved  (by identity, over all fields)",
         "All coefficients vanish.",
     ):
         assert text in out

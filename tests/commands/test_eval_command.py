@@ -93,7 +93,7 @@ BAD = [
     (["9" * 5000], "digits"),
     ([DEEP], "nests"),
     (["-" * 5000 + "i"], "nests"),
-    (["+".join(["i"] * 5000)], "in a row"),
+    (["+".join(["i"] * 5000)], "in parts"),
     (["1/0"], "cannot invert 0"),
     (["i/0", "--field", "GF(9)"], "cannot invert 0"),
     (["inv(i-i)"], "cannot invert 0"),

@@ -117,16 +117,19 @@ def test_undecided_and_contradictory_rows_are_status_1(broken):
     status, (row,) = results(broken, "hard", "--field", "QQ")
     assert status == 1
     assert row["as_printed"] == "undecided"
-    status, out, err = broken("verify", "clash", "--field", "QQ,GF9,universal")
+    words = ("verify", "clash", "--field", "QQ,GF9,universal")
+    status, out, err = broken(*words, "--format", "json")
     assert status == 1
     assert "contradiction: C1-y" in err
+    status, out, err = broken(*words)
+    assert (status, err) == (1, "")
     assert "C1-y as printed: proved in general" in out
     assert broken("verify", "clash", "--field", "QQ,universal")[0] == 0
 
 
 def test_undecided_rows_say_what_was_tried(broken):
     _, out, _ = broken("verify", "hard")
-    assert "C1-x over QQ" in out
+    assert "C1-x as printed, over QQ. Tried:" in out
     assert "a million terms" in out
 
 

@@ -6,15 +6,15 @@ from hfield.ledger.claim import PANEL, Claim, Row
 from hfield.ledger.columns import (
     SelectionError,
     head,
-    name_fields,
     rows_to_decide,
     split_columns,
 )
-from hfield.ledger.errata import errata, witness_text
+from hfield.ledger.errata import errata
 from hfield.ledger.markdown import markdown
 from hfield.ledger.matrix import Style, matrix
 from hfield.ledger.notebook import Report
 from hfield.ledger.report import report, summary, totals
+from hfield.ledger.wording import name_fields, pretty, witness_text
 from hfield.proving.decision import VERDICTS, Decision
 
 
@@ -77,7 +77,6 @@ def test_names_of_sets_of_fields():
     assert name_fields(every[1:], every) == "all columns but QQ"
     assert name_fields(["QQ", "RR"], every) == "QQ, RR"
     assert name_fields(["QQ"], ["QQ"]) == "QQ"
-    assert name_fields(["-"], ["-"]) == "no field in particular"
 
 
 def test_rows_to_decide():
@@ -177,15 +176,32 @@ def test_the_smallest_witness_tells():
     (erratum,) = errata(rows)
     assert erratum.telling.field == "RR"
     assert erratum.witness == "p = i, q = j over RR"
-    assert erratum.reason == "A sign."
-    assert dict(erratum.outcome()) == {"refuted": "QQ, RR, CC, universal", "proved": "GF(2)"}
-    assert dict(erratum.outcome(True)) == {"proved": "QQ, RR, universal", "vacuous": "CC"}
+    assert erratum.lines == [
+        ("claim", "The statement"),
+        ("prints", "the print"),
+        ("refuted", "over QQ, RR, CC, universal"),
+        ("elsewhere", "proved over GF(2)"),
+        ("why", "A sign."),
+        ("witness", "p = i, q = j over RR"),
+        ("corrected", "[p, q] = p·q − q·p"),
+        ("", "proved over QQ, RR, universal; vacuous over CC"),
+    ]
 
 
-def test_without_a_note_the_last_step_is_the_reason():
+def test_without_a_witness_the_last_step_is_shown():
     (erratum,) = errata([row("QQ", "refuted", claim(), None, steps=("first", "  N(q) = 2"))])
-    assert erratum.reason == "N(q) = 2"
-    assert erratum.witness == ""
+    assert erratum.lines[-1] == ("shown by", "N(q) = 2")
+
+
+def test_a_correction_that_holds_wherever_it_is_needed():
+    c = claim(corrected=Words())
+    (erratum,) = errata([row(field, "refuted", c, None, "proved") for field in ("QQ", "RR")])
+    assert erratum.lines[-1] == ("", "proved over the same columns")
+    (erratum,) = errata(
+        [row("-", "refuted", claim(fieldless=True, corrected=Words()), None, "proved")]
+    )
+    assert ("refuted", "as it stands") in erratum.lines
+    assert erratum.lines[-1] == ("", "proved as it stands")
 
 
 def test_a_witness_found_for_all_fields_lives_in_its_own():
@@ -196,7 +212,7 @@ def test_a_witness_found_for_all_fields_lives_in_its_own():
 @pytest.mark.parametrize(
     ("witness", "field", "shown"),
     [
-        ({"p": UNIT_I, "q": ["1", "0", "-1/2", "0"]}, "QQ", "p = i, q = e − 1/2j"),
+        ({"p": UNIT_I, "q": ["1", "0", "-1/2", "0"]}, "QQ", "p = i, q = 1 − 1/2j"),
         ({"x": ["x+1"]}, "GF(4)", "x = x+1"),
         ({"F": ["GF(7)"]}, "universal", "F = GF(7)"),
         ({"m": ["a", "b"]}, "QQ", "m = (a, b)"),
@@ -210,6 +226,11 @@ def test_witness_text(witness, field, shown):
     assert witness_text(witness, field) == shown
 
 
+def test_statements_are_prettified_and_words_left_alone():
+    assert pretty("norm(q) != 0 => q*inv(q) == e") == "N(q) ≠ 0 ⇒ q·q⁻¹ = e"
+    assert pretty("the centre is F·e") == "the centre is F·e"
+
+
 def test_the_report_has_all_its_parts():
     headline, slip = claim("C1-a", "table", headline=True), claim("C1-b", "slip", corrected=Words())
     rows = [
@@ -220,7 +241,7 @@ def test_the_report_has_all_its_parts():
     out = report(rows, Style(100))
     order = ["Headline claims", "The other claims", "Undecided", "Errata", "2 claims, 3 rows"]
     assert [out.index(text) for text in order] == sorted(out.index(text) for text in order)
-    assert "comm(p, q) == p*q - q*p" in out
+    assert "[p, q] = p·q − q·p" in out
     assert "p = i, q = j over QQ" in out
     chosen = report(rows, Style(100), chosen=True)
     assert "The other claims" not in chosen

@@ -101,8 +101,14 @@ CLAIMS = (
         "claim",
         "N(q)=0 ⇒ q=0 fails if the characteristic is 2",
         "implikacja odwrotna nie zachodzi jeśli char = 2",
-        Statement("exists q: q != 0 and norm(q) == 0", CHAR_TWO),
-        spoilt=Statement("exists q: q != 0 and norm(q) == 0", ("3 == 0",)),
+        Implication(
+            Statement("2 == 0"),
+            Statement("exists q: q != 0 and norm(q) == 0"),
+            Every((Statement("2 == 0 => norm(e + i) == 0"), Statement("e + i != 0"))),
+        ),
+        spoilt=Implication(
+            Statement("2 == 0"), Statement("exists q: q != 0 and norm(q) == 1 and trace(q) == 1")
+        ),
     ),
     Claim(
         "C1.3.1-x",

@@ -2,6 +2,7 @@
 
 from hfield.ledger.chapter1.multiplication import COORDINATES, I_PART, J_PART, K_PART, SCALAR
 from hfield.ledger.claim import Claim
+from hfield.ledger.facts import Division
 from hfield.ledger.propositions import Negation, Statement
 from hfield.ledger.roots import ModulusDefined, ModulusLaw
 
@@ -74,7 +75,7 @@ CLAIMS = (
         "corollary",
         "The converse, N(q)=0 ⇒ q=0, does not always hold",
         "odwrotna implikacja nie zawsze zachodzi",
-        Negation(Statement("norm(q) == 0 => q == 0")),
+        Negation(Division("N(q) = 0 ⇒ q = 0")),
         spoilt=Negation(Statement("q == 0 => norm(q) == 0")),
         headline=True,
         fieldless=True,

@@ -1,0 +1,66 @@
+"""``hfield prove``: prove or refute a statement of one's own."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+
+from hfield.commands.output import note, open_output
+from hfield.commands.parser import add_format, add_output
+from hfield.errors import shorten
+
+HELP = (
+    "Prove or refute a statement about quaternions p q r u v w and scalars s t x y z, such as "
+    "'norm(q) != 0 => q*inv(q) == e'. Without a field it is about all of them. Exit status: 0 proved "
+    "or vacuous, 1 refuted, 3 undecided, 2 bad usage."
+)
+MOST_SECONDS = 86_400.0
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("statement", metavar="STATEMENT", help="the statement, in quotes")
+    parser.add_argument("--field", metavar="F", help="the field, such as GF(9) or QQ(sqrt(2))")
+    parser.add_argument(
+        "--algebra", metavar="A", help="the algebra, such as '(-1,-3|QQ)' or '(a,b|F)' (default: H)"
+    )
+    parser.add_argument(
+        "--given", action="append", default=[], metavar="H", help="assume H; may be repeated"
+    )
+    parser.add_argument(
+        "--timeout", type=_seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
+    )
+    parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+    add_format(parser, "plain", "json", "latex")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Decide the statement, show the decision, return the exit status."""
+    from hfield.ledger.blackboard import decision_latex, decision_text
+    from hfield.proving.prove import prove
+
+    with open_output(args.output) as out, open_output(args.certificate) as file:
+        answer = prove(args.statement, args.field, args.given, args.algebra, args.timeout)
+        certificate = answer.certificate if args.certificate is not None else None
+        if certificate is not None:
+            file.write_json(certificate)
+        elif args.certificate is not None:
+            note(f"no certificate is written for what is {answer.verdict}")
+        if args.format == "json":
+            out.write_json(answer.to_json(None if certificate is None else args.certificate))
+        elif args.format == "latex":
+            out.write(decision_latex(answer.text, answer.decision, answer.field))
+        else:
+            where = (answer.setting.algebra, answer.field)
+            out.write(decision_text(answer.text, answer.decision, *where, out.style()))
+    return answer.exit_status
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0 < seconds <= MOST_SECONDS:
+        raise ArgumentTypeError(f"expected a number of seconds above 0, found {shorten(text)!r}")
+    return seconds

@@ -1,0 +1,88 @@
+"""A counterexample, worked out: both sides of what fails, at the values that refute it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from hfield.errors import HFieldError
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL
+from hfield.ledger.wording import STATED_FIELD
+from hfield.notation import element_text
+from hfield.proving.interpret import RingInterpretation, bind
+from hfield.proving.language import Statement, read_statement, walk
+from hfield.proving.printing import to_unicode
+from hfield.proving.search import too_heavy
+from hfield.proving.setting import read_setting
+from hfield.rings import ring
+from hfield.rings.base import Ring
+from hfield.syntax import Compare, Node
+
+MOST_LINES = 3
+
+
+def evaluated(
+    text: str,
+    witness: Mapping[str, Sequence[str]] | None,
+    field: str,
+    algebra: str | None = None,
+) -> list[str]:
+    """Work out the comparisons of a statement that fail at a witness: ``p·q = k ≠ −k = q·p``.
+
+    ``algebra`` is H if None. Returns nothing for a claim in words, or one with ``exists``.
+    """
+    witness = witness or {}
+    name = witness[STATED_FIELD][0] if STATED_FIELD in witness else field
+    if name in (UNIVERSAL, NO_FIELD):
+        return []
+    try:
+        F = ring(name)
+        setting = read_setting(F, algebra)
+        read = read_statement(text, F, (), setting.letters, setting.constants)
+        if read.exists or too_heavy(read):
+            return []
+        return list(_failures(_world(read, setting.constants, F, witness), read, F))[:MOST_LINES]
+    except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
+        return []
+
+
+def _world(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    F: Ring,
+    witness: Mapping[str, Sequence[str]],
+) -> RingInterpretation:
+    """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
+    values = {text: F(text) for text in statement.constants}
+    for unknown, _ in statement.unknowns:
+        read = tuple(F(text) for text in witness[unknown])
+        values[unknown] = read[0] if len(read) == 1 else read
+    world = RingInterpretation(F)
+    bind(world, constants, values)
+    return world
+
+
+def _failures(world: RingInterpretation, statement: Statement, F: Ring) -> Iterator[str]:
+    """Write the comparisons of the conclusion that are false."""
+    for node in walk(statement.conclusion):
+        if isinstance(node, Compare) and not world.truth(node):
+            sides = [_side(world, x, F) for x in (node.left, node.right)]
+            if not all(value for _, value in sides):
+                shown = next(text for text, value in sides if not value)
+                yield f"{shown} is not defined"
+            else:
+                (left, x), (right, y) = sides
+                yield _chain(left, x, "≠" if node.op == "==" else "=", y, right)
+
+
+def _side(world: RingInterpretation, node: Node, F: Ring) -> tuple[str, str]:
+    """Return the text of a term and of its value, '' where it has none."""
+    value, defined = world.term(node)
+    if not defined:
+        return to_unicode(node), ""
+    return to_unicode(node), element_text(F, world.embed(value), "unicode")
+
+
+def _chain(left: str, x: str, sign: str, y: str, right: str) -> str:
+    start = x if left == x else f"{left} = {x}"
+    end = y if right in (y, "e") else f"{y} = {right}"
+    return f"{start} {sign} {end}"

@@ -1,0 +1,33 @@
+"""Propositions about algebras given by i² = j² = k² = ijk = −e: what follows from the relations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hfield.proving.decision import Decision
+from hfield.proving.presentation import decide_presentation
+from hfield.rings.base import Ring
+
+RELATIONS = ("i*i + e", "j*j + e", "k*k + e", "i*j*k + e")
+
+
+@dataclass(frozen=True)
+class Presented:
+    """Each of ``goals`` vanishes in every associative algebra in which the relations hold.
+
+    With ``identity`` e is the identity of the algebra, else just another letter.
+    """
+
+    goals: tuple[str, ...]
+    identity: bool = True
+
+    @property
+    def text(self) -> str:
+        """The goals as equations."""
+        unit = "with identity e" if self.identity else "with basis (e,i,j,k)"
+        goals = ", ".join(f"{goal} = 0" for goal in self.goals)
+        return f"in an associative algebra {unit}, i² = j² = k² = ijk = −e ⇒ {goals}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Rewrite each goal by the relations in ℤ⟨e,i,j,k⟩, or find an algebra where one fails."""
+        return decide_presentation(RELATIONS, self.goals, field=field, identity=self.identity)

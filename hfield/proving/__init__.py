@@ -1,0 +1,1 @@
+"""Statements about quaternion algebras and the procedures that decide them, with evidence."""

@@ -1,0 +1,54 @@
+"""The decision: which procedure is tried when, over one field or over all at once."""
+
+from collections.abc import Iterable
+from functools import lru_cache
+from time import monotonic
+from typing import Any
+
+from hfield.errors import TooLargeError
+from hfield.proving import everywhere, existence, named
+from hfield.proving.decision import PROVED, UNDECIDED, Decision
+from hfield.proving.language import Statement, read_statement
+from hfield.proving.setting import Setting, read_setting
+from hfield.rings.base import Ring
+
+TIMEOUT = 30.0
+
+
+def decide(
+    statement: str,
+    field: Ring | str | None = None,
+    given: Iterable[str] = (),
+    algebra: str | None = None,
+    timeout: float = TIMEOUT,
+) -> Decision:
+    """Decide a statement about the quaternions over a field; see docs/language.md for the language.
+
+    ``field`` is a ring, its text, or None for all fields at once. ``given`` are hypotheses that are
+    put in front of the statement. ``algebra`` is H if None, else a text such as ``(-1,-3|QQ)``, or
+    ``(a,b|F)`` with unknown constants. ``timeout`` bounds the time in seconds. Raises
+    :class:`NotationError` or :class:`RingError` for what cannot be read; never guesses: what no
+    procedure settles is ``undecided``, with what was tried.
+    """
+    setting = read_setting(field, algebra)
+    read = read_statement(
+        statement, setting.field, tuple(given), setting.letters, setting.constants
+    )
+    return decide_statement(read, setting, timeout)
+
+
+@lru_cache(maxsize=8192)
+def decide_statement(statement: Statement, setting: Setting, timeout: float = TIMEOUT) -> Decision:
+    """Decide a statement that has been read."""
+    deadline = monotonic() + timeout
+    decide_one: Any = everywhere.decide if setting.field is None else named.decide
+    try:
+        if statement.exists:
+            return existence.decide(statement, setting, deadline, decide_one)
+        decision: Decision = decide_one(statement, setting, deadline)
+    except TooLargeError as error:
+        return Decision(UNDECIDED, "none", tried=(str(error),))
+    if decision.verdict == PROVED and statement.hypotheses:
+        vacuous = existence.vacuous(statement, setting, deadline, decide_one)
+        return decision if vacuous is None else vacuous
+    return decision

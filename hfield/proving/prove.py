@@ -1,0 +1,159 @@
+"""``prove``: a statement in, an answer out that prints, has a certificate and exports itself."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from hfield.proving.decide import TIMEOUT, decide_statement
+from hfield.proving.decision import (
+    NOT_APPLICABLE,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    VACUOUS,
+    Decision,
+)
+from hfield.proving.language import Statement, read_statement
+from hfield.proving.printing import to_latex, to_text, to_unicode
+from hfield.proving.setting import Setting, read_setting
+from hfield.rings.base import Ring
+
+EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
+_SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APPLICABLE: "–"}
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """A statement with its decision. Its truth value raises UndecidedError when there is none."""
+
+    statement: Statement
+    setting: Setting
+    decision: Decision
+
+    @property
+    def verdict(self) -> str:
+        """``proved``, ``refuted``, ``vacuous``, ``undecided`` or ``not-applicable``."""
+        return self.decision.verdict
+
+    @property
+    def witness(self) -> Mapping[str, list[str]] | None:
+        """The values found, as texts that the field reads back: unknown → its coordinates."""
+        return self.decision.witness
+
+    @property
+    def exit_status(self) -> int:
+        """What the command line ends with: 0 proved or vacuous, 1 refuted, 3 undecided."""
+        return EXIT_STATUS[self.verdict]
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate ``hfield-cert/1`` as JSON data; None for what is not decided."""
+        d = self.decision
+        if d.evidence is None:
+            return None
+        return {
+            "schema": "hfield-cert/1",
+            "statement": self.text,
+            "algebra": self.setting.algebra,
+            "field": self.field,
+            "verdict": d.verdict,
+            "method": d.method,
+            "assumes": list(d.assumes),
+            "evidence": dict(d.evidence),
+        }
+
+    @property
+    def text(self) -> str:
+        """The statement in the language, hypotheses that were given apart put in front."""
+        return to_text(self.statement.node)
+
+    @property
+    def field(self) -> str | None:
+        """The name of the field, None for all fields."""
+        return None if self.setting.field is None else self.setting.field.name
+
+    def to_json(self, certificate: str | None = None) -> dict[str, Any]:
+        """Return the answer in the form ``hfield-prove/1``; ``certificate`` names a file written."""
+        d = self.decision
+        return {
+            "schema": "hfield-prove/1",
+            "statement": self.text,
+            "algebra": self.setting.algebra,
+            "field": self.field,
+            "verdict": d.verdict,
+            "scope": d.scope,
+            "method": d.method,
+            "witness": None if d.witness is None else {k: list(v) for k, v in d.witness.items()},
+            "assumes": list(d.assumes),
+            "tried": list(d.tried),
+            "certificate": certificate,
+        }
+
+    def __bool__(self) -> bool:
+        return bool(self.decision)
+
+    def __str__(self) -> str:
+        d = self.decision
+        where = "over every field" if self.field is None else f"over {self.field}"
+        if d.verdict == PROVED and d.scope and d.scope.endswith(("rings", "fields")):
+            where = f"over every {d.scope[:-5]}ring" if "rings" in d.scope else "over every field"
+        lines = [f"{_SIGNS[d.verdict]} {to_unicode(self.statement.node)}"]
+        if not self.setting.is_hamilton:
+            where += f", in {self.setting.algebra}"
+        lines.append(f"  {d.verdict} {where} ({d.method})")
+        if d.witness:
+            shown = (f"{name} = {_value(v)}" for name, v in d.witness.items() if name != "F")
+            over = f" over {d.witness['F'][0]}" if "F" in d.witness else ""
+            lines.append(f"  {', '.join(shown)}{over}".rstrip())
+        lines.extend(f"  · {step}" for step in d.steps)
+        lines.extend(f"  cites {theorem}" for theorem in d.assumes)
+        lines.extend(f"  tried: {t}" for t in d.tried)
+        return "\n".join(lines)
+
+    def __repr__(self) -> str:
+        return str(self)
+
+    def _repr_latex_(self) -> str:
+        return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
+
+
+def _value(texts: list[str]) -> str:
+    """Write the coordinates of a witness as people do: ``1 + 2i − k``."""
+    if len(texts) == 1:
+        return texts[0]
+    out = ""
+    for text, unit in zip(texts, ("", "i", "j", "k"), strict=True):
+        if text == "0":
+            continue
+        simple = text.lstrip("-").isalnum()
+        sign, body = ("−", text[1:]) if simple and text.startswith("-") else ("+", text)
+        if unit:
+            body = unit if body == "1" else (body + unit if simple else f"({body}){unit}")
+        out += f" {sign} {body}" if out else (f"−{body}" if sign == "−" else body)
+    return out or "0"
+
+
+def prove(
+    statement: str,
+    field: Ring | str | None = None,
+    given: Iterable[str] = (),
+    algebra: str | None = None,
+    timeout: float = TIMEOUT,
+) -> Answer:
+    """Decide a statement about quaternions and return the answer with its evidence.
+
+    ``field`` is a ring or its text; None decides for all fields at once. ``given`` are hypotheses
+    put in front of the statement, ``algebra`` a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if
+    None), ``timeout`` the time in seconds. Raises :class:`NotationError` with a position for what
+    cannot be read. The language is described in docs/language.md.
+
+    >>> prove("p*q == q*p", field="QQ").witness
+    {'p': ['0', '1', '0', '0'], 'q': ['0', '0', '1', '0']}
+    >>> bool(prove("(p*q)*r == p*(q*r)"))
+    True
+    """
+    setting = read_setting(field, algebra)
+    read = read_statement(
+        statement, setting.field, tuple(given), setting.letters, setting.constants
+    )
+    return Answer(read, setting, decide_statement(read, setting, timeout))

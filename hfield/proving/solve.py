@@ -1,0 +1,149 @@
+"""Solving polynomial conditions for a counterexample: small values, and what follows from them.
+
+Variables get small values one after the other; whenever a condition is left with a single variable,
+its value follows (a linear equation, a square root, or one of a few values). This finds what
+looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
+"""
+
+from collections.abc import Iterator, Sequence
+from time import monotonic
+from typing import Any
+
+from hfield.errors import HFieldError
+from hfield.proving.expand import Expanded
+from hfield.proving.formulas import Clause
+from hfield.proving.language import Sort, Statement
+from hfield.proving.search import Assignment, small_scalars
+from hfield.proving.vanish import Monomial, coefficients
+from hfield.proving.witness import values_of
+from hfield.rings.base import Ring, power
+
+MAX_NODES = 1_500
+MAX_TERMS = 400
+BRANCHES = 5
+
+Polynomial = dict[Monomial, Any]
+
+
+def solve(
+    statement: Statement, x: Expanded, clause: Clause, field: Ring, deadline: float
+) -> Assignment | None:
+    """Return values at which the clause fails: its zeros vanish, and no goal does entirely."""
+    zeros = [dict(coefficients(z, x, field)) for z in clause.zeros]
+    goals = [[dict(coefficients(g, x, field)) for g in goal] for goal in clause.goals]
+    if any(len(f) > MAX_TERMS for f in (*zeros, *(f for goal in goals for f in goal))):
+        return None
+    values = _Solver(field, x.unknowns, deadline).run(zeros, goals, {})
+    if values is None:
+        return None
+    out: Assignment = {}
+    rest = iter([values[n] for n in range(x.unknowns)])
+    for name, sort in statement.unknowns:
+        out[name] = next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
+    return out
+
+
+class _Solver:
+    def __init__(self, field: Ring, unknowns: int, deadline: float) -> None:
+        self.field, self.unknowns, self.deadline = field, unknowns, deadline
+        self.nodes = 0
+
+    def run(
+        self, zeros: list[Polynomial], goals: list[list[Polynomial]], values: dict[int, Any]
+    ) -> dict[int, Any] | None:
+        """Extend ``values`` to a solution, or return None."""
+        self.nodes += 1
+        if self.nodes > MAX_NODES or monotonic() > self.deadline:
+            return None
+        zeros = [z for z in zeros if z]
+        if any(_is_constant(z) for z in zeros) or any(not any(goal) for goal in goals):
+            return None
+        if not zeros:
+            return self.finish(goals, values)
+        n, candidates = self.next(zeros)
+        for value in candidates:
+            found = self.run(
+                [self.put(z, n, value) for z in zeros],
+                [[self.put(g, n, value) for g in goal] for goal in goals],
+                {**values, n: value},
+            )
+            if found is not None or self.nodes > MAX_NODES:
+                return found
+        return None
+
+    def next(self, zeros: Sequence[Polynomial]) -> tuple[int, Iterator[Any]]:
+        """Return a variable and the values to try: one that is determined, or the most tangled."""
+        weights: dict[int, list[int]] = {}
+        for z in zeros:
+            variables = _variables(z)
+            if len(variables) == 1:
+                return variables[0], self.roots(z, variables[0])
+            for n in variables:
+                highest = max(m[n] for m in z)
+                entry = weights.setdefault(n, [0, 0])
+                entry[0], entry[1] = max(entry[0], highest), entry[1] + 1
+        tangled = max(weights, key=lambda n: (weights[n], -n))
+        return tangled, iter(small_scalars(self.field)[:BRANCHES])
+
+    def roots(self, z: Polynomial, n: int) -> Iterator[Any]:
+        """Run through zeros of a polynomial in one variable, all of them up to degree 2."""
+        field, degree = self.field, max(m[n] for m in z)
+        c = [field.zero] * (degree + 1)
+        for m, value in z.items():
+            c[m[n]] = c[m[n]] + value
+        if degree == 1:
+            yield field.divide(field.zero - c[0], c[1])
+            return
+        if degree == 2 and field.characteristic != 2:
+            try:
+                root = field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2])
+            except HFieldError:
+                root = None
+            if root is not None:
+                half = field.inverse(c[2] + c[2])
+                yield (field.zero - c[1] + root) * half
+                yield (field.zero - c[1] - root) * half
+                return
+        for value in small_scalars(field):
+            total = field.zero
+            for coefficient in reversed(c):
+                total = total * value + coefficient
+            if field.is_zero(total):
+                yield value
+
+    def put(self, f: Polynomial, n: int, value: Any) -> Polynomial:
+        """Put a value in for variable n."""
+        field = self.field
+        out: Polynomial = {}
+        for m, c in f.items():
+            if m[n]:
+                c = c * power(field.one, value, m[n])
+                m = (*m[:n], 0, *m[n + 1 :])
+            out[m] = out[m] + c if m in out else c
+        return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+    def finish(
+        self, goals: list[list[Polynomial]], values: dict[int, Any]
+    ) -> dict[int, Any] | None:
+        """Choose the variables that are left so that no goal vanishes entirely."""
+        left = [next(f for f in goal if f) for goal in goals]
+        out = dict(values)
+        for n in range(self.unknowns):
+            if n in out:
+                continue
+            for value in values_of(self.field):
+                tried = [self.put(f, n, value) for f in left]
+                if all(tried):
+                    left, out[n] = tried, value
+                    break
+            else:
+                return None
+        return out
+
+
+def _is_constant(f: Polynomial) -> bool:
+    return len(f) == 1 and not any(next(iter(f)))
+
+
+def _variables(f: Polynomial) -> list[int]:
+    return [n for n, used in enumerate(map(any, zip(*f, strict=True))) if used]

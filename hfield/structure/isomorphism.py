@@ -1,0 +1,158 @@
+"""When two algebras over one field are isomorphic, and an explicit, checked isomorphism."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from hfield.errors import MixedParentsError, UndecidedError
+from hfield.product import Constants, Coordinates, multiply
+from hfield.rings.base import Ring
+from hfield.rings.functions import FunctionField
+from hfield.structure.centre import basis_of
+from hfield.structure.embed import embed_generator
+from hfield.structure.forms import discriminant, normal_form
+from hfield.structure.hilbert import ramified_places_q
+from hfield.structure.integers import fraction
+from hfield.structure.linear import Row, apply, inverse
+from hfield.structure.places import ramification
+from hfield.structure.split import division_or_splitting, from_zero_divisor
+from hfield.structure.zero import is_division, zero_norm
+
+
+@dataclass(frozen=True)
+class Isomorphism:
+    """An isomorphism of algebras over one field: ``images`` are the coordinates of the images of e, i, j, k."""
+
+    ring: Ring
+    images: tuple[Coordinates, Coordinates, Coordinates, Coordinates]
+    inverse_rows: list[Row]
+
+    def __call__(self, q: Coordinates) -> Coordinates:
+        """Return the coordinates of the image of q."""
+        w, x, y, z = apply([list(row) for row in zip(*self.images, strict=True)], list(q))
+        return w, x, y, z
+
+    def inverse(self, q: Coordinates) -> Coordinates:
+        """Return the coordinates of the element whose image is q."""
+        w, x, y, z = apply(self.inverse_rows, list(q))
+        return w, x, y, z
+
+
+def verified(
+    ring: Ring, c: Constants, target: Constants, i: Coordinates, j: Coordinates
+) -> Isomorphism:
+    """Return the isomorphism that sends i and j to the given elements, after checking the relations."""
+    e = basis_of(ring)[0]
+    k = multiply(target, i, j)
+
+    def equal(p: Coordinates, *terms: tuple[Any, Coordinates]) -> bool:
+        return all(
+            ring.equal(p[n], sum((x * q[n] for x, q in terms[1:]), terms[0][0] * terms[0][1][n]))
+            for n in range(4)
+        )
+
+    back = inverse(ring, [list(row) for row in zip(e, i, j, k, strict=True)])
+    if (
+        back is None
+        or not equal(multiply(target, i, i), (c.a, e), (c.t, i))
+        or not equal(multiply(target, j, j), (c.b, e))
+        or not equal(multiply(target, j, i), (c.t, j), (ring.zero - ring.one, k))
+    ):
+        raise AssertionError("the map found is not an isomorphism")
+    return Isomorphism(ring, (e, i, j, k), back)
+
+
+def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
+    """Tell whether two algebras over the same field are isomorphic.
+
+    Raises :class:`UndecidedError` where the field has no theory for it, and for degenerate algebras
+    that are not equal in an evident way.
+    """
+    if all(ring.equal(x, y) for x, y in zip(c, other, strict=True)):
+        return True
+    if not ring.is_field:
+        raise UndecidedError(f"{ring.name} is not a field: isomorphism is decided over fields only")
+    degenerate = [ring.is_zero(discriminant(x)) for x in (c, other)]
+    if any(degenerate):
+        return all(degenerate) and _degenerate(ring, c, other)
+    if ring.order is not None:
+        return True
+    forms = [normal_form(ring, x) for x in (c, other)]
+    places = [ramification(ring, form) for form in forms]
+    if None not in places:
+        if isinstance(ring, FunctionField) and ring.base.order is None:
+            return _over_rational_functions(ring, c, other)
+        return places[0] == places[1]
+    divisions = [is_division(ring, x) for x in (c, other)]
+    if divisions[0] != divisions[1]:
+        return False
+    if not divisions[0] or ring.name == "RR":
+        return True
+    raise UndecidedError(
+        f"whether two division algebras over {ring.name} are isomorphic is not decided"
+    )
+
+
+def _over_rational_functions(ring: FunctionField, c: Constants, other: Constants) -> bool:
+    """Compare over ℚ(x): all residues agree, and so do the algebras at one good point of the line."""
+    from hfield.structure.functionfield import same_residues
+
+    forms = [normal_form(ring, x) for x in (c, other)]
+    if not same_residues(ring, forms[0], forms[1]):
+        return False
+    n = 0
+    while True:
+        point = ring.base((n + 1) // 2 * (-1) ** n)
+        n += 1
+        values = [x for form in forms for x in form.constants]
+        if any(x.den(point) == 0 or x.num(point) == 0 for x in values):
+            continue
+        a, b, p, q = (fraction(x.num(point) / x.den(point)) for x in values)
+        return ramified_places_q(a, b) == ramified_places_q(p, q)
+
+
+def _degenerate(ring: Ring, c: Constants, other: Constants) -> bool:
+    """Compare degenerate algebras in characteristic not 2: F[√a] ⊕ radical, or all of e's complement."""
+    if ring.characteristic == 2:
+        raise UndecidedError("degenerate algebras of characteristic 2 are not compared")
+    classes = []
+    for x in (c, other):
+        form = normal_form(ring, x)
+        classes.append(next((s for s in form.constants if not ring.is_zero(s)), None))
+    if None in classes:
+        return classes[0] is classes[1]
+    return ring.sqrt(classes[0] * classes[1]) is not None
+
+
+def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | None:
+    """Return an explicit isomorphism onto the algebra with constants ``other``, or None if there is none.
+
+    Split algebras are compared through M₂(F); a division algebra by finding i and j in the other.
+    Raises :class:`UndecidedError` as :func:`is_isomorphic`, or where none was found in bounded time.
+    """
+    e = basis_of(ring)
+    if all(ring.equal(x, y) for x, y in zip(c, other, strict=True)):
+        return verified(ring, c, other, e[1], e[2])
+    if not is_isomorphic(ring, c, other):
+        return None
+    if ring.is_zero(discriminant(c)):
+        raise UndecidedError(
+            "the two are isomorphic, but for degenerate algebras no map is constructed"
+        )
+    q, p = zero_norm(ring, c).element, zero_norm(ring, other).element
+    if q is not None and p is not None:
+        left, right = from_zero_divisor(ring, c, q), from_zero_divisor(ring, other, p)
+        i, j = (right.from_matrix(m) for m in (left.i, left.j))
+        return verified(ring, c, other, i, j)
+    i, j = embed_generator(ring, c, other)
+    return verified(ring, c, other, i, j)
+
+
+def same_parent(ring: Ring, other: Ring) -> None:
+    """Refuse to compare algebras over different fields. Raises :class:`MixedParentsError`."""
+    if ring != other:
+        raise MixedParentsError(
+            f"one algebra is over {ring.name}, the other over {other.name}: change the ring of one first"
+        )
+
+
+__all__ = ["Isomorphism", "division_or_splitting", "is_isomorphic", "isomorphism", "same_parent"]

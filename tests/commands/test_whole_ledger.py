@@ -1,0 +1,89 @@
+"""``hfield verify`` from a cold start, as a newcomer runs it: the claims of the thesis themselves."""
+
+import json
+import resource
+import subprocess
+import sys
+import time
+
+import pytest
+
+from hfield.ledger.claim import PANEL
+
+SECONDS, BYTES = 60, 1 << 30
+KEYS = {
+    *(
+        "id",
+        "field",
+        "as_printed",
+        "as_corrected",
+        "method",
+        "witness",
+        "correction",
+        "certificate",
+    ),
+}
+VERDICTS = {"proved", "refuted", "vacuous", "undecided", "not-applicable"}
+
+
+def shell(*words):
+    return subprocess.run(
+        [sys.executable, "-m", "hfield", *words], capture_output=True, text=True, timeout=300
+    )
+
+
+@pytest.fixture(scope="module")
+def whole():
+    """Run all claims over the panel once: the results, the seconds it took, the most memory used."""
+    start = time.perf_counter()
+    done = shell("verify", "--format", "json")
+    seconds = time.perf_counter() - start
+    # Of the children so far; this run is the largest by far. Linux counts in KiB.
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)["results"], seconds, peak
+
+
+def test_every_row_has_a_verdict(whole):
+    rows, _, _ = whole
+    assert len(rows) == len({(row["id"], row["field"]) for row in rows})
+    for row in rows:
+        assert set(row) == KEYS
+        assert row["as_printed"] in VERDICTS - {"undecided"}
+        assert row["as_corrected"] in {None, *VERDICTS} - {"undecided", "refuted"}
+
+
+def test_every_claim_has_all_its_columns(whole):
+    rows, _, _ = whole
+    columns = {}
+    for row in rows:
+        columns.setdefault(row["id"], []).append(row["field"])
+    assert len(columns) >= 92
+    assert all(fields in (list(PANEL), ["-"]) for fields in columns.values())
+
+
+def test_time_and_memory(whole):
+    _, seconds, peak = whole
+    assert seconds < SECONDS
+    assert peak < BYTES
+
+
+def test_processes_find_the_same(whole):
+    rows, _, _ = whole
+    words = ["centre", "theorem-1", "triple-iki", "--field", "GF9,QQ", "--field", "universal"]
+    done = shell("verify", *words, "--jobs", "2", "--format", "json")
+    assert done.returncode == 0, done.stderr
+    some = json.loads(done.stdout)["results"]
+    assert len(some) == 9
+    assert all(row in rows for row in some)
+
+
+def test_the_report_fits_100_columns(tmp_path):
+    done = shell("verify", "-o", str(tmp_path / "report.txt"))
+    assert done.returncode == 0, done.stderr
+    lines = (tmp_path / "report.txt").read_text("utf-8").splitlines()
+    assert max(map(len, lines)) <= 100
+    assert "Headline claims, as printed" in lines
+    assert "Errata" in lines
+    headline = lines[lines.index("Headline claims, as printed") :]
+    assert all("theorem-1" not in line or "✗" in line for line in headline[:20])

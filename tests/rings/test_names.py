@@ -1,0 +1,235 @@
+"""From text to ring: canonical names, spellings, and errors that say what to mend."""
+
+import pickle
+import time
+
+import pytest
+
+from hfield.errors import CoercionError, HFieldError, RingError
+from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
+
+CANONICAL = {
+    "QQ": ["Q", " Q Q ", "ℚ"],
+    "ZZ": ["Z", "ℤ"],
+    "RR": ["R", "ℝ"],
+    "CC": ["C"],
+    "RDF": ["RDF "],
+    "ZZ/6": ["ZZ / 6", "Z6", "ZZ6", "Z/6", "Zmod(6)", "ZZ/(6)", "Z/6Z", "ZZ/6ZZ"],
+    "GF(7)": ["GF7", "F7", "F_7", "GF( 7 )", "GF(7^1)"],
+    "GF(9)": ["GF9", "F9", "GF(3^2)", "GF(3**2)", "GF( 9, x^2+2*x+2)", "GF(9, x**2 - x - 1)"],
+    "GF(256)": ["GF(2^8)", "GF(2**8)", "GF 256", "GF2^8", "GF(2⁸)"],
+    "GF(9, x^2+1)": [
+        "GF(9,x^2+1)",
+        "GF(9, 1*x^0+0*x+1*x^2)",
+        "GF(9, 2*x^2+2)",
+        "GF(3^2, x² + 1)",
+        "GF(9, x*x+1)",
+        "GF(9, x^2-2)",
+        "GF(9, (x+1)*(x-1)+2)",
+    ],
+    "QQ(sqrt(2))": ["Qsqrt2", "QQ(sqrt(8))", "QQ(sqrt2)", "QQ(sqrt(1/2))", "QQ(√2)", "ℚ(√2)"],
+    "QQ(sqrt(-7))": ["Qsqrt-7", "QQ(sqrt(-28))", "QQ(sqrt(−7))"],
+    "QQ(I)": ["QI", "QQ(sqrt(-1))", "Q(I)", "QQ(sqrt(-4))"],
+    "QQ(x)": ["Qx", "Q(x)", "QQ( x )"],
+    "GF(2)(t)": ["GF2t", "F2t", "GF(2) (t)"],
+    "GF(4)(t)": ["GF4t", "GF(2^2)(t)"],
+    "GF(9, x^2+1)(t)": ["GF(9,x^2+1)(t)"],
+    "ZZ[a,b,c]": ["ZZ[ a, b, c ]", "Z[a,b,c]"],
+    "QQ[x,y]": ["Q[x,y]"],
+    "GF(5)[x,y]": ["GF5[x,y]"],
+}
+
+
+@pytest.mark.parametrize("name", CANONICAL)
+def test_canonical(name):
+    F = ring(name)
+    assert F.name == repr(F) == str(F) == name
+    assert ring(F) is F
+    for spelling in CANONICAL[name]:
+        assert ring(spelling) == F, spelling
+        assert hash(ring(spelling)) == hash(F)
+    assert pickle.loads(pickle.dumps(F)) == F
+
+
+def test_constructors():
+    assert GF(9) == GF("9") == GF("3^2") == GF(9, "x^2+2*x+2") == ring("GF(9)")
+    assert GF(9, "x^2+1") == ring("GF(9, x^2+1)") != GF(9)
+    assert ZZ / 6 == Zmod(6) == ring("ZZ/6")
+    assert [ring(F.name) for F in (QQ, ZZ, RR, CC, RDF)] == [QQ, ZZ, RR, CC, RDF]
+    assert ring("ZZ/7") != ring("GF(7)")
+    assert ring("ZZ/7").is_field
+    assert not ring("ZZ/6").is_field
+
+
+REFUSED = {
+    "": "empty",
+    "FOO": "known are QQ",
+    "QC": "there is no ring",
+    "GG(9)": r"did you mean GF\(9\)",
+    "qq": "did you mean QQ",
+    "GF(6)": r"6 = 2 \* 3 is no prime power.* nearest are GF\(5\) and GF\(7\)",
+    "GF(0)": "no prime power",
+    "GF(1)": r"smallest is GF\(2\)",
+    "GF(-3)": "no prime power",
+    "GF(1000000)": r"2\^6 \* 5\^6",
+    "GF(10^30)": "no prime power",
+    "GF()": "expected the number of elements",
+    "GF": "there is no ring",
+    "GF(x)": "expected the number of elements",
+    "GF(2.0)": "expected the number of elements",
+    "GF(3^-2)": "expected a prime power",
+    "GF(2^100000)": "too large",
+    "GF(2^600)": "degree 512",
+    "GF(" + "9" * 5000 + ")": "too large",
+    "GF(2^9999999999999999999)": "too large",
+    "GF(4, x^2)": r"x\^2 = \(x\)\^2 is reducible.*x\^2\+x\+1",
+    "GF(4, x^2+1)": r"\(x\+1\)\^2 is reducible",
+    "GF(25, x^2+1)": r"\(x\+2\)\*\(x\+3\)|\(x\+3\)\*\(x\+2\)",
+    "GF(4, x^3+x+1)": "needs a modulus of degree 2.*of degree 3",
+    "GF(4, 0)": "zero polynomial",
+    "GF(4, 2*x^2+x)": "of degree 1",
+    "GF(4, y^2+y+1)": "'y' means nothing",
+    "GF(4, x^2+x+1/2)": "integers",
+    "GF(4, x^-2)": "degree -2",
+    "GF(4, x^999999)": "too large",
+    "GF(4,)": "cannot be read",
+    "GF(4, x^2+)": "cannot be read",
+    "GF(5, x)": "prime field",
+    "GF(9": "closing",
+    "GF(9))": "there is no ring|brackets",
+    "GF(9]": "brackets",
+    "ZZ/0": "write ZZ",
+    "ZZ/1": "zero ring",
+    "ZZ/-6": "write ZZ/6",
+    "ZZ/x": "there is no ring",
+    "ZZ/" + "9" * 5000: "too large",
+    "QQ(sqrt(4))": "write QQ",
+    "QQ(sqrt(0))": "write QQ",
+    "QQ(sqrt(4/9))": "write QQ",
+    "QQ(sqrt(x))": "expected an integer",
+    "QQ(sqrt())": "sqrt",
+    "QQ(sqrt(2),sqrt(3))": "expected an integer",
+    "GF(3)(sqrt(2))": "QQ only",
+    "QQ(x)(y)": "rational functions",
+    "QQ(x,y)": "one variable",
+    "GF(4)(x)": "already names the generator",
+    "ZZ(x)": "rational functions are over",
+    "RR(x)": "rational functions are over",
+    "QQ(e)": "clash",
+    "QQ(i)": r"clash.*QQ\(I\)",
+    "QQ[i]": "clash",
+    "QQ[x,k]": "clash",
+    "Qj": "clash",
+    "QQ[I]": "imaginary unit",
+    "QQ[norm]": "word of the language",
+    "QQ[x,x]": "twice",
+    "QQ[]": "not the name of a variable",
+    "QQ[2]": "not the name of a variable",
+    "QQ[x+y]": "not the name of a variable",
+    "GF(4)[y]": "polynomials are over",
+    "ZZ/6[x]": "polynomials are over",
+    "QQ[x][y]": "polynomials are over",
+    "ZZ[" + ",".join(f"x{n}" for n in range(100)) + "]": "at most 64",
+    "x" * 20_000: "at most",
+    "QQ(" * 500: "closing",
+    "__import__('os')": "there is no ring|brackets|variable",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED, ids=lambda s: s[:30] or "empty")
+def test_refused(text):
+    start = time.perf_counter()
+    with pytest.raises(RingError, match=REFUSED[text]) as error:
+        ring(text)
+    assert time.perf_counter() - start < 2
+    assert len(str(error.value)) < 400
+    assert "\n" not in str(error.value)
+
+
+def str_of(value):
+    return repr(value) if not isinstance(value, int) or abs(value) < 10**9 else "large"
+
+
+@pytest.mark.parametrize(
+    "q", [6, 0, 1, -3, 10**5000, 2**5000, "x", 2.0, None, [9], "9,x"], ids=str_of
+)
+def test_field_constructor_refuses(q):
+    with pytest.raises(RingError):
+        GF(q)
+
+
+@pytest.mark.parametrize("n", [0, 1, -6, "x", 2.5, None, 10**5000, -(10**5000)], ids=str_of)
+def test_residue_constructor_refuses(n):
+    with pytest.raises(RingError):
+        Zmod(n)
+
+
+@pytest.mark.parametrize("spec", [None, 7, ["QQ"], b"QQ"])
+def test_only_texts_name_rings(spec):
+    with pytest.raises(RingError, match="not the name of a ring"):
+        ring(spec)
+
+
+def test_large_primes_are_quick():
+    start = time.perf_counter()
+    p = 10**100 + 267
+    F = GF(p)
+    x = F(3)
+    assert x * F.inverse(x) == 1
+    assert sum((y * y for y in F.minus_one_as_squares()), F.one) == 0
+    assert time.perf_counter() - start < 1
+
+
+MIXED = ("GF(4)", "GF(8)", "GF(9)", "GF(9, x^2+1)", "GF(9, x^2+x+2)", "GF(25)", "QQ(sqrt(2))",
+         "QQ(sqrt(3))", "QQ(x)", "QQ(t)", "GF(2)(t)", "GF(4)(t)", "ZZ[a,b]", "ZZ[b,a]", "QQ[a,b]",
+         "GF(5)[a,b]", "GF(7)[a,b]")  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MIXED)
+def test_elements_of_other_rings_are_refused(name):
+    F = ring(name)
+    for other in MIXED:
+        if other == name or other == f"{name[:5]}" or F.name.startswith(other + "("):
+            continue
+        with pytest.raises(CoercionError) as error:
+            F(ring(other).gen)
+        assert name in str(error.value)
+
+
+def test_both_fields_are_named():
+    with pytest.raises(CoercionError, match=r"x of GF\(4\) is not an element of GF\(8\)"):
+        GF(8)(GF(4).gen)
+    with pytest.raises(
+        CoercionError, match=r"GF\(9\), with another modulus.*not an element of GF\(9\)"
+    ):
+        GF(9)(GF(9, "x^2+1").gen)
+    with pytest.raises(CoercionError, match=r"1 of GF\(5\) is not an element of GF\(7\)"):
+        GF(7)(GF(5)(1))
+    with pytest.raises(CoercionError, match=r"GF\(5\)"):
+        GF(25)(GF(5)(1))
+    with pytest.raises(CoercionError, match=r"QQ\(t\) is not an element of QQ\(x\)"):
+        ring("QQ(x)")(ring("QQ(t)").gen)
+
+
+def test_subrings_enter():
+    assert ring("QQ(sqrt(2))")(QQ("1/2")) == ring("QQ(sqrt(2))")("1/2")
+    assert ring("GF(4)(t)")(GF(4).gen) == ring("GF(4)(t)")("x")
+    assert ring("QQ(x)")(QQ("1/2")) * 2 == 1
+    assert ring("QQ[x,y]")(QQ("1/2")) * 2 == 1
+    assert RR(ring("QQ(sqrt(2))").gen) ** 2 == 2
+    assert CC(RR("sqrt(2)")) == RR("sqrt(2)")
+    assert QQ(ZZ(3)) == 3
+
+
+def test_denominators_that_vanish():
+    for name in ("GF(2)", "GF(4)", "ZZ/6", "GF(2)(t)", "GF(4)(t)"):
+        with pytest.raises(HFieldError, match=r"1/2|denominator|divide"):
+            ring(name)("1/2")
+    from fractions import Fraction
+
+    with pytest.raises(
+        ZeroDivisionError, match=r"1/2 is not an element of GF\(4\): .* characteristic is 2"
+    ):
+        GF(4)(Fraction(1, 2))
+    with pytest.raises(CoercionError, match="1/2 is not an integer"):
+        ZZ(Fraction(1, 2))
