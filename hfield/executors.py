@@ -8,14 +8,21 @@ these are passed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from concurrent.futures import (
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    as_completed,
+)
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar
 
 from hfield.errors import HFieldError
 
 P = ParamSpec("P")
+A = TypeVar("A")
 T = TypeVar("T")
 
 
@@ -24,10 +31,10 @@ class ExecutorError(HFieldError, RuntimeError):
 
 
 class InProcess(Executor):
-    """Computes in this process: ``map`` one piece at a time, as its results are asked for."""
+    """Computes in this process, at once: a future that it returns is done."""
 
     def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
-        """Compute at once; the future is done, or holds the exception."""
+        """Compute; the future holds the result or the exception."""
         future: Future[T] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
@@ -35,9 +42,20 @@ class InProcess(Executor):
             future.set_exception(error)
         return future
 
-    def map(self, fn: Callable[..., T], *iterables: Iterable[Any], **_: Any) -> Iterator[T]:
-        """Compute the pieces lazily, so that progress can be shown between them."""
-        return map(fn, *iterables)
+
+def unordered(
+    executor: Executor, function: Callable[[A], T], tasks: Iterable[A]
+) -> Iterator[tuple[int, T]]:
+    """Yield the number of each task with its result, as they are finished."""
+    waiting: dict[Future[T], int] = {}
+    for n, task in enumerate(tasks):
+        future = executor.submit(function, task)
+        if future.done():
+            yield n, future.result()
+        else:
+            waiting[future] = n
+    for future in as_completed(waiting):
+        yield waiting[future], future.result()
 
 
 @contextmanager
@@ -68,9 +86,10 @@ def _processes(jobs: int) -> Iterator[Executor]:
     try:
         yield pool
     except BaseException as error:
+        # Not by cancelling: the pool trips over futures that are cancelled when its workers end.
         for process in set(multiprocessing.active_children()) - before:
             process.terminate()
-        pool.shutdown(wait=False, cancel_futures=True)
+        pool.shutdown()
         if isinstance(error, BrokenExecutor):
             raise ExecutorError(
                 "a worker process ended abruptly, perhaps for want of memory; try fewer --jobs"

@@ -6,15 +6,27 @@ import os
 
 import pytest
 
-from hfield.executors import ExecutorError, InProcess, open_executor
+from hfield.executors import ExecutorError, InProcess, open_executor, unordered
 
 
-def test_in_process_is_lazy_and_keeps_order():
+def test_in_process_goes_on_only_as_results_are_taken():
     done = []
-    values = InProcess().map(lambda x: done.append(x) or x * x, range(5))
-    assert next(values) == 0
+    values = unordered(InProcess(), lambda x: done.append(x) or x * x, range(5))
+    assert next(values) == (0, 0)
     assert done == [0]
-    assert list(values) == [1, 4, 9, 16]
+    assert list(values) == [(1, 1), (2, 4), (3, 9), (4, 16)]
+
+
+def test_the_first_exception_stops_the_work():
+    done = []
+
+    def work(x):
+        done.append(x)
+        return 1 // (2 - x)
+
+    with pytest.raises(ZeroDivisionError):
+        list(unordered(InProcess(), work, range(9)))
+    assert done == [0, 1, 2]
 
 
 def test_in_process_futures():
@@ -26,17 +38,20 @@ def test_in_process_futures():
 
 def test_one_job_needs_no_process():
     with open_executor() as executor:
-        assert list(executor.map(lambda _: os.getpid(), range(2))) == [os.getpid()] * 2
+        assert dict(unordered(executor, lambda _: os.getpid(), "ab")) == {
+            0: os.getpid(),
+            1: os.getpid(),
+        }
 
 
 def test_processes():
     with open_executor(jobs=2) as executor:
-        assert list(executor.map(abs, [-1, 2, -3])) == [1, 2, 3]
+        assert dict(unordered(executor, abs, [-1, 2, -3])) == {0: 1, 1: 2, 2: 3}
 
 
 def test_a_worker_that_dies_is_told():
     with pytest.raises(ExecutorError, match="ended abruptly"), open_executor(jobs=2) as executor:
-        list(executor.map(os._exit, [1]))
+        list(unordered(executor, os._exit, [1, 1, 1]))
 
 
 def test_an_interrupt_ends_the_workers():
@@ -47,7 +62,7 @@ def test_an_interrupt_ends_the_workers():
     def interrupted():
         before = set(multiprocessing.active_children())
         with open_executor(jobs=2) as executor:
-            list(executor.map(abs, [-1, 2]))
+            list(unordered(executor, abs, [-1, 2]))
             workers.update(set(multiprocessing.active_children()) - before)
             raise KeyboardInterrupt
 

@@ -71,7 +71,7 @@ def _failures(world: RingInterpretation, statement: Statement, F: Ring) -> Itera
                 yield f"{shown} is not defined"
             else:
                 (left, x), (right, y) = sides
-                yield _chain(left, x, "≠" if node.op == "==" else "=", y, right)
+                yield _chain(left, x, node.op == "!=", y, right)
 
 
 def _side(world: RingInterpretation, node: Node, F: Ring) -> tuple[str, str]:
@@ -82,7 +82,9 @@ def _side(world: RingInterpretation, node: Node, F: Ring) -> tuple[str, str]:
     return to_unicode(node), element_text(F, world.embed(value), "unicode")
 
 
-def _chain(left: str, x: str, sign: str, y: str, right: str) -> str:
-    start = x if left == x else f"{left} = {x}"
-    end = y if right in (y, "e") else f"{y} = {right}"
-    return f"{start} {sign} {end}"
+def _chain(left: str, x: str, equal: bool, y: str, right: str) -> str:
+    """Join two terms and their values, each text once: ``p·q = k ≠ −k = q·p``."""
+    if equal:
+        return " = ".join(dict.fromkeys((left, x, right)))
+    right = y if right == "e" else right
+    return " ≠ ".join(" = ".join(dict.fromkeys(side)) for side in ((left, x), (y, right)))

@@ -7,6 +7,7 @@ from concurrent.futures import Executor
 from itertools import groupby
 
 from hfield.errors import HFieldError
+from hfield.executors import unordered
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide, find
 from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
 
@@ -27,7 +28,8 @@ def decide_rows(
     chunks = _chunks(pieces)
     tasks = [(field, tuple(pieces[n][0].id for n in indices)) for field, indices in chunks]
     decided: dict[int, Verdicts] = {}
-    for (field, indices), verdicts in zip(chunks, executor.map(_decide_chunk, tasks), strict=True):
+    for number, verdicts in unordered(executor, _decide_chunk, tasks):
+        field, indices = chunks[number]
         decided.update(zip(indices, verdicts, strict=True))
         if progress:
             progress(len(decided), len(pieces), field)

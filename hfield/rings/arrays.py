@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from hfield.errors import CoercionError
+
 
 class Objects(np.ndarray[Any, np.dtype[Any]]):
     """An object array whose entries are ring elements; arithmetic is elementwise."""
@@ -25,17 +27,29 @@ class Objects(np.ndarray[Any, np.dtype[Any]]):
 
 
 def objects(values: Any, convert: Callable[[Any], Any]) -> Objects:
-    """Return an array of ``convert(x)`` for each x; lists, tuples and arrays nest, all else is one x."""
-    if isinstance(values, np.ndarray):
-        source = values
-    elif isinstance(values, (list, tuple)):
-        source = _from_nested(values)
-    else:
-        source = wrap(values)
-    out = np.empty(source.shape, dtype=object)
-    for index in np.ndindex(*source.shape):
-        out[index] = convert(source[index])
-    return out.view(Objects)
+    """Return an array of ``convert(x)`` for each x; lists, tuples and arrays nest, all else is one x.
+
+    Raises :class:`CoercionError` where the parts of a list differ in shape.
+    """
+    return _converted(values, convert).view(Objects)
+
+
+def _converted(values: Any, convert: Callable[[Any], Any]) -> np.ndarray[Any, np.dtype[Any]]:
+    if isinstance(values, (list, tuple)):
+        parts = [_converted(x, convert) for x in values]
+        shapes = sorted({x.shape for x in parts})
+        if len(shapes) > 1:
+            shown = ", ".join(map(str, shapes))
+            raise CoercionError(
+                f"a list with parts of the shapes {shown}; expected one shape for all"
+            )
+        return np.stack(parts) if parts else np.empty((0,), dtype=object)
+    if isinstance(values, np.ndarray) and values.ndim:
+        out = np.empty(values.shape, dtype=object)
+        for index in np.ndindex(*values.shape):
+            out[index] = convert(values[index])
+        return out
+    return wrap(convert(values))
 
 
 def wrap(x: Any) -> np.ndarray[Any, np.dtype[Any]]:
@@ -43,19 +57,6 @@ def wrap(x: Any) -> np.ndarray[Any, np.dtype[Any]]:
     out = np.empty((), dtype=object)
     out[()] = x
     return out
-
-
-def _from_nested(values: Any) -> np.ndarray[Any, np.dtype[Any]]:
-    """Like np.array(values, dtype=object), but never looking into what is not a list or an array."""
-    parts = []
-    for x in values:
-        if isinstance(x, np.ndarray):
-            parts.append(x.astype(object) if not isinstance(x, Objects) else x.view(np.ndarray))
-        else:
-            parts.append(_from_nested(x) if isinstance(x, (list, tuple)) else wrap(x))
-    if not parts:
-        return np.empty((0,), dtype=object)
-    return np.stack(parts)
 
 
 def _plain(x: Any) -> Any:

@@ -47,7 +47,7 @@ def array(F: Any, values: Any) -> Any:
     """
     cls = field_class(F)
     if cls is None:
-        return objects(_entries(values), F)
+        return objects(values, F)
     if hasattr(type(values), "irreducible_poly"):
         _check(F, values)
         return (
@@ -63,19 +63,9 @@ def array(F: Any, values: Any) -> Any:
             )
         wide = values if values.dtype == np.uint64 else values.astype(np.int64)
         return (wide % wide.dtype.type(F.characteristic)).astype(cls.dtypes[0]).view(cls)
-    elements = objects(_entries(values), F)
+    elements = objects(values, F)
     labels = [F.label(elements[n]) for n in np.ndindex(*elements.shape)]
     return np.array(labels, dtype=cls.dtypes[0]).reshape(elements.shape).view(cls)
-
-
-def _entries(values: Any) -> Any:
-    """Turn a galois array into nested lists of its scalars, which F takes one by one."""
-    if hasattr(type(values), "irreducible_poly"):
-        out = np.empty(values.shape, dtype=object)
-        for n in np.ndindex(*values.shape):
-            out[n] = values[n]
-        return out
-    return values
 
 
 def _check(F: Any, values: Any) -> None:

@@ -190,7 +190,7 @@ def test_the_smallest_witness_tells():
 
 def test_without_a_witness_the_last_step_is_shown():
     (erratum,) = errata([row("QQ", "refuted", claim(), None, steps=("first", "  N(q) = 2"))])
-    assert erratum.lines[-1] == ("shown by", "N(q) = 2")
+    assert erratum.lines[-1] == ("there", "N(q) = 2")
 
 
 def test_a_correction_that_holds_wherever_it_is_needed():

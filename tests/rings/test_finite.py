@@ -16,7 +16,9 @@ def theirs(F):
     """The class of galois for F, made by its own means."""
     if F.degree == 1:
         return galois.GF(F.order)
-    return galois.GF(F.order, irreducible_poly=F.modulus) if not F.is_default else galois.GF(F.order)
+    if F.is_default:
+        return galois.GF(F.order)
+    return galois.GF(F.order, irreducible_poly=F.modulus, primitive_element="x+1", verify=False)
 
 
 @pytest.mark.parametrize("name", FIELDS)
@@ -53,7 +55,7 @@ def test_arrays_are_those_of_galois(name):
 
 
 def test_the_default_modulus_is_conways():
-    for p, n in [(2, 2), (2, 8), (2, 16), (3, 2), (3, 6), (5, 3), (7, 2), (11, 4), (101, 2), (997, 3)]:
+    for p, n in [(2, 2), (2, 8), (2, 16), (3, 2), (3, 6), (7, 2), (7, 5)]:
         F = GF(p**n)
         assert F.coefficients == [int(c) for c in galois.conway_poly(p, n).coeffs][::-1]
         assert F.modulus_origin == "Conway"
@@ -76,7 +78,9 @@ def test_integers_are_multiples_of_one_not_labels():
     assert np.asarray(F.array([galois.GF(4)(2), 2, "x", F.gen])).tolist() == [2, 0, 2, 2]
     assert np.asarray(GF(257).array(np.array([255, 3], dtype=np.uint8))).tolist() == [255, 3]
     assert np.asarray(GF(7).array(np.array([-1, 8], dtype=np.int8))).tolist() == [6, 1]
-    assert np.asarray(GF(7).array(np.array([2**64 - 1], dtype=np.uint64))).tolist() == [(2**64 - 1) % 7]
+    assert np.asarray(GF(7).array(np.array([2**64 - 1], dtype=np.uint64))).tolist() == [
+        (2**64 - 1) % 7
+    ]
     assert np.asarray(GF(7).array(np.array([True, False]))).tolist() == [1, 0]
 
 
@@ -92,7 +96,7 @@ def test_arrays_of_other_fields_and_kinds_are_refused():
         GF(9).array([0.5])
     with pytest.raises(CoercionError, match="not one element"):
         GF(7)(galois.GF(7)([1, 2]))
-    with pytest.raises(CoercionError, match="one shape|ragged"):
+    with pytest.raises(CoercionError, match="one shape"):
         GF(7).array([[1, 2], [3]])
     with pytest.raises(CoercionError):
         ring("QQ").array(galois.GF(7)([1, 2]))
@@ -105,6 +109,7 @@ def test_large_fields_have_object_arrays():
         F = ring(name)
         a = F.array([1, "-1", F.random(Random(1))])
         assert (a * F.array_inverse(a) == F.array(1)).all()
+        assert F.array([[1, 2], [3, 4]]).shape == (2, 2)
         assert F.array_units(F.array([0, 1])).tolist() == [False, True]
 
 
@@ -150,7 +155,11 @@ def test_levels_of_large_residue_rings_are_not_known():
 
 
 def test_elements_are_lazy():
-    for name in ("GF(100000000000000000039)", "GF(100000000000000000039^2)", "ZZ/100000000000000000041"):
+    for name in (
+        "GF(100000000000000000039)",
+        "GF(100000000000000000039^2)",
+        "ZZ/100000000000000000041",
+    ):
         elements = ring(name).elements()
         assert [next(elements) for _ in range(3)] == [0, 1, 2] or "^2" in name
 

@@ -24,18 +24,11 @@ def associate(triples: list[Triple]) -> str:
     return " and ".join(f"({x}*{y})*{z} == {x}*({y}*{z})" for x, y, z in triples)
 
 
-def spoil(statement: str) -> str:
-    """Swap two factors on the right of the last equation."""
-    head, _, last = statement.rpartition(" == ")
-    x, y, z = (letter for letter in last if letter.isalpha())
-    return f"{head} == {x}*({z}*{y})"
-
-
 def triples_claim(number: str, name: str, words: str, printed: str, triples: list[Triple]) -> Claim:
-    """Return a claim that f = g on the triples given."""
+    """Return a claim that f = g on the triples given; its twin has one sign changed."""
     text = associate(triples)
-    twin = text.replace(" == ", " == -1*", 1) if name == "triples-equal" else spoil(text)
-    return Claim(number, name, "proof", words, printed, Statement(text), spoilt=Statement(twin))
+    spoilt = text.replace(" == ", " == -1*", 1)
+    return Claim(number, name, "proof", words, printed, Statement(text), spoilt=Statement(spoilt))
 
 
 WITH_E = [t for t in tuples("eijk", repeat=3) if "e" in t]
