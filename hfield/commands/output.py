@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import stat
 import sys
 import unicodedata
@@ -22,7 +23,8 @@ _PLAIN |= {"ℤ": "ZZ", "⇒": "=>", "⇔": "<=>", "≠": "!=", "∀": "all", "�
 _PLAIN |= {"∅": "o", "✓": "+", "✗": "x", "‖": "||", "∘": ".", "∧": "and", "∨": "or", "¬": "not "}
 _PLAIN |= {"“": '"', "”": '"', "–": "-", "—": "-", "ł": "l", "Ł": "L", "α": "alpha", "Σ": "Sum"}
 _PLAIN |= {"θ": "theta", "†": "+", "│": "|", "─": "-", "┼": "+", "→": "->", "≥": ">=", "∞": "oo"}
-_PLAIN |= {"⁻": "^-"}
+_PLAIN |= {"\u0304": "'"}  # q̄ becomes q'
+_POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 class OutputError(HFieldError, OSError):
@@ -111,7 +113,8 @@ def encodable(text: str, stream: TextIO) -> str:
     """Return the text with what the stream cannot encode written in plain letters."""
     if _encodes(text, stream):
         return text
-    plain = "".join(_PLAIN.get(char, char) for char in text)
+    plain = re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda m: "^" + m[0].translate(_POWERS), text)
+    plain = "".join(_PLAIN.get(char, char) for char in plain)
     plain = unicodedata.normalize("NFKD", plain)
     plain = "".join(char for char in plain if not unicodedata.combining(char))
     encoding = stream.encoding or "ascii"

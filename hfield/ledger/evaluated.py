@@ -11,13 +11,13 @@ from hfield.notation import element_text
 from hfield.proving.interpret import RingInterpretation, bind
 from hfield.proving.language import Statement, read_statement, walk
 from hfield.proving.printing import to_unicode
-from hfield.proving.search import too_heavy
 from hfield.proving.setting import read_setting
 from hfield.rings import ring
 from hfield.rings.base import Ring
-from hfield.syntax import Compare, Node
+from hfield.syntax import Compare, Node, weight
 
 MOST_LINES = 3
+MOST_WEIGHT = 2_000
 
 
 def evaluated(
@@ -38,7 +38,7 @@ def evaluated(
         F = ring(name)
         setting = read_setting(F, algebra)
         read = read_statement(text, F, (), setting.letters, setting.constants)
-        if read.exists or too_heavy(read):
+        if read.exists or weight(read.node) > MOST_WEIGHT:
             return []
         return list(_failures(_world(read, setting.constants, F, witness), read, F))[:MOST_LINES]
     except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has

@@ -8,12 +8,12 @@ from hfield.proving.decision import Decision
 from hfield.proving.presentation import decide_presentation
 from hfield.rings.base import Ring
 
-RELATIONS = ("i*i + e", "j*j + e", "k*k + e", "i*j*k + e")
+RELATIONS = ("i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e")
 
 
 @dataclass(frozen=True)
 class Presented:
-    """Each of ``goals`` vanishes in every associative algebra in which the relations hold.
+    """Each of ``goals`` holds in every associative algebra in which the relations hold.
 
     With ``identity`` e is the identity of the algebra, else just another letter.
     """
@@ -23,9 +23,9 @@ class Presented:
 
     @property
     def text(self) -> str:
-        """The goals as equations."""
+        """The relations and the goals as one writes them."""
         unit = "with identity e" if self.identity else "with basis (e,i,j,k)"
-        goals = ", ".join(f"{goal} = 0" for goal in self.goals)
+        goals = ", ".join(self.goals).replace("*", "").replace("==", "=").replace("-", "−")
         return f"in an associative algebra {unit}, i² = j² = k² = ijk = −e ⇒ {goals}"
 
     def decide(self, field: Ring | None) -> Decision:

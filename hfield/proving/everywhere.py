@@ -11,6 +11,7 @@ from hfield.proving.implication import Proof, prove_clauses
 from hfield.proving.language import Statement
 from hfield.proving.search import prime_search
 from hfield.proving.setting import Setting
+from hfield.proving.vanish import prime_factors
 from hfield.rings import ring
 
 # Where a counterexample is looked for, in this order.
@@ -77,7 +78,10 @@ def _proof(statement: Statement, setting: Setting, deadline: float) -> Decision 
     if not general.complete:
         return None
     parts = [general]
-    for p in _primes(general.denominator):
+    primes = prime_factors(abs(general.denominator))
+    if primes is None:
+        return None
+    for p in primes:
         special = prove_clauses(statement, setting, p, deadline)
         if not special.complete:
             return None
@@ -85,12 +89,6 @@ def _proof(statement: Statement, setting: Setting, deadline: float) -> Decision 
     whole = Proof(tuple(item for part in parts for item in part.items), 0, True, False)
     decision = named.implied(whole, statement, setting)
     return decision if len(parts) == 1 else replace(decision, scope=FIELDS)
-
-
-def _primes(n: int) -> list[int]:
-    from flint import fmpz
-
-    return [int(p) for p, _ in fmpz(abs(n)).factor()]
 
 
 def counterexample(statement: Statement, setting: Setting, deadline: float) -> Decision | None:

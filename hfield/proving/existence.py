@@ -1,6 +1,6 @@
 """Statements that something exists, and hypotheses that nothing satisfies."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import islice, product
 from time import monotonic
@@ -30,7 +30,7 @@ from hfield.proving.search import (
 from hfield.proving.setting import Setting
 from hfield.proving.substitute import quaternion_node, substitute
 from hfield.rings import ring
-from hfield.syntax import Logic, Node, Not, parse
+from hfield.syntax import Logic, Node, Not, Number, parse
 
 Decide = Callable[[Statement, Setting, float], Decision]
 FEW, MANY = 400, 20_000
@@ -173,17 +173,28 @@ def _for_all_exists(
     decision = _by_terms(statement, setting, deadline, decide_one)
     if decision is not None:
         return decision
+    found = _at_zero(statement, setting, deadline, decide_one)
+    if found is not None:
+        decision = _by_terms(statement, setting, deadline, decide_one, [found])
+        if decision is not None:
+            return decision
     return _by_places(statement, setting, deadline, decide_one)
 
 
 def _by_terms(
-    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+    statement: Statement,
+    setting: Setting,
+    deadline: float,
+    decide_one: Decide,
+    choices: Iterable[tuple[str, ...]] | None = None,
 ) -> Decision | None:
     """Prove by a term in the given unknowns for each one that is said to exist."""
     free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
-    choices = [_terms(free, dict(statement.unknowns)[name]) for name in statement.exists]
+    if choices is None:
+        kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
+        choices = islice(product(*kinds), MAX_TERMS)
     node = matrix(statement)
-    for terms in islice(product(*choices), MAX_TERMS):
+    for terms in choices:
         if monotonic() > deadline:
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
@@ -202,17 +213,29 @@ def _by_terms(
                 "proof": decision.evidence,
             }
             shown = ", ".join(f"{name} = {term}" for name, term in named_terms.items())
-            witness = {n: [t] for n, t in named_terms.items()} if free else None
+            terms_found = {n: [t] for n, t in named_terms.items()} if free else None
             scope = FIELDS if setting.field is None else FIELD
             return replace(
                 decision,
                 method="witness",
-                witness=witness,
+                witness=terms_found,
                 scope=scope,
                 steps=(f"take {shown}", *decision.steps),
                 evidence=evidence,
             )
     return None
+
+
+def _at_zero(
+    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+) -> tuple[str, ...] | None:
+    """Return what exists when all that is given is 0: it may serve everywhere."""
+    free = [name for name, _ in statement.unknowns if name not in statement.exists]
+    node = substitute(matrix(statement), {name: Number(0) for name in free})
+    one = _exists(about(statement, node, statement.exists), setting, deadline, decide_one)
+    if one.verdict != PROVED or one.witness is None:
+        return None
+    return tuple(to_text(quaternion_node(one.witness[name])) for name in statement.exists)
 
 
 def _terms(free: dict[str, Sort], sort: Sort) -> list[str]:
@@ -269,6 +292,6 @@ def _by_places(
         count += 1
     if finite and monotonic() < deadline:
         steps = (f"there is one for each of the {count} values of what is given",)
-        counted = {"kind": "exhaustion", "cases": count}
+        counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
         return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
     return Decision(UNDECIDED, "none", tried=("terms in the unknowns", f"{count} places"))

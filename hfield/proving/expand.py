@@ -19,7 +19,7 @@ from hfield.proving.interpret import Interpretation, Value, bind
 from hfield.proving.language import Sort, Statement
 from hfield.syntax import weight
 
-MAX_WORK = 20_000_000  # products of terms, about a second
+MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
 
 

@@ -15,14 +15,14 @@ from hfield.product import Constants
 from hfield.proving.setting import Setting
 from hfield.rings.base import INFINITY, Ring
 
-NORM, SQUARES = "norm", "squares"
+NORM, SQUARES, ROOTS = "norm", "squares", "roots"
 
 
 @dataclass(frozen=True)
 class Rule:
     """A form of which 0 is the only zero: the norm, or any sum of up to ``most`` squares.
 
-    ``positive`` tells that the squares may have positive rational coefficients, as in an ordered
+    Or, with the form ``roots``, that roots in the field are told by factoring. ``positive`` tells that the squares may have positive rational coefficients, as in an ordered
     field. ``reason`` is for people, ``assumes`` what it cites.
     """
 
@@ -33,6 +33,8 @@ class Rule:
     assumes: tuple[str, ...] = ()
 
     def __str__(self) -> str:
+        if self.form == ROOTS:
+            return self.reason
         what = "the norm" if self.form == NORM else "a sum of squares"
         return f"{what} is 0 only if all its terms are ({self.reason})"
 
@@ -57,6 +59,8 @@ def rules(setting: Setting) -> tuple[Rule, ...]:
         found = _norm_rule(field, structure_constants(setting))
         if found is not None:
             out.append(found)
+    if field.name == "QQ":
+        out.append(Rule(ROOTS, "a rational root of an integer polynomial is a linear factor of it"))
     level = field.level
     if field.characteristic == 2 or level.value is None or level.value < 2:
         return tuple(out)

@@ -23,7 +23,7 @@ from hfield.proving.refutation import Problem, member, polynomial_text, refute
 from hfield.proving.setting import Setting
 from hfield.proving.vanish import vanishes
 from hfield.rings.base import Ring
-from hfield.syntax import Binary, Call, Name, Power
+from hfield.syntax import Binary, Call, Compare, Name, Power
 
 MAX_CHOICES = 64
 MAX_QUATERNIONS = 24
@@ -191,6 +191,7 @@ def _clause(
     relations = _relations(x, field)
     problem = _problem(x, characteristic, (*zeros, *relations), (), ())
     texts = [polynomial_text(z, x.variables) for z in zeros]
+    known = [polynomial_text(r, x.variables) for r in relations]
     for goal in clause.goals or ((x.context.constant(1),),):
         targets = [g for g in goal if not zero(g)]
         found = member(problem, targets, deadline)
@@ -200,6 +201,7 @@ def _clause(
                     {
                         "characteristic": characteristic,
                         "zero": texts,
+                        "relations": known,
                         "member": polynomial_text(t, x.variables),
                         "cofactors": [polynomial_text(f, x.variables) for f in c.factors],
                         "denominator": c.denominator,
@@ -222,6 +224,7 @@ def _clause(
         evidence: dict[str, Any] = {
             "characteristic": characteristic,
             "zero": texts,
+            "relations": known,
             "nonzero": [polynomial_text(g, x.variables) for g in choice],
             "steps": [dict(step) for step in refutation.steps],
         }
@@ -266,9 +269,12 @@ def _quaternions(
     found: dict[str, tuple[tuple[Any, ...], Any]] = {}
     nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
     for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
-        if not isinstance(node, Name | Binary | Power | Call):
+        if isinstance(node, Compare):  # the factors of a product are often compared with 0
+            q, _ = world.term(Binary("-", node.left, node.right))
+        elif isinstance(node, Name | Binary | Power | Call):
+            q, _ = world.term(node)
+        else:
             continue
-        q, _ = world.term(node)
         if not isinstance(q, tuple) or len(found) >= MAX_QUATERNIONS:
             continue
         for part in (q, (world.zero, *q[1:])):

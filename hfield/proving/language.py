@@ -32,7 +32,7 @@ from hfield.syntax import (
 QUATERNIONS = frozenset("pqruvw")
 SCALARS = frozenset("styxz")
 BASIS = ("e", "i", "j", "k")
-MAX_TREE_DEPTH = 450
+MAX_TREE_DEPTH = 200
 
 
 class Sort(Enum):

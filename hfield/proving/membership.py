@@ -15,6 +15,7 @@ from flint import Ordering, fmpz_mpoly_ctx
 from hfield.errors import TooLargeError
 from hfield.proving.groebner import Basis, History, Polynomial
 
+MAX_CHECK = 5_000_000  # products of terms that a verification may take
 LARGE_PRIMES = (2**61 - 1, 2**127 - 1)
 
 
@@ -35,6 +36,7 @@ class Ideal:
         names = [f"v{n}" for n in range(variables)]
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
         self.generators: list[Any] = []
+        self.deadline = float("inf")
 
     def lift(self, polynomial: Any) -> Any:
         """Bring a polynomial in the first few of the variables into this context."""
@@ -55,6 +57,7 @@ class Ideal:
 
     def run(self, deadline: float, steps: int) -> bool:
         """Let the basis grow; tell whether it is complete."""
+        self.deadline = deadline
         return self.basis.run(deadline, steps)
 
     @property
@@ -63,8 +66,11 @@ class Ideal:
         return self.basis.has_one
 
     def cofactors(self, target: Any) -> Cofactors | None:
-        """Return cofactors for ``target`` if it reduces to 0 by the basis so far, else None."""
-        rest, history = self.basis.reduce(self._reduced(target))
+        """Return cofactors for ``target`` if it reduces to 0 by the basis so far, else None.
+
+        Raises :class:`TooLargeError` when the time of the last run is over.
+        """
+        rest, history = self.basis.reduce(self._reduced(target), self.deadline)
         if rest:
             return None
         negative = [(n, m, self.basis.p - c) for n, m, c in history]
@@ -107,6 +113,8 @@ class Ideal:
             for part in parts
             if part
         )
+        if sum(len(f) * len(g) for f, g in zip(factors, self.generators, strict=True)) > MAX_CHECK:
+            return None
         total = self.context.constant(0) - common * target
         for f, g in zip(factors, self.generators, strict=True):
             total += f * g

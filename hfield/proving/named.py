@@ -25,6 +25,7 @@ from hfield.proving.language import Statement
 from hfield.proving.search import (
     Assignment,
     Searcher,
+    letters_in,
     prime_search,
     ring_search,
     witness_texts,
@@ -147,6 +148,7 @@ def _refuted_identity(
 ) -> Decision:
     field = setting.field
     assert field is not None
+    letters = letters_in(statement, setting.constants)
     found = _look(statement, setting, FEW, deadline)
     if found is None:
         for c in left:
@@ -154,7 +156,7 @@ def _refuted_identity(
                 goals = [
                     next(p for p in g if not vanishes_as_function(p, x, field)) for g in c.goals
                 ]
-                found = nonzero_place(statement, x, goals, field)
+                found = nonzero_place(statement, x, goals, field, letters)
                 if found is not None:
                     break
     if found is None:
@@ -233,9 +235,10 @@ def _solve(
     """Look for a counterexample by solving the hypotheses, and test it in the statement itself."""
     field = setting.field
     assert field is not None
+    letters = letters_in(statement, setting.constants)
     test = Searcher(statement, setting.constants, RingInterpretation(field), deadline).test
     for clause in left:
-        found = solve(statement, x, clause, field, min(deadline, monotonic() + SHORT))
+        found = solve(statement, x, clause, field, letters, min(deadline, monotonic() + SHORT))
         if found is not None and test(found):
             return found
     return None

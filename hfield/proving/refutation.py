@@ -12,13 +12,14 @@ from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError
-from hfield.proving.facts import NORM, Rule
+from hfield.proving.facts import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.membership import LARGE_PRIMES, Cofactors, Ideal
 
 SLICE = 150  # pairs between two looks at the rules
 MAX_ELEMENTS = 400
 MAX_CASES = 3  # how deep case distinctions nest
 MAX_FACTORED = 60  # terms of a polynomial that is still factored
+MAX_DEGREE = 16
 
 Step = Mapping[str, Any]
 
@@ -120,6 +121,8 @@ class _Search:
                 return found is not None
             if self.rules and (self._norm(ideal) or self._squares(ideal)):
                 continue
+            if self._rootless(ideal):
+                return True
             if monotonic() > self.deadline or len(ideal.basis.leads) > MAX_ELEMENTS:
                 self.complete = False
                 return False
@@ -146,7 +149,7 @@ class _Search:
         return True
 
     def _norm(self, ideal: Ideal) -> bool:
-        rule = next((r for r in self.rules if r.form == NORM), None)
+        rule = self._rule(NORM)
         if rule is None:
             return False
         for q, norm in self.problem.quaternions:
@@ -156,7 +159,7 @@ class _Search:
         return False
 
     def _squares(self, ideal: Ideal) -> bool:
-        rule = next((r for r in self.rules if r.form != NORM), None)
+        rule = self._rule(SQUARES)
         if rule is None:
             return False
         candidates = [*ideal.generators, *(f for f, _ in ideal.elements())]
@@ -171,12 +174,34 @@ class _Search:
                 return True
         return False
 
+    def _rule(self, form: str) -> Rule | None:
+        return next((r for r in self.rules if r.form == form), None)
+
+    def _rootless(self, ideal: Ideal) -> bool:
+        """Find a polynomial in one variable that has no root in the field."""
+        if self._rule(ROOTS) is None:
+            return False
+        for f in [*ideal.generators, *(f for f, _ in ideal.elements())]:
+            degrees = [int(d) for d in f.degrees()]
+            if sum(map(bool, degrees)) != 1 or not 2 <= max(degrees) <= MAX_DEGREE:
+                continue
+            if any(g.total_degree() == 1 for g, _ in f.factor()[1]):
+                continue
+            found = ideal.cofactors(f)
+            if found is not None:
+                self.used[ROOTS] = None
+                self._step({"step": "no root", "polynomial": self.text(f)}, found)
+                return True
+        return False
+
     def _cases(self, ideal: Ideal, depth: int) -> bool:
         """Split a product that is 0 into its factors."""
         elements = [f for f, _ in ideal.elements()]
         for f in sorted([*ideal.generators, *elements], key=len):
-            if len(f) < 2 or len(f) > MAX_FACTORED or monotonic() > self.deadline:
+            if not 2 <= len(f) <= MAX_FACTORED or f.total_degree() > MAX_DEGREE:
                 continue
+            if monotonic() > self.deadline:
+                return False
             _, powers = f.factor_squarefree() if len(f) > 20 else f.factor()
             factors = [g for g, _ in powers]
             if len(factors) < 2 or len(factors) > 4:

@@ -4,14 +4,15 @@ Small values come first, so that the witness found is one that people can check 
 prime field on Python's numbers, then small elements of the field, zero divisors among them.
 """
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import islice
 from time import monotonic
 from typing import Any
 
-from hfield.errors import HFieldError, UndecidedError
-from hfield.product import Constants, conjugate
+from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
+from hfield.product import Constants, conjugate, multiply, trace
 from hfield.proving.interpret import (
     Interpretation,
     PrimeInterpretation,
@@ -24,7 +25,7 @@ from hfield.rings.base import Ring
 from hfield.syntax import weight
 
 Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
-MAX_EVALUATION = 20_000
+MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
 
 
 def holds(world: Interpretation, statement: Statement) -> bool:
@@ -62,28 +63,48 @@ class Searcher:
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
         """Return the first assignment with the wanted truth value, before the deadline."""
-        for n, assignment in enumerate(assignments):
-            if n % 16 == 15 and monotonic() > self.deadline:
+        for assignment in assignments:
+            if monotonic() > self.deadline:
                 return None
             if self.test(assignment):
                 return assignment
         return None
 
 
+def letters_in(statement: Statement, constants: tuple[str, str, str]) -> frozenset[str]:
+    """Return the unknowns that are structure constants: 0 is the last value they are given."""
+    texts = " ".join(constants)
+    return frozenset(name for name in statement.sorts if re.search(rf"\b{name}\b", texts))
+
+
 def by_weight(
-    unknowns: Sequence[tuple[str, Sort]], scalars: Sequence[Any], heaviest: int
+    unknowns: Sequence[tuple[str, Sort]],
+    scalars: Sequence[Any],
+    heaviest: int,
+    letters: frozenset[str] = frozenset(),
 ) -> Iterator[Assignment]:
-    """Run through assignments by total weight, where ``scalars[n]`` weighs n and the first is 0."""
+    """Run through assignments by total weight, where ``scalars[n]`` weighs n and the first is 0.
+
+    The ``letters`` have other weights: first −1, then 1, 2 and the rest, and 0 last.
+    """
     widths = [1 if sort is Sort.SCALAR else 4 for _, sort in unknowns]
     names = [name for name, _ in unknowns]
+    own = nonzero_first(scalars)
     for total in range(heaviest + 1):
         for vector in vectors(sum(widths), total, len(scalars) - 1):
             values, start, out = [scalars[n] for n in vector], 0, {}
             for name, width in zip(names, widths, strict=True):
                 piece = values[start : start + width]
+                if name in letters:
+                    piece = [own[vector[start]]]
                 out[name] = piece[0] if width == 1 else tuple(piece)
                 start += width
             yield out
+
+
+def nonzero_first(scalars: Sequence[Any]) -> list[Any]:
+    """Put 0, the first, last; and the third, −1, in front."""
+    return [*scalars[2:3], *scalars[1:2], *scalars[3:], *scalars[:1]]
 
 
 def vectors(length: int, total: int, largest: int) -> Iterator[list[int]]:
@@ -142,7 +163,20 @@ def zero_divisors(field: Ring, c: Constants) -> tuple[Any, ...]:
         return ()
     if found is None:
         return ()
-    return (found, conjugate(c, found))
+    out = [found, conjugate(c, found)]
+    one, zero = field.one, field.zero
+    for unit in ((zero, one, zero, zero), (zero, zero, one, zero)):  # often nilpotent
+        out.append(multiply(c, found, unit))
+    try:  # an idempotent: q² = tr(q)·q when N(q) = 0
+        factor = field.inverse(trace(c, found))
+    except NotInvertibleError:
+        return tuple(out)
+    idempotent = tuple(u * factor for u in found)
+    return (
+        *out,
+        idempotent,
+        (idempotent[0] + idempotent[0] - one, *(u + u for u in idempotent[1:])),
+    )
 
 
 def pool(field: Ring, c: Constants) -> list[Any]:
@@ -181,10 +215,12 @@ def prime_search(
     if statement.constants:
         return None
     scalars = prime_scalars(p)
-    if not p and too_heavy(statement):
+    if not p and too_heavy(statement, MAX_FAST):
         scalars = scalars[:3]
     seeker = Searcher(statement, constants, PrimeInterpretation(p), deadline, wanted)
-    return seeker.first(islice(by_weight(statement.unknowns, scalars, 12), limit))
+    letters = letters_in(statement, constants)
+    places = by_weight(statement.unknowns, scalars, 12, letters)
+    return seeker.first(islice(places, limit))
 
 
 def ring_search(
@@ -196,21 +232,22 @@ def ring_search(
     wanted: bool = False,
 ) -> Assignment | None:
     """Search small elements of the field, and its zero divisors."""
-    if field.order is None and too_heavy(statement):
+    if field.order is None and too_heavy(statement, MAX_SLOW if field.gen_name else MAX_FAST):
         return None
     seeker = Searcher(statement, constants, RingInterpretation(field), deadline, wanted)
     scalars = small_scalars(field)
-    places = by_weight(statement.unknowns, scalars, 12)
-    if seeker.letters:
+    letters = letters_in(statement, constants)
+    places = by_weight(statement.unknowns, scalars, 12, letters)
+    if letters:
         return seeker.first(islice(places, 2 * limit))
     c = Constants(*(constant(field, text) for text in constants))
     found = seeker.first(islice(from_pool(statement.unknowns, pool(field, c), scalars), limit))
     return seeker.first(islice(places, limit)) if found is None else found
 
 
-def too_heavy(statement: Statement) -> bool:
-    """Tell whether evaluating at numbers above 1 could grow without bound."""
-    return any(weight(n) > MAX_EVALUATION for n in (*statement.hypotheses, statement.conclusion))
+def too_heavy(statement: Statement, limit: int) -> bool:
+    """Tell whether evaluating at elements above 1 could grow without bound."""
+    return any(weight(n) > limit for n in (*statement.hypotheses, statement.conclusion))
 
 
 def witness_texts(field: Ring | None, assignment: Mapping[str, Any]) -> dict[str, list[str]]:

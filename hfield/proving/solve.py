@@ -13,7 +13,7 @@ from hfield.errors import HFieldError
 from hfield.proving.expand import Expanded
 from hfield.proving.formulas import Clause
 from hfield.proving.language import Sort, Statement
-from hfield.proving.search import Assignment, small_scalars
+from hfield.proving.search import Assignment, nonzero_first, small_scalars
 from hfield.proving.vanish import Monomial, coefficients
 from hfield.proving.witness import values_of
 from hfield.rings.base import Ring, power
@@ -26,14 +26,23 @@ Polynomial = dict[Monomial, Any]
 
 
 def solve(
-    statement: Statement, x: Expanded, clause: Clause, field: Ring, deadline: float
+    statement: Statement,
+    x: Expanded,
+    clause: Clause,
+    field: Ring,
+    letters: frozenset[str],
+    deadline: float,
 ) -> Assignment | None:
-    """Return values at which the clause fails: its zeros vanish, and no goal does entirely."""
+    """Return values at which the clause fails: its zeros vanish, and no goal does entirely.
+
+    The ``letters`` are structure constants; 0 is the last value they are given.
+    """
     zeros = [dict(coefficients(z, x, field)) for z in clause.zeros]
     goals = [[dict(coefficients(g, x, field)) for g in goal] for goal in clause.goals]
     if any(len(f) > MAX_TERMS for f in (*zeros, *(f for goal in goals for f in goal))):
         return None
-    values = _Solver(field, x.unknowns, deadline).run(zeros, goals, {})
+    indices = {n for n, name in enumerate(x.variables) if name in letters}
+    values = _Solver(field, x.unknowns, indices, deadline).run(zeros, goals, {})
     if values is None:
         return None
     out: Assignment = {}
@@ -44,8 +53,9 @@ def solve(
 
 
 class _Solver:
-    def __init__(self, field: Ring, unknowns: int, deadline: float) -> None:
+    def __init__(self, field: Ring, unknowns: int, letters: set[int], deadline: float) -> None:
         self.field, self.unknowns, self.deadline = field, unknowns, deadline
+        self.letters = letters
         self.nodes = 0
 
     def run(
@@ -83,7 +93,8 @@ class _Solver:
                 entry = weights.setdefault(n, [0, 0])
                 entry[0], entry[1] = max(entry[0], highest), entry[1] + 1
         tangled = max(weights, key=lambda n: (weights[n], -n))
-        return tangled, iter(small_scalars(self.field)[:BRANCHES])
+        values = small_scalars(self.field)[:BRANCHES]
+        return tangled, iter(nonzero_first(values) if tangled in self.letters else values)
 
     def roots(self, z: Polynomial, n: int) -> Iterator[Any]:
         """Run through zeros of a polynomial in one variable, all of them up to degree 2."""
@@ -131,7 +142,7 @@ class _Solver:
         for n in range(self.unknowns):
             if n in out:
                 continue
-            for value in values_of(self.field):
+            for value in values_of(self.field, n in self.letters):
                 tried = [self.put(f, n, value) for f in left]
                 if all(tried):
                     left, out[n] = tried, value

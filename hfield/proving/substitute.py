@@ -42,6 +42,8 @@ def substitute(node: Node, terms: Mapping[str, Node]) -> Node:
 
 
 def quaternion_node(coordinates: Sequence[str]) -> Node:
-    """Return the tree of ``c0 + c1·i + c2·j + c3·k`` for the texts of the coordinates."""
+    """Return the tree of ``c0 + c1·i + c2·j + c3·k`` for the texts of the coordinates, or of a scalar."""
+    if len(coordinates) == 1:
+        return parse(coordinates[0])
     parts = [f"({c})*{unit}" for c, unit in zip(coordinates, "eijk", strict=True) if c != "0"]
     return parse(" + ".join(parts) or "0*e")

@@ -10,7 +10,8 @@ from hfield.proving.expand import Expanded
 from hfield.rings.base import Ring, power
 
 Monomial = tuple[int, ...]
-MAX_PRIMES_BITS = 128  # a common factor of the coefficients up to here is factored
+SMALL_PRIMES = [n for n in range(2, 1000) if all(n % d for d in range(2, 32) if d < n)]
+MAX_PRIMES_BITS = 100  # a common factor of the coefficients up to here is factored
 
 
 def content(polynomial: Any) -> int:
@@ -70,11 +71,24 @@ def constant(field: Ring, text: str) -> Any:
 def common_primes(polynomials: list[Any]) -> list[int] | None:
     """Return the primes that divide all coefficients: the characteristics in which all vanish.
 
-    None stands for "all characteristics" or for a gcd too large to factor.
+    None stands for "all characteristics" or for a gcd that is hard to factor.
     """
+    g = math.gcd(*map(content, polynomials))
+    return prime_factors(g) if g else None
+
+
+def prime_factors(n: int) -> list[int] | None:
+    """Return the primes that divide n ≥ 1, or None when that would take long."""
     from flint import fmpz
 
-    g = math.gcd(*map(content, polynomials))
-    if g == 0 or g.bit_length() > MAX_PRIMES_BITS:
+    primes = []
+    for p in SMALL_PRIMES:
+        if n % p == 0:
+            primes.append(p)
+            while n % p == 0:
+                n //= p
+    if n == 1:
+        return primes
+    if n.bit_length() > MAX_PRIMES_BITS:
         return None
-    return [int(p) for p, _ in fmpz(g).factor()]
+    return primes + [int(p) for p, _ in fmpz(n).factor()]

@@ -1,7 +1,7 @@
 """A place where given polynomials are not 0: always found, one variable after the other."""
 
 from collections.abc import Iterator, Sequence
-from itertools import count, islice
+from itertools import chain, count, islice
 from typing import Any
 
 from hfield.errors import HFieldError
@@ -15,19 +15,23 @@ MAX_VALUES = 1_000
 
 
 def nonzero_place(
-    statement: Statement, x: Expanded, polynomials: Sequence[Any], field: Ring
+    statement: Statement,
+    x: Expanded,
+    polynomials: Sequence[Any],
+    field: Ring,
+    letters: frozenset[str] = frozenset(),
 ) -> Assignment | None:
     """Return values of the unknowns at which none of the polynomials is 0.
 
-    Over an infinite field there is such a place for polynomials that are not 0; over a finite one
+    0 is the last value for ``letters``. Over an infinite field there is such a place for polynomials that are not 0; over a finite one
     for a single polynomial that is not 0 as a function.
     """
     left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
     if not all(left):
         return None
     values: list[Any] = []
-    for _ in range(x.unknowns):
-        for value in values_of(field):
+    for name in x.variables[: x.unknowns]:
+        for value in values_of(field, name in letters):
             tried = [_substitute(f, value, field) for f in left]
             if all(tried):
                 left, values = tried, [*values, value]
@@ -51,9 +55,13 @@ def _substitute(f: dict[Monomial, Any], value: Any, field: Ring) -> dict[Monomia
     return {m: c for m, c in out.items() if not field.is_zero(c)}
 
 
-def values_of(field: Ring) -> Iterator[Any]:
-    """Run through distinct elements of a field, small ones first: all, or a thousand of them."""
-    return islice(_values(field), MAX_VALUES)
+def values_of(field: Ring, nonzero: bool = False) -> Iterator[Any]:
+    """Run through distinct elements of a field, small ones first: all, or a thousand of them.
+
+    With ``nonzero``, 0 comes last.
+    """
+    values = islice(_values(field), MAX_VALUES)
+    return chain(islice(values, 1, None), [field.zero]) if nonzero else values
 
 
 def _values(field: Ring) -> Iterator[Any]:

@@ -10,12 +10,13 @@ from typing import Any
 
 import flint
 
-from hfield.errors import CoercionError, UndecidedError, shorten
+from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint
 from hfield.rings.radicals import check_size, surd_of, sympy_of, times
 from hfield.rings.surds import ONE, Surd, as_surd, from_rational
 
 FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
+LARGEST_EXPONENT = 10**6
 SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
 TRANSCENDENTAL_BITS = 1_000  # a transcendental number that small must simplify to 0, or is refused
 RECOGNISED = 500.0  # rational numbers of a height up to this are recognised
@@ -263,6 +264,8 @@ def function(name: str) -> Callable[[Any], Surd | Closed]:
     def call(x: Any) -> Surd | Closed:
         import sympy
 
+        if name in ("exp", "cosh", "sinh") and not x.ball(64).abs_upper() < LARGEST_EXPONENT:
+            raise TooLargeError(f"{name}({shorten(x)}) is too large; at most {name}(10^6) is taken")
         return number(getattr(sympy, name)(to_sympy(x)))
 
     return call

@@ -37,7 +37,7 @@ def _term(coefficient: str, factors: Sequence[Factor], style: str) -> str:
         return body
     if coefficient == f"{minus}1":
         return f"{minus}{body}"
-    if not is_number(coefficient, style):
+    if is_sum(coefficient):
         coefficient = parentheses(coefficient, style)
     return f"{coefficient}{times or (' ' if style == 'latex' and body[0].isdigit() else '')}{body}"
 
@@ -66,14 +66,6 @@ def number_text(x: int | Fraction | Any, style: str = "plain") -> str:
     return f"{sign}{digits}/{below}"
 
 
-def is_number(text: str, style: str) -> bool:
-    """Tell whether a text is a signed number, which needs no parentheses before a name."""
-    body = text[1:] if text[:1] in ("-", "−") else text
-    if style == "latex" and body.startswith(r"\frac"):
-        return body.count(r"\frac") == 1 and body.endswith("}") and body[5:].count("{") == 2
-    return body.replace("/", "", 1).isdigit()
-
-
 def is_sum(text: str) -> bool:
     """Tell whether a text has a plus or minus outside all parentheses, a leading sign apart."""
     depth = 0
@@ -95,10 +87,7 @@ def quotient_text(numerator: str, denominator: str, style: str) -> str:
         return numerator
     if style == "latex":
         return rf"\frac{{{numerator}}}{{{denominator}}}"
-    minus = "−" if style == "unicode" else "-"
-    top = parentheses(numerator, style) if is_sum(numerator) else numerator
-    if numerator.startswith(minus) and is_sum(numerator):
-        top = parentheses(numerator, style)
+    top = parentheses(numerator, style) if is_sum(numerator) or "/" in numerator else numerator
     simple = denominator.replace("^", "").isalnum() and not denominator[0].isdigit()
     bottom = denominator if simple or denominator.isdigit() else parentheses(denominator, style)
     return f"{top}/{bottom}"
