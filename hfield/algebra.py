@@ -134,10 +134,11 @@ class QuaternionAlgebra:
     def _lift(self, name: str, function: Any) -> Any:
         """Let a function of the ring, such as sqrt, act on scalar multiples of e."""
 
-        def lifted(q: Quaternion) -> Quaternion:
-            if not q.vector_part.is_zero():
-                raise CoercionError(f"{name} takes a scalar, found {shorten(q)}")
-            return self.scalar(function(q.scalar_part))
+        def lifted(*arguments: Quaternion) -> Quaternion:
+            for q in arguments:
+                if not q.vector_part.is_zero():
+                    raise CoercionError(f"{name} takes scalars, found {shorten(q)}")
+            return self.scalar(function(*(q.scalar_part for q in arguments)))
 
         return lifted
 

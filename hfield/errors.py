@@ -44,6 +44,8 @@ class TooLargeError(HFieldError, ValueError):
 
 def shorten(text: object, limit: int = 60) -> str:
     """Return ``str(text)``, its middle cut out when it is longer than ``limit`` characters."""
+    if isinstance(text, int) and text.bit_length() > 10_000:  # Python refuses to write it
+        return f"a number of {text.bit_length()} bits"
     s = str(text)
     half = (limit - 1) // 2
     return s if len(s) <= limit else f"{s[:half]}…{s[-half:]}"

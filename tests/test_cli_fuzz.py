@@ -1,6 +1,7 @@
 """Whatever is typed, the answer is a result or one line that says what was wrong."""
 
 import io
+import json
 from contextlib import redirect_stderr, redirect_stdout
 
 from hypothesis import given, settings
@@ -82,6 +83,26 @@ def test_any_field(text):
 @given(st.lists(st.sampled_from(NAMES), max_size=8).map("".join), st.sampled_from(["()", "[)"]))
 def test_any_algebra(text, brackets):
     check("eval", "i*j", f"--algebra={brackets[0]}{text}|GF(4){brackets[1]}")
+
+
+TERMS = ["p", "q", "i", "s", "2", "p*q", "q+i", "conj(q)", "norm(p)", "q[1]", "inv(q)", "s/2", "x"]
+FACTS = st.builds("{} {} {}".format, *(st.sampled_from(x) for x in (TERMS, ["==", "!="], TERMS)))
+LINKS = ["and", "or", "=>", "<=>", "=> not", ") and ("]
+
+
+@settings(deadline=None, max_examples=60)
+@given(FACTS, st.sampled_from(LINKS), FACTS, st.sampled_from([*FIELDS, None]))
+def test_prove_anything(first, link, second, field):
+    words = ["prove", f"({first} {link} {second})", "--timeout", "1", "--format", "json"]
+    status, out, err = answer(*words, *([] if field is None else ["--field", field]))
+    assert status in (0, 1, 2, 3), (words, err)
+    if status == 2:
+        assert err.startswith("hfield: error: ")
+        assert err.count("\n") == 1
+    else:
+        data = json.loads(out)
+        wanted = {"proved": 0, "vacuous": 0, "refuted": 1, "undecided": 3, "not-applicable": 3}
+        assert wanted[data["verdict"]] == status
 
 
 @settings(deadline=None, max_examples=100)

@@ -8,7 +8,7 @@ import re
 import stat
 import sys
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
@@ -41,9 +41,11 @@ class Sink:
         """Write a text and end its last line."""
         print(encodable(text.rstrip("\n"), self.stream), file=self.stream)
 
-    def write_json(self, data: object) -> None:
-        """Write JSON, in letters where the encoding has them."""
-        text = json.dumps(data, indent=1, ensure_ascii=not _encodes("∀ą✓", self.stream))
+    def write_json(self, data: Mapping[str, object]) -> None:
+        """Write JSON, each entry on a line of its own, in letters where the encoding has them."""
+        text = _lay_out(data)
+        if not _encodes(text, self.stream):
+            text = _lay_out(data, ensure_ascii=True)
         print(text, file=self.stream)
 
     def style(self) -> Style:
@@ -127,6 +129,17 @@ def _encodes(text: str, stream: TextIO) -> bool:
     except UnicodeEncodeError:
         return False
     return True
+
+
+def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
+    """Write an object of JSON by lines: one an entry, and one an object in a list of objects."""
+
+    def dump(value: object) -> str:
+        if isinstance(value, list) and value and isinstance(value[0], dict):
+            return "[\n" + ",\n".join(f"  {dump(item)}" for item in value) + "\n ]"
+        return json.dumps(value, ensure_ascii=ensure_ascii)
+
+    return "{\n" + ",\n".join(f" {dump(key)}: {dump(value)}" for key, value in data.items()) + "\n}"
 
 
 class Progress:

@@ -47,7 +47,8 @@ def run(args: Namespace) -> int:
         elif args.certificate is not None:
             note(f"no certificate is written for what is {answer.verdict}")
         if args.format == "json":
-            out.write_json(answer.to_json(None if certificate is None else args.certificate))
+            data = answer.to_json(None if certificate is None else args.certificate)
+            out.write_json(data if args.given else {**data, "statement": args.statement})
         elif args.format == "latex":
             out.write(decision_latex(answer.text, answer.decision, answer.field))
         else:

@@ -16,7 +16,7 @@ from hfield.ledger.run import decide_row
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.printing import to_latex
-from hfield.syntax import parse
+from hfield.syntax import Logic, Node, parse
 
 _LABEL = 12
 
@@ -162,14 +162,21 @@ def _wrap(
 
 def _formula(text: str, decision: Decision, field: str) -> str:
     try:
-        shown = to_latex(parse(text))
+        lines = [to_latex(node) for node in _conjuncts(parse(text))]
     except NotationError:
-        shown = _words(text)
+        lines = [_words(text)]
     symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else _words(field)
     witness = witness_text(decision.witness, field)
     verdict = _words(decision.verdict + (f": {witness}" if witness else ""))
-    where = "" if field == NO_FIELD else rf"\;({symbol})"
-    return rf"{shown}{where} & {verdict}"
+    lines[-1] += "" if field == NO_FIELD else rf"\;({symbol})"
+    return r" \land \\ ".join(lines) + f" & {verdict}"
+
+
+def _conjuncts(node: Node) -> list[Node]:
+    """Return what is joined by ``and``, to be written one below the other."""
+    if isinstance(node, Logic) and node.op == "and":
+        return [*_conjuncts(node.left), *_conjuncts(node.right)]
+    return [node]
 
 
 def _words(text: str) -> str:

@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 from functools import lru_cache
 from time import monotonic
-from typing import Any
 
 from hfield.errors import TooLargeError
 from hfield.proving import everywhere, existence, named
+from hfield.proving.apart import decide_apart, is_risky
 from hfield.proving.decision import PROVED, UNDECIDED, Decision
 from hfield.proving.language import Statement, read_statement
 from hfield.proving.setting import Setting, read_setting
@@ -30,6 +30,34 @@ def decide(
     :class:`NotationError` or :class:`RingError` for what cannot be read; never guesses: what no
     procedure settles is ``undecided``, with what was tried.
     """
+    return read_and_decide(statement, field, tuple(given), algebra, timeout)[2]
+
+
+def read_and_decide(
+    statement: str,
+    field: Ring | str | None,
+    given: tuple[str, ...],
+    algebra: str | None,
+    timeout: float,
+) -> tuple[Statement, Setting, Decision]:
+    """Decide as :func:`decide` does; return the statement and the setting as they were read too."""
+    setting = read_setting(field, algebra)
+    read = read_statement(statement, setting.field, given, setting.letters, setting.constants)
+    if is_risky(read, setting):
+        decision = decide_apart(statement, setting, given, algebra, timeout)
+        if decision is not None:
+            return read, setting, decision
+    return read, setting, decide_statement(read, setting, timeout)
+
+
+def decide_here(
+    statement: str,
+    field: str | None,
+    given: Iterable[str],
+    algebra: str | None,
+    timeout: float,
+) -> Decision:
+    """Decide in this process, whatever the risk."""
     setting = read_setting(field, algebra)
     read = read_statement(
         statement, setting.field, tuple(given), setting.letters, setting.constants
@@ -41,14 +69,14 @@ def decide(
 def decide_statement(statement: Statement, setting: Setting, timeout: float = TIMEOUT) -> Decision:
     """Decide a statement that has been read."""
     deadline = monotonic() + timeout
-    decide_one: Any = everywhere.decide if setting.field is None else named.decide
+    decide_one = everywhere.decide if setting.field is None else named.decide
     try:
         if statement.exists:
             return existence.decide(statement, setting, deadline, decide_one)
-        decision: Decision = decide_one(statement, setting, deadline)
-    except TooLargeError as error:
-        return Decision(UNDECIDED, "none", tried=(str(error),))
-    if decision.verdict == PROVED and statement.hypotheses:
+        decision = decide_one(statement, setting, deadline)
+        if decision.verdict != PROVED or not statement.hypotheses:
+            return decision
         vacuous = existence.vacuous(statement, setting, deadline, decide_one)
         return decision if vacuous is None else vacuous
-    return decision
+    except TooLargeError as error:
+        return Decision(UNDECIDED, "none", tried=(str(error),))

@@ -5,6 +5,7 @@ from time import monotonic
 
 from hfield.errors import TooLargeError
 from hfield.proving import named
+from hfield.proving.answers import implied, scope_of_identity
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision
 from hfield.proving.expand import Expanded, expand
 from hfield.proving.implication import Proof, prove_clauses
@@ -61,7 +62,7 @@ def _identity(statement: Statement, x: Expanded) -> Decision:
         f"expand both sides in the {x.unknowns} coordinates of the unknowns",
         "all coefficients of the difference are 0 in ℤ",
     )
-    scope = named.scope_of_identity(statement, x)
+    scope = scope_of_identity(statement, x)
     return Decision(PROVED, "identity", steps=steps, scope=scope, evidence={"kind": "identity"})
 
 
@@ -87,7 +88,7 @@ def _proof(statement: Statement, setting: Setting, deadline: float) -> Decision 
             return None
         parts.append(special)
     whole = Proof(tuple(item for part in parts for item in part.items), 0, True, False)
-    decision = named.implied(whole, statement, setting)
+    decision = implied(whole, statement, setting)
     return decision if len(parts) == 1 else replace(decision, scope=FIELDS)
 
 
@@ -106,4 +107,5 @@ def counterexample(statement: Statement, setting: Setting, deadline: float) -> D
 
 def elsewhere(decision: Decision, name: str) -> Decision:
     """Return a refutation over one field as one over all fields."""
-    return replace(decision, witness={**(decision.witness or {}), "F": [name]})
+    evidence = {**(decision.evidence or {}), "field": name}
+    return replace(decision, witness={**(decision.witness or {}), "F": [name]}, evidence=evidence)

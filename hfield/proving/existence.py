@@ -1,70 +1,25 @@
 """Statements that something exists, and hypotheses that nothing satisfies."""
 
-from collections.abc import Callable, Iterable
 from dataclasses import replace
-from itertools import islice, product
+from itertools import islice
 from time import monotonic
 from typing import Any
 
-from hfield.errors import HFieldError, TooLargeError
+from hfield.errors import HFieldError
 from hfield.proving import everywhere, named
-from hfield.proving.decision import (
-    FIELD,
-    FIELDS,
-    PROVED,
-    REFUTED,
-    UNDECIDED,
-    VACUOUS,
-    Decision,
-)
-from hfield.proving.language import BASIS, Sort, Statement
-from hfield.proving.named import lifted
+from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.language import Sort, Statement
+from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
-from hfield.proving.search import (
-    by_weight,
-    prime_search,
-    ring_search,
-    small_scalars,
-    witness_texts,
-)
+from hfield.proving.search import by_weight, small_scalars, witness_texts
 from hfield.proving.setting import Setting
-from hfield.proving.substitute import quaternion_node, substitute
+from hfield.proving.terms import Decide, about, by_terms, matrix, true_place
+from hfield.proving.trees import quaternion_node, substitute
 from hfield.rings import ring
-from hfield.syntax import Logic, Node, Not, Number, parse
+from hfield.syntax import Logic, Not, Number, parse
 
-Decide = Callable[[Statement, Setting, float], Decision]
-FEW, MANY = 400, 20_000
-MAX_TERMS = 400  # terms tried for what is said to exist
+FEW = 400
 MAX_PLACES = 2_000
-
-
-def matrix(statement: Statement) -> Node:
-    """Return the statement without its quantifier: hypotheses ⇒ conclusion."""
-    node = statement.conclusion
-    for h in reversed(statement.hypotheses):
-        node = Logic("=>", h, node)
-    return node
-
-
-def about(statement: Statement, node: Node, names: tuple[str, ...] | None = None) -> Statement:
-    """Return the statement ``node`` for all values of the unknowns of ``statement`` (or ``names``)."""
-    unknowns = statement.unknowns
-    if names is not None:
-        unknowns = tuple((name, sort) for name, sort in unknowns if name in names)
-    hypotheses: list[Node] = []
-    conclusion = node
-    while isinstance(conclusion, Logic) and conclusion.op == "=>":
-        hypotheses.append(conclusion.left)
-        conclusion = conclusion.right
-    return replace(
-        statement,
-        text=to_text(node),
-        node=node,
-        unknowns=unknowns,
-        exists=(),
-        hypotheses=tuple(hypotheses),
-        conclusion=conclusion,
-    )
 
 
 def vacuous(
@@ -74,7 +29,7 @@ def vacuous(
     node = statement.hypotheses[0]
     for h in statement.hypotheses[1:]:
         node = Logic("and", node, h)
-    if _found(about(statement, node), setting, FEW, deadline) is not None:
+    if true_place(about(statement, node), setting, FEW, deadline) is not None:
         return None
     never = about(statement, Not(node))
     decision = decide_one(never, setting, deadline)
@@ -83,19 +38,6 @@ def vacuous(
     evidence = {"kind": "unsatisfiable", "proof": decision.evidence}
     steps = (*decision.steps, "so the hypotheses are never all true")
     return replace(decision, verdict=VACUOUS, steps=steps, evidence=evidence)
-
-
-def _found(statement: Statement, setting: Setting, limit: int, deadline: float) -> Any:
-    """Return values that make the statement true, or None."""
-    field = setting.field
-    primes = (0, 2, 3) if field is None else (field.characteristic,) if field.is_field else ()
-    for p in primes:
-        found = prime_search(statement, setting.constants, p, limit, deadline, True)
-        if found is not None:
-            return found
-    if field is None:
-        return None
-    return ring_search(statement, setting.constants, field, limit, deadline, True)
 
 
 def decide(statement: Statement, setting: Setting, deadline: float, decide_one: Decide) -> Decision:
@@ -113,15 +55,19 @@ def _exists(
 ) -> Decision:
     """Decide over one field, with nothing given: a witness, or a proof that there is none."""
     node = matrix(statement)
-    found = _found(about(statement, node), setting, FEW, deadline)
+    found = true_place(about(statement, node), setting, FEW, deadline)
     if found is not None:
         return _witnessed(setting, found)
     decision = decide_one(about(statement, Not(node)), setting, deadline)
     if decision.verdict == REFUTED:
         evidence = {**(decision.evidence or {}), "kind": "witness"}
-        steps = (f"true for {_shown(decision.witness or {})}",)
         return replace(
-            decision, verdict=PROVED, method="witness", scope=FIELD, evidence=evidence, steps=steps
+            decision,
+            verdict=PROVED,
+            method="witness",
+            scope=FIELD,
+            evidence=evidence,
+            steps=(f"true for {_shown(decision.witness or {})}",),
         )
     if decision.verdict == PROVED:
         evidence = {"kind": "none exists", "proof": decision.evidence}
@@ -152,7 +98,7 @@ def _everywhere(
     statement: Statement, setting: Setting, deadline: float, has_free: bool
 ) -> Decision:
     """Decide over all fields: terms that serve everywhere, or a field where there is none."""
-    decision = _by_terms(statement, setting, deadline, everywhere.decide)
+    decision = by_terms(statement, setting, deadline, everywhere.decide)
     if decision is not None:
         return decision
     for name in everywhere.FIELDS_TRIED:
@@ -170,60 +116,15 @@ def _everywhere(
 def _for_all_exists(
     statement: Statement, setting: Setting, deadline: float, decide_one: Decide
 ) -> Decision:
-    decision = _by_terms(statement, setting, deadline, decide_one)
+    decision = by_terms(statement, setting, deadline, decide_one)
     if decision is not None:
         return decision
     found = _at_zero(statement, setting, deadline, decide_one)
     if found is not None:
-        decision = _by_terms(statement, setting, deadline, decide_one, [found])
+        decision = by_terms(statement, setting, deadline, decide_one, [found])
         if decision is not None:
             return decision
     return _by_places(statement, setting, deadline, decide_one)
-
-
-def _by_terms(
-    statement: Statement,
-    setting: Setting,
-    deadline: float,
-    decide_one: Decide,
-    choices: Iterable[tuple[str, ...]] | None = None,
-) -> Decision | None:
-    """Prove by a term in the given unknowns for each one that is said to exist."""
-    free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
-    if choices is None:
-        kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
-        choices = islice(product(*kinds), MAX_TERMS)
-    node = matrix(statement)
-    for terms in choices:
-        if monotonic() > deadline:
-            return None
-        chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
-        instance = replace(about(statement, substitute(node, chosen), tuple(free)), divides=True)
-        try:
-            if _found(about(instance, Not(instance.node)), setting, 30, deadline) is not None:
-                continue
-            decision = decide_one(instance, setting, min(deadline, monotonic() + 1.0))
-        except TooLargeError:
-            continue
-        if decision.verdict == PROVED:
-            named_terms = dict(zip(statement.exists, terms, strict=True))
-            evidence: dict[str, Any] = {
-                "kind": "terms",
-                "terms": named_terms,
-                "proof": decision.evidence,
-            }
-            shown = ", ".join(f"{name} = {term}" for name, term in named_terms.items())
-            terms_found = {n: [t] for n, t in named_terms.items()} if free else None
-            scope = FIELDS if setting.field is None else FIELD
-            return replace(
-                decision,
-                method="witness",
-                witness=terms_found,
-                scope=scope,
-                steps=(f"take {shown}", *decision.steps),
-                evidence=evidence,
-            )
-    return None
 
 
 def _at_zero(
@@ -236,25 +137,6 @@ def _at_zero(
     if one.verdict != PROVED or one.witness is None:
         return None
     return tuple(to_text(quaternion_node(one.witness[name])) for name in statement.exists)
-
-
-def _terms(free: dict[str, Sort], sort: Sort) -> list[str]:
-    """Return texts of terms in the given unknowns, simple ones first."""
-    quaternions = [name for name, s in free.items() if s is Sort.QUATERNION]
-    scalars = [name for name, s in free.items() if s is Sort.SCALAR]
-    if sort is Sort.SCALAR:
-        out = ["0", "1", "-1", *scalars, *(f"-{s}" for s in scalars)]
-        for q in quaternions:
-            out += [f"norm({q})", f"-norm({q})", f"trace({q})", f"{q}[0]", f"1/norm({q})"]
-        return out + [f"1/{s}" for s in scalars] + [f"{s}*{t}" for s in scalars for t in scalars]
-    out = ["0", *BASIS, "1+i", *quaternions]
-    for q in quaternions:
-        out += [f"inv({q})", f"conj({q})", f"-{q}", f"vector({q})", f"-conj({q})"]
-    for p in quaternions:
-        for q in quaternions:
-            if p != q:
-                out += [f"{p}*{q}", f"inv({p})*{q}", f"{q}*inv({p})", f"{p}+{q}", f"{p}-{q}"]
-    return out + scalars + [f"inv({s})" for s in scalars]
 
 
 def _by_places(

@@ -14,10 +14,10 @@ from typing import Any
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
-from hfield.proving.formulas import TRUE, Clause, Formula, clauses, literal
+from hfield.proving.formulas import FALSE, TRUE, Clause, Formula, clauses, literal
 from hfield.proving.interpret import Interpretation, Value, bind
 from hfield.proving.language import Sort, Statement
-from hfield.syntax import weight
+from hfield.syntax import Compare, Node, weight
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
@@ -130,6 +130,12 @@ class Polynomials(Interpretation):
         """Charge for a norm."""
         self.budget.spend(_size(x) ** 2)
 
+    def truth(self, node: Node) -> Any:
+        """Evaluate a statement; that a thing is itself needs no expanding."""
+        if isinstance(node, Compare) and node.left == node.right:
+            return TRUE if node.op == "==" else FALSE
+        return super().truth(node)
+
     def both(self, x: Any, y: Any) -> Any:
         """Join conditions, which are tuples of polynomials that must not be 0; or formulas."""
         if isinstance(x, tuple):
@@ -157,6 +163,9 @@ class Polynomials(Interpretation):
 
 class _Fractions(Polynomials):
     """Scalars are fractions of polynomials."""
+
+    def truth(self, node: Node) -> Any:
+        return Interpretation.truth(self, node)  # a thing that is not defined is not itself
 
     def lift(self, x: Any) -> Any:
         return Quotient(x, self.context.constant(1), self.budget)

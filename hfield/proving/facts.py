@@ -22,8 +22,10 @@ NORM, SQUARES, ROOTS = "norm", "squares", "roots"
 class Rule:
     """A form of which 0 is the only zero: the norm, or any sum of up to ``most`` squares.
 
-    Or, with the form ``roots``, that roots in the field are told by factoring. ``positive`` tells that the squares may have positive rational coefficients, as in an ordered
-    field. ``reason`` is for people, ``assumes`` what it cites.
+    Or, with the form ``roots``, that roots in the field are told by factoring. ``positive`` tells
+    that the squares may have positive rational coefficients, as in an ordered field. ``reason`` is
+    for people, ``by`` its kind in a word, ``places`` those that it speaks of, ``assumes`` what it
+    cites.
     """
 
     form: str
@@ -31,6 +33,8 @@ class Rule:
     most: float = INFINITY
     positive: bool = False
     assumes: tuple[str, ...] = ()
+    by: str = ""
+    places: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         if self.form == ROOTS:
@@ -41,7 +45,9 @@ class Rule:
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""
-        out: dict[str, Any] = {"form": self.form, "reason": self.reason}
+        out: dict[str, Any] = {"form": self.form, "by": self.by, "reason": self.reason}
+        if self.places:
+            out["places"] = list(self.places)
         if self.form == SQUARES:
             out["most"] = None if self.most == INFINITY else int(self.most)
             out["positive"] = self.positive
@@ -59,18 +65,34 @@ def rules(setting: Setting) -> tuple[Rule, ...]:
         found = _norm_rule(field, structure_constants(setting))
         if found is not None:
             out.append(found)
-    if field.name == "QQ":
-        out.append(Rule(ROOTS, "a rational root of an integer polynomial is a linear factor of it"))
+    roots = _roots_rule(field)
+    if roots is not None:
+        out.append(roots)
     level = field.level
     if field.characteristic == 2 or level.value is None or level.value < 2:
         return tuple(out)
     if level.value == INFINITY:
         positive = field.characteristic == 0
-        out.append(Rule(SQUARES, f"the field has an ordering: {level.reason}", positive=positive))
+        reason = f"the field has an ordering: {level.reason}"
+        out.append(Rule(SQUARES, reason, positive=positive, by="ordering"))
     else:
         reason = f"the level of {field.name} is {level.value}: {level.reason}"
-        out.append(Rule(SQUARES, reason, most=level.value))
+        out.append(Rule(SQUARES, reason, most=level.value, by="level"))
     return tuple(out)
+
+
+def _roots_rule(field: Ring) -> Rule | None:
+    if field.name == "QQ":
+        reason = "a rational root of an integer polynomial gives a linear factor of it"
+        return Rule(ROOTS, reason, by="factors")
+    if field.order is not None or field.characteristic == 2:
+        return None
+    try:
+        field.sqrt(field(2))
+    except UndecidedError:
+        return None
+    reason = f"a quadratic has a root in {field.name} only if its discriminant is a square there"
+    return Rule(ROOTS, reason, most=2, by="squares")
 
 
 def _norm_rule(field: Ring, c: Constants) -> Rule | None:
@@ -84,7 +106,8 @@ def _norm_rule(field: Ring, c: Constants) -> Rule | None:
         return None
     if answer.element is not None:
         return None
-    return Rule(NORM, f"{answer.method}: {answer.reason}", assumes=answer.assumes)
+    places = tuple(map(str, answer.places))
+    return Rule(NORM, answer.reason, assumes=answer.assumes, by=answer.method, places=places)
 
 
 @lru_cache(maxsize=256)

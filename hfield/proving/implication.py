@@ -16,11 +16,12 @@ from hfield.proving.decision import (
     characteristics,
 )
 from hfield.proving.expand import Expanded, expand, polynomial_world
-from hfield.proving.facts import Rule, relation, rules
+from hfield.proving.facts import ROOTS, Rule, relation, rules
 from hfield.proving.formulas import Clause
-from hfield.proving.language import Statement, walk
+from hfield.proving.language import Statement
 from hfield.proving.refutation import Problem, member, polynomial_text, refute
 from hfield.proving.setting import Setting
+from hfield.proving.trees import walk
 from hfield.proving.vanish import vanishes
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Power
@@ -139,7 +140,8 @@ def _prove(
     """Prove with a memory, since many fields ask the same; what failed for lack of time is retried."""
     kinds = () if setting is None else tuple((r.form, r.most, r.positive) for r in rules(setting))
     x = expand(statement, constants)
-    field = setting.field if setting is not None and x.has_constants else None
+    depends = setting is not None and (x.has_constants or any(k[0] == ROOTS for k in kinds))
+    field = setting.field if setting is not None and depends else None
     key = (statement, constants, characteristic, kinds, field)
     if key not in _proofs:
         proof = _attempt(statement, constants, x, characteristic, setting, deadline)
@@ -189,7 +191,7 @@ def _clause(
         return []
     zeros = [z for z in clause.zeros if not zero(z)]
     relations = _relations(x, field)
-    problem = _problem(x, characteristic, (*zeros, *relations), (), ())
+    problem = _problem(x, field, characteristic, (*zeros, *relations), (), ())
     texts = [polynomial_text(z, x.variables) for z in zeros]
     known = [polynomial_text(r, x.variables) for r in relations]
     for goal in clause.goals or ((x.context.constant(1),),):
@@ -217,7 +219,7 @@ def _clause(
         return None
     out = []
     for choice in product(*choices):
-        problem = _problem(x, characteristic, (*zeros, *relations), choice, quaternions)
+        problem = _problem(x, field, characteristic, (*zeros, *relations), choice, quaternions)
         refutation = refute(problem, own, deadline)
         if refutation is None:
             return None
@@ -242,12 +244,13 @@ def _clause(
 
 def _problem(
     x: Expanded,
+    field: Ring | None,
     characteristic: int,
     zeros: tuple[Any, ...],
     nonzero: tuple[Any, ...],
     quaternions: tuple[tuple[tuple[Any, ...], Any], ...],
 ) -> Problem:
-    return Problem(x.variables, characteristic, zeros, nonzero, quaternions)
+    return Problem(x.variables, x.unknowns, field, characteristic, zeros, nonzero, quaternions)
 
 
 def _relations(x: Expanded, field: Ring | None) -> tuple[Any, ...]:

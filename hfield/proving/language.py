@@ -6,12 +6,13 @@ apart into quantifiers, hypotheses and conclusion. The grammar and the meaning a
 docs/language.md.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError
+from hfield.proving.printing import to_text
+from hfield.proving.trees import tree_depth
 from hfield.rings.base import Ring
 from hfield.syntax import (
     Binary,
@@ -75,8 +76,6 @@ class Statement:
     compares_unequal: bool
 
     def __str__(self) -> str:
-        from hfield.proving.printing import to_text
-
         return to_text(self.node)
 
     @property
@@ -100,48 +99,23 @@ def read_statement(
     nothing, or of a sort that does not fit.
     """
     node = _parse(text)
-    for h in reversed(given):
-        node = Logic("=>", _parse(h), node)
+    if given:
+        for h in given:
+            _parse(h)  # so that an error shows the hypothesis alone
+        text = " => ".join(f"({part.strip()})" for part in (*given, text))
+        node = _parse(text)
     return _Analysis(text, field, letters).run(node, constants)
 
 
 def _parse(text: str) -> Node:
     node = parse(text)
-    depth = _depth(node)
+    depth = tree_depth(node)
     if depth > MAX_TREE_DEPTH:
         raise NotationError(
             f"the statement nests {depth} levels deep, more than the {MAX_TREE_DEPTH} that are read; "
             "write it in parts"
         )
     return node
-
-
-def children(node: Node) -> tuple[Node, ...]:
-    """Return the nodes directly below ``node``."""
-    match node:
-        case Negate(x) | Not(x) | Power(x, _) | Index(x, _) | Exists(_, x):
-            return (x,)
-        case Binary(_, x, y) | Compare(_, x, y) | Logic(_, x, y):
-            return (x, y)
-        case Call(_, arguments):
-            return arguments
-    return ()
-
-
-def _depth(node: Node) -> int:
-    depth, level = 0, [node]
-    while level:
-        depth, level = depth + 1, [child for n in level for child in children(n)]
-    return depth
-
-
-def walk(node: Node) -> Iterator[Node]:
-    """Run through ``node`` and all nodes below it."""
-    stack = [node]
-    while stack:
-        n = stack.pop()
-        yield n
-        stack.extend(reversed(children(n)))
 
 
 @lru_cache(maxsize=256)
@@ -192,7 +166,7 @@ class _Analysis:
         for constant in constants:
             self.term(_parse(constant))
         return Statement(
-            text=self.text,
+            text=self.text.strip(),
             node=node,
             unknowns=tuple(self.unknowns.items()),
             exists=tuple(exists),
@@ -291,8 +265,6 @@ class _Analysis:
 
     def call(self, function: str, arguments: tuple[Node, ...], node: Node) -> Sort:
         if function not in RESULT:
-            from hfield.proving.printing import to_text
-
             text = to_text(node)
             if self.field is not None and is_constant_of(self.field, text):
                 self.constants.setdefault(text)

@@ -92,11 +92,11 @@ def _by_tuples(
         if any(d % p if p else d for d in differences):
             witness = {name: [str(c) for c in v] for name, v in values.items()}
             shown = ", ".join(f"{name} = {b}" for name, b in zip(names, choice, strict=True))
-            steps = (f"for {shown} the sides are {left} and {right}",)
-            evidence = {"kind": "witness", "values": witness}
+            line = f"for {shown} the sides are {left} and {right}"
+            found: dict[str, Any] = {"kind": "witness", "values": witness}
             if everywhere:
-                witness = {**witness, "F": ["QQ"]}
-            return Decision(REFUTED, "multilinear", witness, steps, evidence=evidence)
+                witness, found = {**witness, "F": ["QQ"]}, {**found, "field": "QQ"}
+            return Decision(REFUTED, "multilinear", witness, (line,), evidence=found)
         only_p |= any(differences)
         lines.append(["".join(choice), left])
     steps = tuple(f"({', '.join(word)}): both sides are {value}" for word, value in lines)

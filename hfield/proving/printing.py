@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+from hfield.proving.trees import walk
 from hfield.syntax import (
     Binary,
     Call,
@@ -50,17 +51,17 @@ _UNICODE_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec
 
 def to_text(node: Node) -> str:
     """Write ``node`` in the language itself: ``parse(to_text(node)) == node``."""
-    return _Text().write(node)
+    return _Text(node).write(node)
 
 
 def to_unicode(node: Node) -> str:
     """Write ``node`` for a terminal, such as ``(p·q)·r = p·(q·r)``."""
-    return _Unicode().write(node)
+    return _Unicode(node).write(node)
 
 
 def to_latex(node: Node) -> str:
     r"""Write ``node`` in LaTeX's mathematics, such as ``\overline{p \cdot q}``."""
-    return _Latex().write(node)
+    return _Latex(node).write(node)
 
 
 def _precedence(node: Node) -> int:
@@ -84,8 +85,21 @@ def _precedence(node: Node) -> int:
     return POSTFIX
 
 
+def _is_product(node: Node) -> bool:
+    return isinstance(node, Binary) and node.op == "*"
+
+
 class _Text:
-    """The writer; its two sisters override how single things look."""
+    """The writer; its two sisters override how single things look.
+
+    Where a product is written to the right of another, as in ``p·(q·r)``, all nested products get
+    their parentheses: then it is their order that the statement is about.
+    """
+
+    def __init__(self, node: Node) -> None:
+        self.nested = any(
+            isinstance(n, Binary) and n.op == "*" and _is_product(n.right) for n in walk(node)
+        )
 
     def write(self, node: Node, floor: int = -1) -> str:
         text = self.bare(node)
@@ -127,6 +141,8 @@ class _Text:
         floor = SUM if op in "+-" else PRODUCT
         # A unary minus on the right would read back, but two signs in a row read badly.
         right = max(floor + 1, POWER if isinstance(y, Negate) else 0)
+        if self.nested and op == "*" and _is_product(x):
+            floor += 1
         return self.write(x, floor) + self.operator(op) + self.write(y, right)
 
     def operator(self, op: str) -> str:

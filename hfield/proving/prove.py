@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.proving.decide import TIMEOUT, decide_statement
+from hfield.proving.decide import TIMEOUT, read_and_decide
 from hfield.proving.decision import (
     NOT_APPLICABLE,
     PROVED,
@@ -13,9 +13,9 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
-from hfield.proving.language import Statement, read_statement
-from hfield.proving.printing import to_latex, to_text, to_unicode
-from hfield.proving.setting import Setting, read_setting
+from hfield.proving.language import Statement
+from hfield.proving.printing import to_latex, to_unicode
+from hfield.proving.setting import Setting
 from hfield.rings.base import Ring
 
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
@@ -64,8 +64,8 @@ class Answer:
 
     @property
     def text(self) -> str:
-        """The statement in the language, hypotheses that were given apart put in front."""
-        return to_text(self.statement.node)
+        """The statement as it was written, hypotheses that were given apart put in front."""
+        return self.statement.text
 
     @property
     def field(self) -> str | None:
@@ -94,13 +94,14 @@ class Answer:
 
     def __str__(self) -> str:
         d = self.decision
-        where = "over every field" if self.field is None else f"over {self.field}"
-        if d.verdict == PROVED and d.scope and d.scope.endswith(("rings", "fields")):
-            where = f"over every {d.scope[:-5]}ring" if "rings" in d.scope else "over every field"
+        where = self.setting.algebra if not self.setting.is_hamilton else ""
+        where = f", in {where}" if where else ""
+        if self.field is not None:
+            where = f" over {self.field}" + where
+        elif d.verdict == PROVED:
+            where = f" over every {(d.scope or '').removesuffix('s')}" + where
         lines = [f"{_SIGNS[d.verdict]} {to_unicode(self.statement.node)}"]
-        if not self.setting.is_hamilton:
-            where += f", in {self.setting.algebra}"
-        lines.append(f"  {d.verdict} {where} ({d.method})")
+        lines.append(f"  {d.verdict}{where} ({d.method})")
         if d.witness:
             shown = (f"{name} = {_value(v)}" for name, v in d.witness.items() if name != "F")
             over = f" over {d.witness['F'][0]}" if "F" in d.witness else ""
@@ -152,8 +153,6 @@ def prove(
     >>> bool(prove("(p*q)*r == p*(q*r)"))
     True
     """
-    setting = read_setting(field, algebra)
-    read = read_statement(
-        statement, setting.field, tuple(given), setting.letters, setting.constants
-    )
-    return Answer(read, setting, decide_statement(read, setting, timeout))
+    hypotheses = tuple(given)
+    read, setting, decision = read_and_decide(statement, field, hypotheses, algebra, timeout)
+    return Answer(read, setting, decision)

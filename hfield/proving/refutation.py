@@ -11,9 +11,11 @@ from math import isqrt
 from time import monotonic
 from typing import Any
 
-from hfield.errors import TooLargeError
+from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.facts import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.membership import LARGE_PRIMES, Cofactors, Ideal
+from hfield.proving.vanish import constant
+from hfield.rings.base import Ring, power
 
 SLICE = 150  # pairs between two looks at the rules
 MAX_ELEMENTS = 400
@@ -28,10 +30,13 @@ Step = Mapping[str, Any]
 class Problem:
     """``zeros`` are 0, ``nonzero`` are not; both over one context with ``variables`` as texts.
 
+    The first ``unknowns`` variables are unknowns, the others constants of ``field``.
     ``quaternions`` are what the norm rule is tried on: four polynomials and their norm.
     """
 
     variables: tuple[str, ...]
+    unknowns: int
+    field: Ring | None
     characteristic: int
     zeros: tuple[Any, ...]
     nonzero: tuple[Any, ...]
@@ -182,10 +187,7 @@ class _Search:
         if self._rule(ROOTS) is None:
             return False
         for f in [*ideal.generators, *(f for f, _ in ideal.elements())]:
-            degrees = [int(d) for d in f.degrees()]
-            if sum(map(bool, degrees)) != 1 or not 2 <= max(degrees) <= MAX_DEGREE:
-                continue
-            if any(g.total_degree() == 1 for g, _ in f.factor()[1]):
+            if not self._has_no_root(f):
                 continue
             found = ideal.cofactors(f)
             if found is not None:
@@ -193,6 +195,33 @@ class _Search:
                 self._step({"step": "no root", "polynomial": self.text(f)}, found)
                 return True
         return False
+
+    def _has_no_root(self, f: Any) -> bool:
+        """Tell whether f is a polynomial in one unknown that certainly has no root in the field."""
+        p, field = self.problem, self.problem.field
+        degrees = [int(d) for d in f.degrees()]
+        constants = degrees[p.unknowns : len(p.variables)]
+        unknowns = degrees[: p.unknowns] + degrees[len(p.variables) :]
+        degree = max(unknowns)
+        if field is None or sum(map(bool, unknowns)) != 1 or not 2 <= degree <= MAX_DEGREE:
+            return False
+        if field.name == "QQ" and not any(constants):
+            return all(g.total_degree() > 1 for g, _ in f.factor()[1])
+        if degree > 2:
+            return False
+        c = [field.zero] * 3
+        for exponents, coefficient in f.terms():
+            value = field(int(coefficient))
+            for n in range(p.unknowns, len(p.variables)):
+                value = value * power(field.one, constant(field, p.variables[n]), exponents[n])
+            at = sum(exponents) - sum(exponents[p.unknowns : len(p.variables)])
+            c[at] = c[at] + value
+        if field.is_zero(c[2]):
+            return False
+        try:
+            return field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2]) is None
+        except UndecidedError:
+            return False
 
     def _cases(self, ideal: Ideal, depth: int) -> bool:
         """Split a product that is 0 into its factors."""

@@ -6,7 +6,8 @@ from functools import lru_cache
 
 from hfield.errors import NotationError
 from hfield.notation import split_algebra
-from hfield.proving.language import BASIS, QUATERNIONS, generators, walk
+from hfield.proving.language import BASIS, QUATERNIONS, generators
+from hfield.proving.trees import walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Name, parse, weight

@@ -5,11 +5,11 @@ its value follows (a linear equation, a square root, or one of a few values). Th
 looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from time import monotonic
 from typing import Any
 
-from hfield.errors import HFieldError
+from hfield.errors import HFieldError, TooLargeError
 from hfield.proving.expand import Expanded
 from hfield.proving.formulas import Clause
 from hfield.proving.language import Sort, Statement
@@ -42,7 +42,9 @@ def solve(
     if any(len(f) > MAX_TERMS for f in (*zeros, *(f for goal in goals for f in goal))):
         return None
     indices = {n for n, name in enumerate(x.variables) if name in letters}
-    values = _Solver(field, x.unknowns, indices, deadline).run(zeros, goals, {})
+    solver = _Solver(field, x.unknowns, indices, deadline)
+    solver.eliminate(zeros, goals)
+    values = solver.run(zeros, goals, {})
     if values is None:
         return None
     out: Assignment = {}
@@ -57,6 +59,55 @@ class _Solver:
         self.field, self.unknowns, self.deadline = field, unknowns, deadline
         self.letters = letters
         self.nodes = 0
+        self.eliminated: list[tuple[int, Polynomial]] = []  # variable, what it is equal to
+
+    def eliminate(self, zeros: list[Polynomial], goals: list[list[Polynomial]]) -> None:
+        """Use each condition ``c·v + rest = 0`` to express v, in place, while polynomials stay small."""
+        while True:
+            found = next((hit for z in zeros for hit in self.expressions(z)), None)
+            if found is None:
+                return
+            n, expression = found
+            try:
+                conditions = [f for z in zeros if (f := self.compose(z, n, expression))]
+                wanted = [[self.compose(g, n, expression) for g in goal] for goal in goals]
+            except TooLargeError:
+                return
+            zeros[:], goals[:] = conditions, wanted
+            self.eliminated.append((n, expression))
+
+    def expressions(self, z: Polynomial) -> Iterator[tuple[int, Polynomial]]:
+        """Run through the variables that a condition expresses by the others."""
+        field = self.field
+        for m, c in z.items():
+            if sum(m) == 1:
+                n = m.index(1)
+                if all(not other[n] for other in z if other != m):
+                    factor = field.zero - field.inverse(c)
+                    yield n, {other: d * factor for other, d in z.items() if other != m}
+
+    def compose(self, f: Polynomial, n: int, g: Polynomial) -> Polynomial:
+        """Put the polynomial g in for variable n. Raises TooLargeError."""
+        field = self.field
+        out: Polynomial = {}
+        for m, c in f.items():
+            terms = {(*m[:n], 0, *m[n + 1 :]): c}
+            for _ in range(m[n]):
+                if len(terms) * len(g) > MAX_TERMS:
+                    raise TooLargeError("an elimination grows too large")
+                terms = self.product(terms, g)
+            for monomial, d in terms.items():
+                out[monomial] = out[monomial] + d if monomial in out else d
+        return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+    def product(self, f: Polynomial, g: Polynomial) -> Polynomial:
+        """Return f·g."""
+        out: Polynomial = {}
+        for m, c in f.items():
+            for k, d in g.items():
+                monomial = tuple(a + b for a, b in zip(m, k, strict=True))
+                out[monomial] = out[monomial] + c * d if monomial in out else c * d
+        return out
 
     def run(
         self, zeros: list[Polynomial], goals: list[list[Polynomial]], values: dict[int, Any]
@@ -139,8 +190,9 @@ class _Solver:
         """Choose the variables that are left so that no goal vanishes entirely."""
         left = [next(f for f in goal if f) for goal in goals]
         out = dict(values)
+        expressed = {n for n, _ in self.eliminated}
         for n in range(self.unknowns):
-            if n in out:
+            if n in out or n in expressed:
                 continue
             for value in values_of(self.field, n in self.letters):
                 tried = [self.put(f, n, value) for f in left]
@@ -149,7 +201,19 @@ class _Solver:
                     break
             else:
                 return None
+        for n, expression in reversed(self.eliminated):
+            out[n] = self.value(expression, out)
         return out
+
+    def value(self, f: Polynomial, values: Mapping[int, Any]) -> Any:
+        """Evaluate f."""
+        total = self.field.zero
+        for m, c in f.items():
+            for n, e in enumerate(m):
+                if e:
+                    c = c * power(self.field.one, values[n], e)
+            total = total + c
+        return total
 
 
 def _is_constant(f: Polynomial) -> bool:

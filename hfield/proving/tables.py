@@ -87,7 +87,7 @@ def _search(
     if identity is not None:
         for n in range(size):
             table[identity, n] = table[n, identity] = (1, n)
-    places = [place for place in product(range(size), repeat=2) if place not in table]
+    places = [(x, y) for x in range(size) for y in range(size) if (x, y) not in table]
     places.sort(key=lambda place: (place[0] != place[1], identity is None and 0 in place))
 
     def is_zero(v: Vector) -> bool:

@@ -23,8 +23,8 @@ def nonzero_place(
 ) -> Assignment | None:
     """Return values of the unknowns at which none of the polynomials is 0.
 
-    0 is the last value for ``letters``. Over an infinite field there is such a place for polynomials that are not 0; over a finite one
-    for a single polynomial that is not 0 as a function.
+    Over an infinite field there is such a place for polynomials that are not 0; over a finite one
+    for a single polynomial that is not 0 as a function. 0 is the last value for ``letters``.
     """
     left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
     if not all(left):

@@ -26,6 +26,7 @@ from hfield.rings.owners import describe
 from hfield.rings.printing import from_unicode, number_text
 
 INFINITY = float("inf")
+FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,6 @@ class Closed:
     numbers have equal hashes. The expression is made when it is first needed, sympy loaded with it.
     """
 
-    __array_ufunc__ = None  # or numpy would take a number for something to convert
-
     def __init__(self, make: Callable[[], Any]) -> None:
         self._make = make
 
@@ -137,7 +135,7 @@ class Closed:
     ) -> bool:
         """Tell whether a part of the number is 0: if not, it is at least exp(−need) in absolute value."""
         if need is not None and need / log(2) > MAX_BITS:
-            need, bits = None, MAX_BITS  # too much to prove 0, but enough to see that it is not
+            need = None  # too much to prove it 0 this way, but it may be seen not to be
         small = TRANSCENDENTAL_BITS if need is None else ceil(need / log(2)) + 2
         bits = 64
         while bits <= 4 * small + 4096:
@@ -241,7 +239,10 @@ def from_sympy(x: Any) -> Surd | Closed | None:
 
     if not isinstance(x, sympy.Expr) or not is_known(x):
         return None
-    value = number(x)
+    try:
+        value = number(x)
+    except OverflowError:
+        raise TooLargeError("the number is too large to be computed with") from None
     if isinstance(value, Closed) and value.bounds is None and value.is_zero():
         return from_rational(0)
     return value

@@ -9,7 +9,7 @@ from typing import Any
 import flint
 
 from hfield.errors import NotInvertibleError, shorten
-from hfield.rings.base import Known, Ring
+from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -26,6 +26,7 @@ class FiniteField(Ring):
     order: int
     degree: int
     is_field = True
+    parse_limit = FINITE_LIMIT
 
     @abstractmethod
     def label(self, x: Any) -> int:

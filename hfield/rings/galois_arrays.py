@@ -26,7 +26,10 @@ def field_class(F: Any) -> Any:
         # Told a primitive element, galois need not search for one, which may take it seconds.
         poly = galois.Poly(F.coefficients[::-1], field=galois.GF(F.characteristic))
         options |= {"irreducible_poly": poly, "primitive_element": _primitive(F), "verify": False}
-    return galois.GF(F.order, **options)
+    cls = galois.GF(F.order, **options)
+    one = cls.Ones(1)
+    one * one - one  # builds galois's tables now, and not inside somebody's first product
+    return cls
 
 
 def _primitive(F: Any) -> int:

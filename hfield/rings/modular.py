@@ -14,7 +14,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.rings.base import Known, Ring
+from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.rational import rational, unwrap
 
 WORD = 2**63
@@ -23,6 +23,8 @@ SEARCH = 2_000  # the largest modulus over which squares are searched one by one
 
 class Modular(Ring):
     """The ring of integers modulo n ≥ 2; elements are flint's ``nmod`` or ``fmpz_mod``."""
+
+    parse_limit = FINITE_LIMIT
 
     def __init__(self, name: str, modulus: int, is_field: bool) -> None:
         self.name = name
@@ -124,9 +126,8 @@ class Modular(Ring):
         if not squares:
             return Known(None, f"the modulus is too large to search (above {SEARCH})")
         shown = " + ".join(f"{int(y)}²" for y in squares)
-        return Known(
-            len(squares), f"−1 = {shown} in {shorten(self.name)}, and fewer squares do not do"
-        )
+        fewer = ", and fewer squares do not do" if len(squares) > 1 else ""
+        return Known(len(squares), f"−1 = {shown} in {shorten(self.name)}{fewer}")
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return as few elements as possible whose squares add up to −1; () if n is too large."""

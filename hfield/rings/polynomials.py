@@ -14,7 +14,6 @@ from hfield.errors import (
     NotInvertibleError,
     RingError,
     TooLargeError,
-    UndecidedError,
     shorten,
 )
 from hfield.rings.base import INFINITY, Known, Ring
@@ -138,8 +137,6 @@ class PolynomialRing(Ring):
         """Return some y with y² = x, or None."""
         if x == 0:
             return x
-        if self.characteristic:
-            raise UndecidedError(f"square roots in {self.name} are not computed")
         try:
             root = x.sqrt()
         except flint.utils.flint_exceptions.DomainError:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError
+from hfield.rings.rational import rational
 
 if TYPE_CHECKING:
     from hfield.rings.functions import FunctionField
@@ -36,9 +36,8 @@ class Quotient:
             raise CoercionError(
                 f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
             )
-        if isinstance(other, (int, Fraction)):
-            return self.field(other)
-        return None
+        number = rational(other)
+        return None if number is None else self.field(number)
 
     def __add__(self, other: Any) -> Any:
         o = self._other(other)

@@ -32,7 +32,6 @@ class Surd:
     """
 
     __slots__ = ("terms",)
-    __array_ufunc__ = None  # or numpy would take a number for something to convert
 
     terms: dict[int, Any]
 

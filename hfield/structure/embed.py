@@ -1,9 +1,10 @@
-"""Finding i and j of one division algebra inside an isomorphic one.
+"""Finding i and j of one algebra inside an isomorphic one, without splitting either.
 
-The element I with the square of i is a pure quaternion of given norm, a zero of a form in four
-variables: over ℚ it is found directly; elsewhere one coordinate runs through small values until the
-conic that is left has a point. The element J that goes with it is ``(m + n·I)·v`` for one v
-that anticommutes with I, and a point on a conic gives m and n.
+Over the real and complex numbers by square roots. Over ℚ, i is a zero of a form in four variables. Elsewhere, for
+division algebras, by a common slot: isomorphic algebras (a, b)
+and (p, q) have an e with (a, b) = (a, e) = (p, e) = (p, q), and likewise [a, b) and [p, q) in
+characteristic 2. Given e, three conics with a point give the elements. To find it, e runs through q times
+norms from F(i), so that (p, e) = (p, q) holds of itself, until (a, e) = (a, b) holds too.
 """
 
 import itertools
@@ -15,33 +16,114 @@ from hfield.product import Constants, Coordinates, multiply, norm
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.bundle import solve_ternary
 from hfield.structure.centre import basis_of
-from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.compare import same_class
+from hfield.structure.forms import normal_form
 from hfield.structure.integers import fraction
-from hfield.structure.minimise import RamifiedError
-from hfield.structure.places import ramification
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.zero import zero_norm
 
-TRIALS = 300
+TRIALS = 1500
 
 
 def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:
-    """Return the images of i and j under some isomorphism of division algebras, known to exist.
+    """Return the images of i and j under some isomorphism, known to exist.
 
     Raises :class:`UndecidedError` when none was found in bounded time.
     """
     source, target = normal_form(ring, c), normal_form(ring, other)
     middle = ring.one if target.kind == "artin-schreier" else ring.zero
-    inner = Constants(target.a, middle, target.b)
-    big_i = _generator(ring, source.a, target)
-    big_j = _companion(ring, inner, Constants(source.a, middle, source.b), big_i)
+    inner, outer = (Constants(f.a, middle, f.b) for f in (target, source))
+    if ring.name in ("RR", "CC"):
+        i, j = _closed(ring, outer, inner)
+    elif ring.name == "QQ":
+        i, j = _rational(ring, outer, inner)
+    else:
+        i, j = _through_slot(ring, outer, inner, _slot(ring, outer, inner))
     # back from the normal forms: i of c is a combination of e and the normal i
-    one = basis_of(ring)[0]
-    i_in_normal = source.forth(basis_of(ring)[1])
-    image = [i_in_normal[0] * x + i_in_normal[1] * y for x, y in zip(one, big_i, strict=True)]
-    return target.back((image[0], image[1], image[2], image[3])), target.back(big_j)
+    one, given, _, _ = basis_of(ring)
+    scalar, factor, _, _ = source.forth(given)
+    w, x, y, z = (scalar * u + factor * v for u, v in zip(one, i, strict=True))
+    return target.back((w, x, y, z)), target.back(j)
+
+
+def _closed(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+    """Scale two of i, j, k over the real or complex numbers: those whose squares have the right signs."""
+    o, e = ring.zero, ring.one
+    units = [(o, e, o, o), (o, o, e, o), (o, o, o, e)]
+    squares = (inner.a, inner.b, -inner.a * inner.b)
+    for m, n in itertools.permutations(range(3), 2):
+        ratios = ring.divide(outer.a, squares[m]), ring.divide(outer.b, squares[n])
+        if ring.name == "CC" or all(ring.sign(x) > 0 for x in ratios):
+            r, s = map(ring.sqrt, ratios)
+            i, j = ([x * u for u in units[n]] for x, n in ((r, m), (s, n)))
+            return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
+    raise AssertionError("isomorphic real algebras have squares of the same signs")
+
+
+def _rational(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+    """Find i as a pure quaternion with the right square, and j among what anticommutes with it."""
+    p, q = inner.a, inner.b
+    solution = isotropic_vector([fraction(x) for x in (p, q, -p * q, -outer.a)])
+    assert solution is not None, "isomorphic algebras contain the same fields"
+    x, y, z, r = (ring(u) for u in solution)
+    scale = ring.inverse(r)
+    i = (ring.zero, x * scale, y * scale, z * scale)
+    for u in basis_of(ring)[1:]:
+        left, right = multiply(inner, i, u), multiply(inner, u, i)
+        w, x, y, z = (s - t for s, t in zip(left, right, strict=True))
+        if not all(map(ring.is_zero, (w, x, y, z))):
+            break
+    v = (w, x, y, z)
+    value = ring.divide(outer.b, multiply(inner, v, v)[0])
+    return i, _times_norm(ring, inner, i, v, Constants(outer.a, ring.zero, value))
+
+
+def _slot(ring: Ring, outer: Constants, inner: Constants) -> Any:
+    """Return a common slot of two isomorphic algebras in normal form."""
+    t = outer.t
+    for m, n in itertools.islice(_small_pairs(ring), TRIALS):
+        for first, second in ((inner, outer), (outer, inner)):
+            e = first.b * (m * m + t * (m * n) - first.a * (n * n))
+            if ring.is_zero(e):
+                continue
+            forms = [normal_form(ring, Constants(second.a, t, x)) for x in (e, second.b)]
+            if same_class(ring, *forms):
+                return e
+    raise UndecidedError(
+        f"an isomorphism exists, but none with small numbers was found over {ring.name}"
+    )
+
+
+def _through_slot(
+    ring: Ring, outer: Constants, inner: Constants, e: Any
+) -> tuple[Coordinates, Coordinates]:
+    """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``."""
+    zero, one, t = ring.zero, ring.one, inner.t
+    i, j = (zero, one, zero, zero), (zero, zero, one, zero)
+    slot = _times_norm(ring, inner, i, j, Constants(inner.a, t, ring.divide(e, inner.b)))
+    if ring.is_zero(t):
+        # ((x + y·slot)·i)² = (x² − e·y²)·inner.a
+        value = ring.divide(outer.a, inner.a)
+        big_i = _times_norm(ring, inner, slot, i, Constants(e, zero, value))
+    else:
+        # x + i + y·slot has trace 1 and norm x² + x + inner.a + e·y²
+        w, x, y = conic_point(ring, Constants(inner.a + outer.a, one, e))
+        scale = ring.inverse(x)
+        p, q, r, s = (scale * y * u for u in slot)
+        big_i = (p + scale * w, q + one, r, s)
+    value = ring.divide(outer.b, e)
+    return big_i, _times_norm(ring, inner, big_i, slot, Constants(outer.a, t, value))
+
+
+def _times_norm(
+    ring: Ring, c: Constants, u: Coordinates, v: Coordinates, split: Constants
+) -> Coordinates:
+    """Return ``(m + n·u)·v`` with m + n·u of norm ``split.b``, where ``u² = split.a + split.t·u``."""
+    m, n, r = conic_point(ring, split)
+    scale = ring.inverse(r)
+    w, x, y, z = (scale * n * s for s in u)
+    return multiply(c, (w + scale * m, x, y, z), v)
 
 
 def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
@@ -63,101 +145,38 @@ def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
     return w, x, y
 
 
-def _generator(ring: Ring, a: Any, target: NormalForm) -> Coordinates:
-    """Return an element of (target.a, target.b) with the minimal polynomial of i."""
-    p, q = target.constants
-    zero = ring.zero
-    if target.kind == "artin-schreier":
-        assert isinstance(ring, FunctionField)
-        return _artin_schreier_generator(ring, a, p, q)
-    if ring.name == "QQ":
-        solution = isotropic_vector([fraction(x) for x in (p, q, zero - p * q, zero - a)])
-        assert solution is not None, "the fields that embed in isomorphic algebras are the same"
-        x, y, z, r = (ring(u) for u in solution)
-        scale = ring.inverse(r)
-        return zero, x * scale, y * scale, z * scale
-    if ring.name == "RR":
-        root = ring.sqrt(ring.divide(a, p))
-        return zero, root, zero, zero
-    for z in itertools.islice(_small(ring), TRIALS):
-        rest = a + p * q * (z * z)
-        if ring.is_zero(rest):
-            return zero, zero, zero, z
-        c = Constants(p * rest, zero, q * rest)
-        if not ramification(ring, normal_form(ring, c)) and zero_norm(ring, c):
-            # p·rest·x² + q·rest·y² = w², so p·(rest·x/w)² + q·(rest·y/w)² = rest
-            w, x, y = conic_point(ring, c)
-            scale = ring.divide(rest, w)
-            return zero, x * scale, y * scale, z
-    raise UndecidedError(
-        f"an embedding exists, but none was found over {ring.name} with small coordinates"
-    )
-
-
-def _artin_schreier_generator(ring: FunctionField, a: Any, p: Any, q: Any) -> Coordinates:
-    """Return ``x + i + y·j + z·k`` of norm a: for a fixed z a conic in x, y and a common denominator."""
-    one, zero = ring.one, ring.zero
-    for z in itertools.islice(_small(ring), TRIALS):
-        form = (one, q, a + p + q * p * (z * z), q * z, one, zero)
-        if ring.is_zero(q * z * z + one):
-            continue
-        try:
-            x, y, w = solve_ternary(ring, form)
-        except RamifiedError:
-            continue
-        scale = ring.inverse(w)
-        return x * scale, one, y * scale, z
-    raise UndecidedError(
-        f"an embedding exists, but none was found over {ring.name} with small coordinates"
-    )
-
-
-def _companion(ring: Ring, inner: Constants, source: Constants, i: Coordinates) -> Coordinates:
-    """Return J with ``J·I = (t − I)·J`` and ``J² = source.b``."""
-    for p in basis_of(ring)[1:]:
-        left, right = multiply(inner, i, p), multiply(inner, p, i)
-        w, x, y, z = (s - t for s, t in zip(left, right, strict=True))
-        v = (w, x, y, z)
-        if not all(map(ring.is_zero, v)):
-            break
-    square = multiply(inner, v, v)[0]
-    ratio = ring.divide(source.b, square)
-    m, n, r = conic_point(ring, Constants(source.a, source.t, ratio))
-    scale = ring.inverse(r)
-    factor = [scale * (n * x) for x in i]
-    factor[0] = factor[0] + scale * m
-    return multiply(inner, (factor[0], factor[1], factor[2], factor[3]), v)
+def _small_pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
+    """Run through pairs of small elements of a quadratic or a function field, not both 0."""
+    seen: list[Any] = []
+    for x in _small(ring):
+        seen.append(x)
+        for y in seen[:-1]:
+            yield x, y
+            yield y, x
 
 
 def _small(ring: Ring) -> Iterator[Any]:
-    """Run through small elements of a quadratic or a function field, 0 first, with small denominators."""
-    for size in itertools.count():
-        numbers = range(-size, size + 1)
-        if isinstance(ring, QuadraticField):
-            pairs = [(u, v) for u in numbers for v in numbers if max(abs(u), abs(v)) == size]
-            tops = [ring(u) + ring(v) * ring.gen for u, v in pairs]
-            bottoms = [ring(n) for n in range(1, size + 2)]
-        elif isinstance(ring, FunctionField):
-            digits = (
-                [ring(u) for u in numbers]
-                if ring.base.order is None
-                else list(_constants(ring, size + 2))
-            )
-            degree = min(size, 3)
-            tops = [
-                sum((x * ring.power(ring.gen, n) for n, x in enumerate(rest)), first)
-                for first, *rest in itertools.product(digits, repeat=degree + 1)
-            ]
-            bottoms = [ring.one, ring.gen, ring.gen + ring.one][: size + 1]
-        else:
-            raise UndecidedError(
-                f"isomorphisms of division algebras over {ring.name} are not constructed"
-            )
-        yield from (ring.divide(x, y) for y in bottoms for x in tops)
-
-
-def _constants(ring: FunctionField, count: int) -> Iterator[Any]:
-    return (ring.constant(x) for x in itertools.islice(ring.base.elements(), count))
-
-
-__all__ = ["conic_point", "discriminant", "embed_generator"]
+    """Run through small integral elements, 0 and 1 first."""
+    yield ring.zero
+    yield ring.one
+    if isinstance(ring, QuadraticField):
+        for size in itertools.count(1):
+            numbers = range(-size, size + 1)
+            for u, v in itertools.product(numbers, repeat=2):
+                if max(abs(u), abs(v)) == size and (u, v) > (0, 0) and (u, v) != (1, 0):
+                    yield ring(u) + ring(v) * ring.gen
+    elif isinstance(ring, FunctionField):
+        finite = ring.base.order is not None
+        some = list(itertools.islice(ring.base.elements(), 5)) if finite else [0, 1, -1, 2]
+        digits = [ring.constant(ring.base(x)) for x in some]
+        for degree in itertools.count(1):
+            for leading, *rest in itertools.product(digits, repeat=degree + 1):
+                if not ring.is_zero(leading):
+                    value = leading
+                    for x in rest:
+                        value = value * ring.gen + x
+                    yield value
+    else:
+        raise UndecidedError(
+            f"isomorphisms of division algebras over {ring.name} are not constructed"
+        )

@@ -6,21 +6,18 @@ from typing import Any
 from hfield.errors import MixedParentsError, UndecidedError
 from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
 from hfield.structure.centre import basis_of
+from hfield.structure.compare import same_class
 from hfield.structure.embed import embed_generator
 from hfield.structure.forms import discriminant, normal_form
-from hfield.structure.hilbert import ramified_places_q
-from hfield.structure.integers import fraction
 from hfield.structure.linear import Row, apply, inverse
-from hfield.structure.places import ramification
 from hfield.structure.split import division_or_splitting, from_zero_divisor
 from hfield.structure.zero import is_division, zero_norm
 
 
 @dataclass(frozen=True)
 class Isomorphism:
-    """An isomorphism of algebras over one field: ``images`` are the coordinates of the images of e, i, j, k."""
+    """An isomorphism of algebras over one field: ``images`` of e, i, j, k, in coordinates."""
 
     ring: Ring
     images: tuple[Coordinates, Coordinates, Coordinates, Coordinates]
@@ -76,12 +73,9 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
         return all(degenerate) and _degenerate(ring, c, other)
     if ring.order is not None:
         return True
-    forms = [normal_form(ring, x) for x in (c, other)]
-    places = [ramification(ring, form) for form in forms]
-    if None not in places:
-        if isinstance(ring, FunctionField) and ring.base.order is None:
-            return _over_rational_functions(ring, c, other)
-        return places[0] == places[1]
+    same = same_class(ring, normal_form(ring, c), normal_form(ring, other))
+    if same is not None:
+        return same
     divisions = [is_division(ring, x) for x in (c, other)]
     if divisions[0] != divisions[1]:
         return False
@@ -92,35 +86,18 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
     )
 
 
-def _over_rational_functions(ring: FunctionField, c: Constants, other: Constants) -> bool:
-    """Compare over ℚ(x): all residues agree, and so do the algebras at one good point of the line."""
-    from hfield.structure.functionfield import same_residues
-
-    forms = [normal_form(ring, x) for x in (c, other)]
-    if not same_residues(ring, forms[0], forms[1]):
-        return False
-    n = 0
-    while True:
-        point = ring.base((n + 1) // 2 * (-1) ** n)
-        n += 1
-        values = [x for form in forms for x in form.constants]
-        if any(x.den(point) == 0 or x.num(point) == 0 for x in values):
-            continue
-        a, b, p, q = (fraction(x.num(point) / x.den(point)) for x in values)
-        return ramified_places_q(a, b) == ramified_places_q(p, q)
-
-
 def _degenerate(ring: Ring, c: Constants, other: Constants) -> bool:
     """Compare degenerate algebras in characteristic not 2: F[√a] ⊕ radical, or all of e's complement."""
     if ring.characteristic == 2:
         raise UndecidedError("degenerate algebras of characteristic 2 are not compared")
-    classes = []
+    classes: list[Any] = []
     for x in (c, other):
         form = normal_form(ring, x)
         classes.append(next((s for s in form.constants if not ring.is_zero(s)), None))
-    if None in classes:
-        return classes[0] is classes[1]
-    return ring.sqrt(classes[0] * classes[1]) is not None
+    first, second = classes
+    if first is None or second is None:
+        return first is second
+    return ring.sqrt(first * second) is not None
 
 
 def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | None:
@@ -138,11 +115,12 @@ def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | Non
         raise UndecidedError(
             "the two are isomorphic, but for degenerate algebras no map is constructed"
         )
-    q, p = zero_norm(ring, c).element, zero_norm(ring, other).element
-    if q is not None and p is not None:
-        left, right = from_zero_divisor(ring, c, q), from_zero_divisor(ring, other, p)
-        i, j = (right.from_matrix(m) for m in (left.i, left.j))
-        return verified(ring, c, other, i, j)
+    if ring.name not in ("RR", "CC"):
+        q, p = zero_norm(ring, c).element, zero_norm(ring, other).element
+        if q is not None and p is not None:
+            left, right = from_zero_divisor(ring, c, q), from_zero_divisor(ring, other, p)
+            i, j = (right.from_matrix(m) for m in (left.i, left.j))
+            return verified(ring, c, other, i, j)
     i, j = embed_generator(ring, c, other)
     return verified(ring, c, other, i, j)
 

@@ -1,6 +1,7 @@
 """Output: encodings that lack letters, files whole or not at all, the progress line."""
 
 import io
+import json
 import os
 
 import pytest
@@ -46,6 +47,15 @@ def test_json_is_ascii_where_it_must_be(monkeypatch):
     with open_output(None) as out:
         out.write_json({"x": "√2"})
     assert "\\u221a2" in stream.getvalue()
+
+
+def test_json_is_laid_out_by_lines(capsys):
+    data = {"schema": "x", "rows": [{"a": [1, 2]}, {"b": None}], "none": [], "q": ["1", "0"]}
+    with open_output(None) as out:
+        out.write_json(data)
+    text = capsys.readouterr().out
+    assert json.loads(text) == data
+    assert text.splitlines()[2:5] == [' "rows": [', '  {"a": [1, 2]},', '  {"b": null}']
 
 
 @pytest.mark.parametrize("path", [None, "-"])

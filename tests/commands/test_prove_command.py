@@ -5,6 +5,7 @@ import json
 import pytest
 
 from hfield.cli import main
+from hfield.syntax import parse
 
 
 def run(capsys, *words):
@@ -60,6 +61,12 @@ def test_json_is_as_fixed(capsys):
         "tried": [],
         "certificate": None,
     }
+
+
+def test_the_statement_is_quoted_as_it_was_typed(capsys):
+    assert answer(capsys, " (p*q)*r==p*(q*r) ")[1]["statement"] == "(p*q)*r==p*(q*r)"
+    _, data = answer(capsys, "p == q", "--given", "p == r => q == r", "--given", "norm(p) == 1")
+    assert parse(data["statement"]) == parse("(p == r => q == r) => norm(p) == 1 => p == q")
 
 
 def test_without_a_field(capsys):

@@ -4,6 +4,8 @@ import pickle
 import time
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, RingError
 from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
@@ -233,3 +235,35 @@ def test_denominators_that_vanish():
         GF(4)(Fraction(1, 2))
     with pytest.raises(CoercionError, match="1/2 is not an integer"):
         ZZ(Fraction(1, 2))
+
+
+PIECES = st.sampled_from(
+    ["GF", "QQ", "ZZ", "RR", "F", "Q", "Z", "(", ")", "[", "]", ",", "2", "9", "4", "x", "t", "^", "+",
+     "-", "*", "/", "sqrt", "I", "i", "e", " ", "−", "²", "√", "1.5", "==", "and", "'", "\\", "\n", "é"]
+)  # fmt: skip
+
+
+@given(st.lists(PIECES, max_size=9).map("".join))
+@settings(max_examples=400, deadline=None)
+def test_any_text_is_a_ring_or_a_clear_error(text):
+    try:
+        F = ring(text)
+    except RingError:
+        return
+    assert ring(F.name) == F
+
+
+@given(
+    st.lists(PIECES, max_size=9).map("".join),
+    st.sampled_from(
+        ["GF(9)", "QQ", "RR", "CC", "RDF", "QQ(sqrt(2))", "GF(4)(t)", "ZZ[a,b]", "ZZ/6"]
+    ),
+)
+@settings(max_examples=400, deadline=None)
+def test_any_text_is_an_element_or_a_clear_error(text, name):
+    F = ring(name)
+    try:
+        x = F(text)
+    except HFieldError:
+        return
+    assert F.equal(F(F.text(x)), x)

@@ -1,11 +1,12 @@
-"""Putting terms in the place of unknowns."""
+"""Walking through syntax trees, and putting terms in the place of unknowns."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from hfield.syntax import (
     Binary,
     Call,
     Compare,
+    Exists,
     Index,
     Logic,
     Name,
@@ -15,6 +16,35 @@ from hfield.syntax import (
     Power,
     parse,
 )
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """Return the nodes directly below ``node``."""
+    match node:
+        case Negate(x) | Not(x) | Power(x, _) | Index(x, _) | Exists(_, x):
+            return (x,)
+        case Binary(_, x, y) | Compare(_, x, y) | Logic(_, x, y):
+            return (x, y)
+        case Call(_, arguments):
+            return arguments
+    return ()
+
+
+def tree_depth(node: Node) -> int:
+    """Return how many nodes are above each other at most."""
+    depth, level = 0, [node]
+    while level:
+        depth, level = depth + 1, [child for n in level for child in children(n)]
+    return depth
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """Run through ``node`` and all nodes below it."""
+    stack = [node]
+    while stack:
+        n = stack.pop()
+        yield n
+        stack.extend(reversed(children(n)))
 
 
 def substitute(node: Node, terms: Mapping[str, Node]) -> Node:

@@ -1,0 +1,217 @@
+"""Statements to trees, by a parser of the checker's own for the grammar of docs/language.md.
+
+A tree is a tuple that begins with what it is: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``,
+``("+", x, y)`` and so for ``- * / == != and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,
+``("call", "norm", (x,))``, ``("not", x)``, ``("exists", ("q",), x)``. Two texts say the same when
+their trees are equal.
+"""
+
+import re
+from fractions import Fraction
+from typing import Any, NoReturn
+
+from hfield.certificates.rejection import MAX_DIGITS, reject, shown
+
+Tree = tuple[Any, ...]
+
+MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 400
+BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
+NOT, COMPARE, SIGN = 5, 6, 9
+WORDS = ("and", "or", "not", "exists")
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![\w.]))?)"
+    r"|(?P<name>[^\W\d]\w*)|(?P<sign><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))"
+)
+
+
+def parse(text: str) -> Tree:
+    """Read a statement or a term."""
+    if len(text) > MAX_LENGTH:
+        reject(f"a text of {len(text)} characters; at most {MAX_LENGTH} are read")
+    parser = _Parser(text)
+    tree = parser.infix(0, 0)[0]
+    if parser.word:
+        parser.fail("the expression goes on where it should have ended")
+    return tree
+
+
+def walk(tree: Tree) -> list[Tree]:
+    """Return the tree and all trees in it."""
+    out, stack = [], [tree]
+    while stack:
+        node = stack.pop()
+        out.append(node)
+        stack.extend(children(node))
+    return out
+
+
+def children(tree: Tree) -> list[Tree]:
+    """Return the trees directly in ``tree``."""
+    if tree[0] == "call":
+        return list(tree[2])
+    return [x for x in tree[1:] if isinstance(x, tuple) and x and tree[0] != "exists"] + (
+        [tree[2]] if tree[0] == "exists" else []
+    )
+
+
+def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
+    """Put trees in the place of names (there is no ``exists`` in ``tree``)."""
+    if tree[0] == "name":
+        return values.get(tree[1], tree)
+    if tree[0] == "num":
+        return tree
+    if tree[0] == "call":
+        return ("call", tree[1], tuple(substitute(x, values) for x in tree[2]))
+    return tuple(
+        substitute(x, values) if isinstance(x, tuple) and n else x for n, x in enumerate(tree)
+    )
+
+
+class _Parser:
+    """Precedence climbing; every method returns a tree and its height."""
+
+    def __init__(self, text: str) -> None:
+        self.text, self.at = text, 0
+        self.words: list[tuple[str, str]] = []
+        clean = text.translate({0x2212: "-", 0xB7: "*", 0xD7: "*"})
+        position, end = 0, len(clean.rstrip())
+        while position < end:
+            match = _TOKEN.match(clean, position)
+            if match is None:
+                reject(f"cannot read {shown(text)!r} from character {position + 1} on")
+            kind = match.lastgroup or ""
+            self.words.append((kind, match[kind]))
+            position = match.end()
+
+    @property
+    def word(self) -> str:
+        """The word to be read next, '' at the end."""
+        return self.words[self.at][1] if self.at < len(self.words) else ""
+
+    @property
+    def kind(self) -> str:
+        """The kind of that word."""
+        return self.words[self.at][0] if self.at < len(self.words) else "end"
+
+    def fail(self, why: str) -> NoReturn:
+        """Reject the text."""
+        reject(f"cannot read {shown(self.text)!r} at {shown(self.word) or 'its end'!r}: {why}")
+
+    def next(self, *expected: str) -> str:
+        """Take the next word if it is one of those expected, else return ''."""
+        word = self.word
+        if word and word in expected:
+            self.at += 1
+            return word
+        return ""
+
+    def need(self, word: str) -> None:
+        """Take this word or fail."""
+        if not self.next(word):
+            self.fail(f"expected {word!r}")
+
+    def build(self, height: int, *tree: Any) -> tuple[Tree, int]:
+        """Return the tree, one higher than the highest in it."""
+        if height >= MAX_HEIGHT:
+            self.fail(f"it is more than {MAX_HEIGHT} operations high")
+        return tree, height + 1
+
+    def infix(self, strength: int, depth: int) -> tuple[Tree, int]:
+        """Read operands joined by operators that bind more tightly than ``strength``."""
+        if depth > MAX_DEPTH:
+            self.fail(f"it is more than {MAX_DEPTH} levels deep")
+        left, height = self.prefix(strength, depth)
+        while BINDS.get(self.word, 0) > strength:
+            operator = self.next(*BINDS)
+            binds = BINDS[operator]
+            right, other = self.infix(binds - (operator == "=>"), depth + 1)
+            left, height = self.build(max(height, other), operator, left, right)
+            if BINDS.get(self.word) == binds and (binds == COMPARE or operator == "<=>"):
+                self.fail(f"{operator!r} does not chain")
+        return left, height
+
+    def prefix(self, strength: int, depth: int) -> tuple[Tree, int]:
+        """Read what may stand in front of an operand, and the operand."""
+        word = self.next("exists", "not", "-", "+")
+        if not word:
+            return self.power(depth)
+        if word == "exists":
+            if strength:
+                self.fail("'exists' stands in front")
+            names = [self.name()]
+            while self.next(","):
+                names.append(self.name())
+            self.need(":")
+            body, height = self.infix(0, depth + 1)
+            return self.build(height, "exists", tuple(names), body)
+        if word == "not":
+            if strength >= COMPARE:
+                self.fail("'not' needs parentheses here")
+            body, height = self.infix(NOT, depth + 1)
+            return self.build(height, "not", body)
+        body, height = self.infix(SIGN, depth + 1)
+        return (body, height) if word == "+" else self.build(height, "neg", body)
+
+    def name(self) -> str:
+        """Read a name."""
+        if self.kind != "name" or self.word in WORDS:
+            self.fail("expected a name")
+        return self.next(self.word)
+
+    def power(self, depth: int) -> tuple[Tree, int]:
+        """Read an atom, its coordinate, its exponent."""
+        tree, height = self.atom(depth)
+        if self.next("["):
+            place = self.next("0", "1", "2", "3")
+            if not place:
+                self.fail("expected a coordinate 0, 1, 2 or 3")
+            self.need("]")
+            tree, height = self.build(height, "index", tree, int(place))
+        if self.next("**", "^"):
+            opened = self.next("(")
+            sign = -1 if self.next("-") else 1
+            if self.kind != "number" or not self.word.isdigit():
+                self.fail("expected an integer exponent")
+            exponent = sign * self.integer(self.next(self.word))
+            if opened:
+                self.need(")")
+            tree, height = self.build(height, "pow", tree, exponent)
+        if self.word in ("**", "^", "["):
+            self.fail("powers and coordinates do not chain")
+        return tree, height
+
+    def integer(self, digits: str) -> int:
+        """Return the number, unless it has too many digits."""
+        if len(digits) > MAX_DIGITS:
+            self.fail(f"a number has more than {MAX_DIGITS} digits")
+        return int(digits)
+
+    def atom(self, depth: int) -> tuple[Tree, int]:
+        """Read a number, a name, a call or a parenthesis."""
+        if self.kind == "number":
+            word = self.next(self.word)
+            if word.isdigit():
+                return ("num", self.integer(word)), 1
+            digits, _, exponent = word.lower().partition("e")
+            if len(digits) > MAX_DIGITS or len(exponent) > 4:
+                self.fail("a number is too large")
+            return ("num", _decimal(word)), 1
+        if self.kind == "name" and self.word not in WORDS:
+            name = self.name()
+            if not self.next("("):
+                return ("name", name), 1
+            arguments = [self.infix(0, depth + 1)]
+            while self.next(","):
+                arguments.append(self.infix(0, depth + 1))
+            self.need(")")
+            trees = tuple(tree for tree, _ in arguments)
+            return self.build(max(height for _, height in arguments), "call", name, trees)
+        if self.next("("):
+            inside = self.infix(0, depth + 1)
+            self.need(")")
+            return inside
+        self.fail("expected a number, a name or a parenthesis")
+
+
+def _decimal(word: str) -> Fraction:
+    return Fraction(word)

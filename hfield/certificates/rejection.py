@@ -1,0 +1,71 @@
+"""The one error of the checker, and how it looks at JSON data: nothing unknown is ever let pass."""
+
+from collections.abc import Mapping
+from typing import Any, NoReturn
+
+MAX_DIGITS = 4_000
+MAX_LIST = 20_000
+
+
+class Rejected(Exception):  # noqa: N818  it is a verdict, not a failure
+    """The certificate does not establish what it states; the message says where it fails."""
+
+
+def reject(why: str) -> NoReturn:
+    """Raise :class:`Rejected`."""
+    raise Rejected(why)
+
+
+def shown(value: object, limit: int = 60) -> str:
+    """Write a value for a message, cut to ``limit`` characters."""
+    text = value if isinstance(value, str) else repr(value)[: 4 * limit]
+    text = "".join(c if c.isprintable() else "?" for c in text[: 4 * limit])
+    return text if len(text) <= limit else text[: limit - 1] + "…"
+
+
+def an_object(value: object, keys: str, what: str, optional: str = "") -> Mapping[str, Any]:
+    """Return a JSON object that has exactly the keys named (``optional`` ones may be missing)."""
+    if not isinstance(value, dict):
+        reject(f"{what} must be an object, found {shown(value)}")
+    wanted, allowed = set(keys.split()), {*keys.split(), *optional.split()}
+    for key in value:
+        if key not in allowed:
+            reject(f"{what} has an unknown key {shown(key)!r}")
+    for key in sorted(wanted):
+        if key not in value:
+            reject(f"{what} lacks the key {key!r}")
+    return value
+
+
+def a_list(value: object, what: str, least: int = 0) -> list[Any]:
+    """Return a JSON list of at least ``least`` entries."""
+    if not isinstance(value, list):
+        reject(f"{what} must be a list, found {shown(value)}")
+    if not least <= len(value) <= MAX_LIST:
+        reject(f"{what} has {len(value)} entries; expected {least} to {MAX_LIST}")
+    return value
+
+
+def a_text(value: object, what: str, longest: int = 20_000) -> str:
+    """Return a JSON string."""
+    if not isinstance(value, str):
+        reject(f"{what} must be a text, found {shown(value)}")
+    if len(value) > longest:
+        reject(f"{what} has {len(value)} characters, more than the {longest} that are read")
+    return value
+
+
+def an_integer(value: object, what: str, least: int | None = None) -> int:
+    """Return a JSON integer (no bool, no float)."""
+    if not isinstance(value, int) or isinstance(value, bool):
+        reject(f"{what} must be an integer, found {shown(value)}")
+    if value.bit_length() > 4 * MAX_DIGITS:
+        reject(f"{what} has more than {MAX_DIGITS} digits")
+    if least is not None and value < least:
+        reject(f"{what} must be at least {least}, found {shown(value)}")
+    return value
+
+
+def texts(value: object, what: str, least: int = 0) -> list[str]:
+    """Return a JSON list of strings."""
+    return [a_text(x, f"an entry of {what}") for x in a_list(value, what, least)]
