@@ -1,7 +1,7 @@
 """Every ring and every algebra over it through the same axioms.
 
-A ring joins by a line in ``RINGS``; a user's own ring may call ``check_ring`` and
-``check_algebra`` from its own tests.
+A ring joins by a line in ``RINGS``; a user's own ring may call ``check_all`` of
+``tests/rings/axioms.py`` and ``check_algebra`` from its own tests.
 """
 
 from collections.abc import Callable
@@ -13,8 +13,21 @@ from hypothesis import strategies as st
 
 from hfield import Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
-from tests.rings.test_axioms import RINGS
+from tests.rings.axioms import CHECKS
 
+RINGS = (
+    "QQ", "ZZ", "RR", "CC", "RDF",
+    "ZZ/2", "ZZ/6", "ZZ/7", "ZZ/8", "ZZ/100", "ZZ/100000000000000000041", f"ZZ/{3 * 2**70}",
+    "GF(2)", "GF(7)", "GF(100000000000000000039)", "GF(9223372036854775783)",
+    "GF(4)", "GF(9)", "GF(256)", "GF(9, x^2+1)", "GF(16, x^4+x^3+1)",
+    "GF(2^100)", "GF(100000000000000000039^2)",
+    "QQ(sqrt(2))", "QQ(sqrt(5))", "QQ(sqrt(30))", "QQ(I)", "QQ(sqrt(-2))", "QQ(sqrt(-3))",
+    "QQ(sqrt(-7))", "QQ(sqrt(-163))",
+    "QQ(x)", "QQ(t)", "GF(2)(t)", "GF(5)(t)", "GF(4)(t)", "GF(9, x^2+1)(t)",
+    "GF(100000000000000000039)(t)", "GF(7)(x)",
+    "ZZ[a,b,c]", "QQ[x,y]", "GF(5)[x,y]", "QQ[x]", "GF(2)[x,y]", "GF(100000000000000000039)[x,y]",
+    "ZZ[a_1,b2,alpha,w,z]",
+)  # fmt: skip
 # a, b, t: Hamilton, general, degenerate, Artin–Schreier, anything.
 CONSTANTS = [(-1, -1, 0), (2, 3, 0), (0, 1, 0), (0, 0, 0), (1, 1, 1), (5, -2, 3)]
 
@@ -66,6 +79,12 @@ def _fails(invert: Callable[[], object]) -> bool:
     except NotInvertibleError:
         return True
     return False
+
+
+@pytest.mark.parametrize("name", RINGS)
+@pytest.mark.parametrize("check", CHECKS, ids=lambda f: f.__name__.removeprefix("check_"))
+def test_rings(name: str, check: Callable[..., None]) -> None:
+    check(ring(name))
 
 
 @pytest.mark.parametrize("name", [name for name in RINGS if ring(name).is_exact])

@@ -19,8 +19,9 @@ from hfield.proving.expand import Expanded, expand, polynomial_world
 from hfield.proving.facts import ROOTS, Rule, relation, rules
 from hfield.proving.formulas import Clause
 from hfield.proving.language import Statement
-from hfield.proving.refutation import Problem, member, polynomial_text, refute
+from hfield.proving.refutation import Problem, member, refute
 from hfield.proving.setting import Setting
+from hfield.proving.shapes import polynomial_text
 from hfield.proving.trees import walk
 from hfield.proving.vanish import vanishes
 from hfield.rings.base import Ring

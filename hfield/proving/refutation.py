@@ -7,21 +7,19 @@ a form that lies in the ideal puts its arguments there too, and a product splits
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import isqrt
 from time import monotonic
 from typing import Any
 
-from hfield.errors import TooLargeError, UndecidedError
+from hfield.errors import TooLargeError
 from hfield.proving.facts import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.membership import LARGE_PRIMES, Cofactors, Ideal
-from hfield.proving.vanish import constant
-from hfield.rings.base import Ring, power
+from hfield.proving.shapes import MAX_DEGREE, as_squares, has_no_root, polynomial_text
+from hfield.rings.base import Ring
 
 SLICE = 150  # pairs between two looks at the rules
 MAX_ELEMENTS = 400
 MAX_CASES = 3  # how deep case distinctions nest
 MAX_FACTORED = 60  # terms of a polynomial that is still factored
-MAX_DEGREE = 16
 
 Step = Mapping[str, Any]
 
@@ -184,10 +182,11 @@ class _Search:
 
     def _rootless(self, ideal: Ideal) -> bool:
         """Find a polynomial in one variable that has no root in the field."""
-        if self._rule(ROOTS) is None:
+        p = self.problem
+        if self._rule(ROOTS) is None or p.field is None:
             return False
         for f in [*ideal.generators, *(f for f, _ in ideal.elements())]:
-            if not self._has_no_root(f):
+            if not has_no_root(f, p.variables, p.unknowns, p.field):
                 continue
             found = ideal.cofactors(f)
             if found is not None:
@@ -195,33 +194,6 @@ class _Search:
                 self._step({"step": "no root", "polynomial": self.text(f)}, found)
                 return True
         return False
-
-    def _has_no_root(self, f: Any) -> bool:
-        """Tell whether f is a polynomial in one unknown that certainly has no root in the field."""
-        p, field = self.problem, self.problem.field
-        degrees = [int(d) for d in f.degrees()]
-        constants = degrees[p.unknowns : len(p.variables)]
-        unknowns = degrees[: p.unknowns] + degrees[len(p.variables) :]
-        degree = max(unknowns)
-        if field is None or sum(map(bool, unknowns)) != 1 or not 2 <= degree <= MAX_DEGREE:
-            return False
-        if field.name == "QQ" and not any(constants):
-            return all(g.total_degree() > 1 for g, _ in f.factor()[1])
-        if degree > 2:
-            return False
-        c = [field.zero] * 3
-        for exponents, coefficient in f.terms():
-            value = field(int(coefficient))
-            for n in range(p.unknowns, len(p.variables)):
-                value = value * power(field.one, constant(field, p.variables[n]), exponents[n])
-            at = sum(exponents) - sum(exponents[p.unknowns : len(p.variables)])
-            c[at] = c[at] + value
-        if field.is_zero(c[2]):
-            return False
-        try:
-            return field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2]) is None
-        except UndecidedError:
-            return False
 
     def _cases(self, ideal: Ideal, depth: int) -> bool:
         """Split a product that is 0 into its factors."""
@@ -263,49 +235,3 @@ class _Search:
             self._step(step, found)
             return True
         return False
-
-
-def as_squares(f: Any, rule: Rule) -> list[tuple[int, Any]] | None:
-    """Write f, up to its sign, as Σ c·m² with monomials m to which the rule applies, or None."""
-    terms = [(tuple(map(int, m)), int(c)) for m, c in f.terms()]
-    if not 1 <= len(terms) <= rule.most or any(e % 2 for m, _ in terms for e in m):
-        return None
-    if all(e == 0 for m, _ in terms for e in m):
-        return None
-    sign = 1 if terms[0][1] > 0 else -1
-    if any(c * sign < 0 for _, c in terms):
-        return None
-    context = f.context()
-    out = []
-    for m, c in terms:
-        half = context.from_dict({tuple(e // 2 for e in m): 1})
-        root = isqrt(c * sign)
-        if root * root == c * sign:
-            out.append((1, root * half))
-        elif rule.positive:
-            out.append((c * sign, half))
-        else:
-            return None
-    return out
-
-
-def polynomial_text(polynomial: Any, names: Sequence[str]) -> str:
-    """Write a polynomial in the grammar of statements, such as ``p[0]*q[1]**2 - 2``."""
-    terms = []
-    for exponents, coefficient in polynomial.terms():
-        c = int(coefficient)
-        powers = [
-            name if e == 1 else f"{name}**{int(e)}"
-            for name, e in zip(names, exponents, strict=False)
-            if e
-        ]
-        if abs(c) != 1 or not powers:
-            powers.insert(0, str(abs(c)))
-        terms.append(("-" if c < 0 else "+", "*".join(powers)))
-    if not terms:
-        return "0"
-    head = ("-" if terms[0][0] == "-" else "") + terms[0][1]
-    return head + "".join(f" {sign} {body}" for sign, body in terms[1:])
-
-
-__all__ = ["Problem", "Refutation", "as_squares", "member", "polynomial_text", "refute"]

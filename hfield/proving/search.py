@@ -153,10 +153,11 @@ def small_scalars(field: Ring) -> tuple[Any, ...]:
 
 
 @lru_cache(maxsize=256)
-def zero_divisors(field: Ring, c: Constants) -> tuple[Any, ...]:
+def zero_divisors(field: Ring, constants: tuple[str, str, str]) -> tuple[Any, ...]:
     """Return elements of norm 0, if the field is known to have some in this algebra."""
     from hfield.structure.zero import zero_norm
 
+    c = Constants(*(constant(field, text) for text in constants))
     try:
         found = zero_norm(field, c).element
     except UndecidedError:
@@ -179,11 +180,11 @@ def zero_divisors(field: Ring, c: Constants) -> tuple[Any, ...]:
     )
 
 
-def pool(field: Ring, c: Constants) -> list[Any]:
+def pool(field: Ring, constants: tuple[str, str, str]) -> list[Any]:
     """Return a few telling quaternions: 0, the basis, zero divisors, small combinations."""
     zero, one = field.zero, field.one
     basis = [tuple(one if n == m else zero for n in range(4)) for m in range(4)]
-    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(field, c)]
+    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(field, constants)]
     for x in small_scalars(field)[2:6]:
         out.extend([(x, zero, zero, zero), (zero, x, zero, zero), (zero, one, x, zero)])
     return out
@@ -240,8 +241,9 @@ def ring_search(
     places = by_weight(statement.unknowns, scalars, 12, letters)
     if letters:
         return seeker.first(islice(places, 2 * limit))
-    c = Constants(*(constant(field, text) for text in constants))
-    found = seeker.first(islice(from_pool(statement.unknowns, pool(field, c), scalars), limit))
+    found = seeker.first(
+        islice(from_pool(statement.unknowns, pool(field, constants), scalars), limit)
+    )
     return seeker.first(islice(places, limit)) if found is None else found
 
 

@@ -136,9 +136,9 @@ class Oracle:
                 reciprocal = np.where(square == n, pow(n, -1, self.p), reciprocal)
         else:
             reciprocal = 1 / square if square else Fraction(0)
-        return [self.norm_form(u * reciprocal * s) for u, s in zip(x, (1, -1, -1, -1), strict=True)], (
-            square != 0
-        )
+        return [
+            self.norm_form(u * reciprocal * s) for u, s in zip(x, (1, -1, -1, -1), strict=True)
+        ], (square != 0)
 
     def truth(self, n):
         if isinstance(n, Compare):
