@@ -127,9 +127,9 @@ class QuaternionAlgebra:
             "comm": lambda p, q: p * q - q * p,
             **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
         }
-        return syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit).read(
-            text
-        )
+        reader = syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit)
+        element: Quaternion = reader.read(text)
+        return element
 
     def _lift(self, name: str, function: Any) -> Any:
         """Let a function of the ring, such as sqrt, act on scalar multiples of e."""

@@ -22,7 +22,7 @@ class Parent(Protocol):
     def batch_constants(self) -> product.Constants: ...  # noqa: D102
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
-    def __call__(self, *coordinates: Any) -> Quaternion: ...
+    def __call__(self, *coordinates: Any) -> Quaternion: ...  # noqa: D102
     def scalar(self, x: Any) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
 
@@ -123,7 +123,8 @@ class Quaternion:
         return self._new(*(x - y for x, y in zip(p.coordinates, q.coordinates, strict=True)))
 
     def __rsub__(self, other: Any) -> Quaternion:
-        return (-self) + other
+        p, q = self._join(other, "subtract")
+        return q - p
 
     def __neg__(self) -> Quaternion:
         return self._new(*(-x for x in self.coordinates))
@@ -150,7 +151,8 @@ class Quaternion:
         if not isinstance(n, int):
             raise CoercionError(f"the exponent {n!r} is not an int; only integer powers exist")
         one = self - self + 1 if self.is_batch else self.algebra.basis[0]
-        return power(one, self if n >= 0 else self.inverse(), abs(n))
+        result: Quaternion = power(one, self if n >= 0 else self.inverse(), abs(n))
+        return result
 
     def __eq__(self, other: object) -> Any:
         if isinstance(other, str):
@@ -227,10 +229,10 @@ class Quaternion:
             if not units.all():
                 where = tuple(int(index[0]) for index in (~units).nonzero())
                 raise NotInvertibleError(f"at index {where} of the array: {self[where]._failure()}")
-            return self.conjugate() * self.ring.array_inverse(n)
+            return self.conjugate() * self.algebra.scalar(self.ring.array_inverse(n))
         if not self.ring.is_unit(n):
             raise NotInvertibleError(self._failure())
-        return self.conjugate() * self.ring.inverse(n)
+        return self.conjugate() * self.algebra.scalar(self.ring.inverse(n))
 
     def _failure(self) -> str:
         """Say why this single quaternion has no inverse."""
@@ -257,7 +259,7 @@ class Quaternion:
         s = self.ring.annihilator(self.norm())
         if s is None:
             return None
-        y = self.conjugate() * s
+        y = self.conjugate() * self.algebra.scalar(s)
         if not y.is_zero():
             return y
         # s·conj(q) = 0 and so s·q = 0: the scalar s itself annihilates q.

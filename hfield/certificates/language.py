@@ -14,7 +14,7 @@ from hfield.certificates.rejection import MAX_DIGITS, reject, shown
 
 Tree = tuple[Any, ...]
 
-MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 400
+MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 200
 BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
 NOT, COMPARE, SIGN = 5, 6, 9
 WORDS = ("and", "or", "not", "exists")
@@ -45,13 +45,11 @@ def walk(tree: Tree) -> list[Tree]:
     return out
 
 
-def children(tree: Tree) -> list[Tree]:
+def children(tree: Tree) -> tuple[Tree, ...]:
     """Return the trees directly in ``tree``."""
-    if tree[0] == "call":
-        return list(tree[2])
-    return [x for x in tree[1:] if isinstance(x, tuple) and x and tree[0] != "exists"] + (
-        [tree[2]] if tree[0] == "exists" else []
-    )
+    if tree[0] in ("call", "exists"):
+        return tree[2] if tree[0] == "call" else (tree[2],)
+    return tuple(x for x in tree[1:] if isinstance(x, tuple))
 
 
 def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
@@ -195,7 +193,7 @@ class _Parser:
             digits, _, exponent = word.lower().partition("e")
             if len(digits) > MAX_DIGITS or len(exponent) > 4:
                 self.fail("a number is too large")
-            return ("num", _decimal(word)), 1
+            return ("num", Fraction(word)), 1
         if self.kind == "name" and self.word not in WORDS:
             name = self.name()
             if not self.next("("):
@@ -211,7 +209,3 @@ class _Parser:
             self.need(")")
             return inside
         self.fail("expected a number, a name or a parenthesis")
-
-
-def _decimal(word: str) -> Fraction:
-    return Fraction(word)

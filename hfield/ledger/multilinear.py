@@ -72,6 +72,12 @@ class Form:
             total = total + term
         return total
 
+    def at(self, slot: int, vector: list[Any], last: list[Any]) -> Any:
+        """Return the value with ``vector`` in the slot, ``last`` at the end, general elsewhere."""
+        arguments = [*self.arguments[:-1], last]
+        arguments[slot] = vector
+        return self(*arguments)
+
     def basis(self, n: int) -> list[Any]:
         """Return the n-th basis vector."""
         return [self.one if m == n else self.zero for m in range(N)]
@@ -153,24 +159,13 @@ class CurriedIsLinear:
             form = Form(m + 1, ("s", "y", *(f"b{n}" for n in range(N))))
             s, y, *b = form.extra
             for last, slot in tuples(range(N), range(m)):
-                a = form.arguments[slot]
-                arguments = [*form.arguments[:m], form.basis(last)]
-
-                def at(
-                    vector: list[Any],
-                    form: Form = form,
-                    arguments: Any = arguments,
-                    slot: int = slot,
-                ) -> Any:
-                    return form(*arguments[:slot], vector, *arguments[slot + 1 :])
-
-                mixed = at([s * u + y * v for u, v in zip(a, b, strict=True)])
-                if mixed != s**self.power * at(a) + y * at(b):
+                a, fixed = form.arguments[slot], form.basis(last)
+                mixed = form.at(slot, [s * u + y * v for u, v in zip(a, b, strict=True)], fixed)
+                if mixed != s**self.power * form.at(slot, a, fixed) + y * form.at(slot, b, fixed):
                     step = "Take s = 2, y = 0: the left side doubles, the right side does not."
                     witness = {"s": ["2"], "y": ["0"]}
-                    return _over_all(
-                        field, Decision("refuted", "identity", witness=witness, steps=(step,))
-                    )
+                    refuted = Decision("refuted", "identity", witness=witness, steps=(step,))
+                    return _over_all(field, refuted)
         step = "Both sides expand to the same polynomial for m = 1, 2, each slot, each basis vector e₀."
         return Decision(
             "proved", "identity", steps=(step,), scope="commutative rings", assumes=(INDUCTION,)
@@ -213,8 +208,8 @@ class LastArgument:
             if left != form(*fixed, total):
                 n = min(self.upper, N)
                 step = (
-                    f"The two sides differ by the summand number {n + (self.upper > N)}: V has {N} basis vectors, "
-                    f"and the sum on the right runs to {self.upper}."
+                    f"The two sides differ by the summand number {n + (self.upper > N)}: "
+                    f"V has {N} basis vectors, and the sum on the right runs to {self.upper}."
                 )
                 witness = {f"x{m + 1}": [str(int(m == n))] for m in range(N + 1)}
                 return Decision("refuted", "identity", witness=witness, steps=(step,))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -191,7 +192,7 @@ def search_panel(proposition: Proposition) -> Decision:
     return Decision("undecided", "panel", tried=("a counterexample in each field of the panel",))
 
 
-def witness_text(witness: dict[str, Any] | None) -> str:
+def witness_text(witness: Mapping[str, list[str]] | None) -> str:
     """Write a witness in one line, such as ``p = (0,1,0,0), q = (0,0,1,0)``."""
     parts = []
     for name, values in (witness or {}).items():

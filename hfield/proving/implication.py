@@ -219,7 +219,9 @@ def _clause(
     if math.prod(map(len, choices)) > MAX_CHOICES:
         return None
     out = []
-    for choice in product(*choices):
+    nonzero = _nonzero_constants(x, field)
+    for chosen in product(*choices):
+        choice = (*chosen, *nonzero)
         problem = _problem(x, field, characteristic, (*zeros, *relations), choice, quaternions)
         refutation = refute(problem, own, deadline)
         if refutation is None:
@@ -263,6 +265,18 @@ def _relations(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
             g = x.context.gens()[n]
             out.append(sum((c * g**k for k, c in enumerate(found)), x.context.constant(0)))
     return tuple(out)
+
+
+def _nonzero_constants(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
+    """Return the constants of the field, as polynomials, that satisfy no known relation but are not 0."""
+    gens = x.context.gens()
+    return tuple(
+        gens[n]
+        for n in range(x.unknowns, len(x.variables))
+        if field is not None
+        and relation(field, x.variables[n]) is None
+        and not vanishes(gens[n], x, field)
+    )
 
 
 def _quaternions(

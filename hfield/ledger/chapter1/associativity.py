@@ -1,5 +1,6 @@
 """Section 1.1.3: Lemma 1 on multilinear maps, and associativity through it, triple by triple."""
 
+from collections.abc import Sequence
 from itertools import pairwise, permutations
 from itertools import product as tuples
 
@@ -19,12 +20,14 @@ from hfield.ledger.propositions import Statement
 Triple = tuple[str, ...]
 
 
-def associate(triples: list[Triple]) -> str:
+def associate(triples: Sequence[Triple]) -> str:
     """Return ``(xy)z == x(yz)`` for every triple, joined."""
     return " and ".join(f"({x}*{y})*{z} == {x}*({y}*{z})" for x, y, z in triples)
 
 
-def triples_claim(number: str, name: str, words: str, printed: str, triples: list[Triple]) -> Claim:
+def triples_claim(
+    number: str, name: str, words: str, printed: str, triples: Sequence[Triple]
+) -> Claim:
     """Return a claim that f = g on the triples given; its twin has one sign changed."""
     text = associate(triples)
     spoilt = text.replace(" == ", " == -1*", 1)

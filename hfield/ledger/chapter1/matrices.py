@@ -77,9 +77,10 @@ def table(sign_of_ji: str) -> str:
     """Return Table 1.1 for the four matrices."""
     letters = {"E": E, "I": I, "J": J, "K": K}
     parts = []
-    for (x, y), (sign, result) in PRODUCTS.items():
-        s = sign_of_ji if (x, y) == ("J", "I") else sign
-        parts.append(equal(times(letters[x], letters[y]), combination([(f"{s}1", result)])))
+    for pair, (sign, result) in PRODUCTS.items():
+        s = sign_of_ji if pair == "JI" else sign
+        product = times(letters[pair[0]], letters[pair[1]])
+        parts.append(equal(product, combination([(f"{s}1", result)])))
     return " and ".join(parts)
 
 

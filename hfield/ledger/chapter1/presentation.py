@@ -67,8 +67,12 @@ CLAIMS = (
         "e*k == -i*j*k*i*j, -i*j*k*i*j == k, k == -i*j*i*j*k, -i*j*i*j*k == k*e",
         "e*e == i*j*k*i*j*k, i*j*k*i*j*k == -e",
     ),
-    derived("C1.2-d", "jk-is-i", "ijk=−1 ⇒ i(ijk)=−i ⇒ jk=i", "i*i*j*k == -i, j*k == i", "j*k == -i"),
-    derived("C1.2-e", "ij-is-k", "ijk=−1 ⇒ (ijk)k=−k ⇒ ij=k", "i*j*k*k == -k, i*j == k", "i*j == -k"),
+    derived(
+        "C1.2-d", "jk-is-i", "ijk=−1 ⇒ i(ijk)=−i ⇒ jk=i", "i*i*j*k == -i, j*k == i", "j*k == -i"
+    ),
+    derived(
+        "C1.2-e", "ij-is-k", "ijk=−1 ⇒ (ijk)k=−k ⇒ ij=k", "i*j*k*k == -k, i*j == k", "i*j == -k"
+    ),
     derived(
         "C1.2-f",
         "ik-is-minus-j",

@@ -1,0 +1,258 @@
+"""Terms and statements, evaluated: over a ring to values, or over polynomials to formulas.
+
+The product is that of the sixteen products of basis elements, which follow from i² = a + t·i,
+j² = b, ij = k and ji = t·j − k alone.
+"""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any, Protocol
+
+from hfield.certificates.language import Tree
+from hfield.certificates.rejection import reject
+from hfield.certificates.ring import MAX_EXPONENT, Ring
+
+Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined
+
+
+class Scalars(Protocol):
+    """What an evaluation computes with; a condition is a scalar that must be a unit."""
+
+    zero: Any
+    one: Any
+
+    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+        """Return the value of a literal."""
+
+    def add(self, x: Any, y: Any) -> Any:
+        """Return x + y."""
+
+    def neg(self, x: Any) -> Any:
+        """Return −x."""
+
+    def mul(self, x: Any, y: Any) -> Any:
+        """Return x·y."""
+
+    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+        """Return 1/x with the condition that there is one."""
+
+    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> Any:
+        """Return the truth of "defined, and all (not all) differences are 0"."""
+
+    def join(self, kind: str, x: Any, y: Any) -> Any:
+        """Return the truth of "x and y" or "x or y"."""
+
+    def deny(self, x: Any) -> Any:
+        """Return the truth of "not x"."""
+
+
+class Quaternion(tuple[Any, ...]):
+    """Four coordinates over (e, i, j, k); scalars are anything else."""
+
+    __slots__ = ()
+
+
+class Evaluator:
+    """The algebra over some scalars, with values for unknowns and constants."""
+
+    def __init__(self, scalars: Scalars, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Any]):
+        self.s, self.values = scalars, values
+        self.conditions: Conditions = ()
+        found = []
+        for tree in constants:
+            value, conditions = self.term(tree)
+            found.append(value)
+            self.conditions += conditions
+        a, t, b = found
+        s = self.s
+        one, minus_one = s.one, s.neg(s.one)
+        ab, tb = s.mul(a, b), s.mul(t, b)
+        # TABLE[m][n] lists (place, coefficient) of the product of basis elements m and n.
+        self.table: list[list[list[tuple[int, Any]]]] = [
+            [[(0, one)], [(1, one)], [(2, one)], [(3, one)]],
+            [[(1, one)], [(0, a), (1, t)], [(3, one)], [(2, a), (3, t)]],
+            [[(2, one)], [(2, t), (3, minus_one)], [(0, b)], [(0, tb), (1, s.neg(b))]],
+            [[(3, one)], [(2, s.neg(a))], [(1, b)], [(0, s.neg(ab))]],
+        ]
+        self.t = t
+
+    def quaternion(self, x: Any) -> Quaternion:
+        """Return a scalar as its multiple of e."""
+        zero = self.s.zero
+        return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
+
+    def product(self, x: Quaternion, y: Quaternion) -> Quaternion:
+        """Return x·y."""
+        s = self.s
+        out = [s.zero] * 4
+        for m, u in enumerate(x):
+            for n, v in enumerate(y):
+                if u == s.zero or v == s.zero:
+                    continue
+                uv = s.mul(u, v)
+                for place, c in self.table[m][n]:
+                    if c != s.zero:
+                        out[place] = s.add(out[place], uv if c == s.one else s.mul(c, uv))
+        return Quaternion(out)
+
+    def conjugate(self, q: Quaternion) -> Quaternion:
+        """Return the standard involution: i ↦ t − i, j ↦ −j, k ↦ −k."""
+        s = self.s
+        w, x, y, z = q
+        return Quaternion((s.add(w, s.mul(self.t, x)), s.neg(x), s.neg(y), s.neg(z)))
+
+    def norm(self, q: Quaternion) -> Any:
+        """Return the coefficient of e in q·conj(q), which is all there is of it."""
+        bar, s = self.conjugate(q), self.s
+        out = s.zero
+        for m, u in enumerate(q):
+            for n, v in enumerate(bar):
+                for place, c in self.table[m][n]:
+                    if place == 0 and c != s.zero:
+                        out = s.add(out, s.mul(c, s.mul(u, v)))
+        return out
+
+    def term(self, tree: Tree) -> tuple[Any, Conditions]:
+        """Return the value of a term, and what must be a unit for it to be defined."""
+        kind, s = tree[0], self.s
+        if kind == "num":
+            return s.number(tree[1])
+        if tree in self.values:
+            return self.values[tree], ()
+        if kind == "name":
+            return self._name(tree[1]), ()
+        if kind == "neg":
+            x, d = self.term(tree[1])
+            return (Quaternion([s.neg(u) for u in x]) if isinstance(x, Quaternion) else s.neg(x)), d
+        if kind in ("+", "-", "*", "/"):
+            x, dx = self.term(tree[1])
+            y, dy = self.term(tree[2])
+            if kind == "/":
+                y, own = s.reciprocal(y)
+                return self._times(x, y), dx + dy + own
+            return (self._times(x, y) if kind == "*" else self._plus(x, y, kind)), dx + dy
+        if kind == "pow":
+            x, d = self.term(tree[1])
+            if abs(tree[2]) > MAX_EXPONENT:
+                reject("an exponent is too large")
+            if tree[2] < 0:
+                x, own = self._inverse(x)
+                d += own
+            return self._power(x, abs(tree[2])), d
+        if kind == "index":
+            x, d = self.term(tree[1])
+            return self.quaternion(x)[tree[2]], d
+        if kind == "call":
+            return self._call(tree[1], tree[2])
+        reject("a term cannot be evaluated")
+
+    def truth(self, tree: Tree) -> Any:
+        """Return the truth of a statement without quantifiers."""
+        kind, s = tree[0], self.s
+        if kind in ("==", "!="):
+            x, dx = self.term(tree[1])
+            y, dy = self.term(tree[2])
+            if isinstance(x, Quaternion) or isinstance(y, Quaternion):
+                pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
+                differences = [s.add(u, s.neg(v)) for u, v in pairs]
+            else:
+                differences = [s.add(x, s.neg(y))]
+            return s.compare(differences, dx + dy, kind == "==")
+        if kind == "not":
+            return s.deny(self.truth(tree[1]))
+        if kind not in ("and", "or", "=>", "<=>"):
+            reject("a statement cannot be evaluated")
+        x, y = self.truth(tree[1]), self.truth(tree[2])
+        if kind in ("and", "or"):
+            return s.join(kind, x, y)
+        forth = s.join("or", s.deny(x), y)
+        return forth if kind == "=>" else s.join("and", forth, s.join("or", x, s.deny(y)))
+
+    def _name(self, name: str) -> Any:
+        place = "eijk".find(name)
+        if place < 0 or len(name) != 1:
+            reject(f"the unknown {name!r} has no value")
+        return Quaternion([self.s.one if n == place else self.s.zero for n in range(4)])
+
+    def _plus(self, x: Any, y: Any, sign: str) -> Any:
+        s = self.s
+        if not (isinstance(x, Quaternion) or isinstance(y, Quaternion)):
+            return s.add(x, s.neg(y) if sign == "-" else y)
+        pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
+        return Quaternion([s.add(u, s.neg(v) if sign == "-" else v) for u, v in pairs])
+
+    def _times(self, x: Any, y: Any) -> Any:
+        s = self.s
+        if isinstance(x, Quaternion) and isinstance(y, Quaternion):
+            return self.product(x, y)
+        if isinstance(x, Quaternion):
+            return Quaternion([s.mul(u, y) for u in x])
+        if isinstance(y, Quaternion):
+            return Quaternion([s.mul(x, v) for v in y])
+        return s.mul(x, y)
+
+    def _power(self, x: Any, n: int) -> Any:
+        out: Any = self.s.one
+        while n:
+            if n & 1:
+                out = self._times(out, x)
+            n >>= 1
+            if n:
+                x = self._times(x, x)
+        return out
+
+    def _inverse(self, x: Any) -> tuple[Any, Conditions]:
+        if not isinstance(x, Quaternion):
+            return self.s.reciprocal(x)
+        factor, conditions = self.s.reciprocal(self.norm(x))
+        return self._times(self.conjugate(x), factor), conditions
+
+    def _call(self, function: str, arguments: tuple[Tree, ...]) -> tuple[Any, Conditions]:
+        x, d = self.term(arguments[0])
+        x = self.quaternion(x)
+        if function == "inv":
+            x, own = self._inverse(x)
+            return x, d + own
+        if function == "comm":
+            y, dy = self.term(arguments[1])
+            y = self.quaternion(y)
+            return self._plus(self.product(x, y), self.product(y, x), "-"), d + dy
+        s = self.s
+        if function == "trace":
+            return s.add(s.add(x[0], x[0]), s.mul(self.t, x[1])), d
+        if function == "vector":
+            return Quaternion((s.zero, *x[1:])), d
+        simple = {"conj": self.conjugate, "norm": self.norm, "scalar": lambda q: q[0]}
+        if function not in simple:
+            reject(f"there is no function {function!r}")
+        return simple[function](x), d
+
+
+class RingScalars:
+    """Elements of a ring; a condition is ``None``: there is no inverse."""
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring, self.zero, self.one = ring, ring.zero, ring.one
+        self.add, self.neg, self.mul = ring.add, ring.neg, ring.mul
+
+    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+        """Return the value of a literal."""
+        x = self.ring.fraction(value)
+        return (self.zero, (None,)) if x is None else (x, ())
+
+    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+        """Return 1/x."""
+        y = self.ring.inverse(x)
+        return (self.zero, (None,)) if y is None else (y, ())
+
+    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> bool:
+        """Compare."""
+        return not conditions and all(map(self.ring.is_zero, differences)) == equal
+
+    def join(self, kind: str, x: bool, y: bool) -> bool:
+        """Return "x and y" or "x or y"."""
+        return (x and y) if kind == "and" else (x or y)
+
+    def deny(self, x: bool) -> bool:
+        """Return "not x"."""
+        return not x

@@ -1,0 +1,241 @@
+"""What a certificate is about: the statement with its unknowns, the algebra and the field.
+
+Everything here is derived from the three keys ``statement``, ``algebra`` and ``field`` alone.
+"""
+
+import re
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from hfield.certificates.fields import read_field
+from hfield.certificates.language import Tree, parse, walk
+from hfield.certificates.rejection import reject, shown
+from hfield.certificates.ring import Ring
+
+QUATERNIONS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
+FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "trace": "s"} | {
+    "scalar": "s"
+}
+MAX_CONSTANT_SIZE = 200
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A ring, or None for all fields at once, and the trees of the structure constants."""
+
+    field: Ring | None
+    constants: tuple[Tree, Tree, Tree]  # a, t, b
+    letters: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """Where the statement is decided, in words."""
+        return "every field" if self.field is None else self.field.name
+
+
+HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("num", 1)))
+
+
+def read_setting(algebra: str, field: str | None) -> Setting:
+    """Read ``(a,b|F)``, ``[a,b|F)`` (t = 1) or ``[a,b,t|F)`` and the field, which must agree."""
+    ring = None if field is None else read_field(field)
+    m = re.fullmatch(r"([(\[])([^|]*)\|(.*)\)", "".join(algebra.split()))
+    if m is None:
+        reject(f"the algebra {shown(algebra)!r} cannot be read; expected the form (a,b|F)")
+    inside = None if m[3] == "F" else read_field(m[3])
+    if (None if inside is None else inside.name) != (None if ring is None else ring.name):
+        reject(f"the algebra {shown(algebra)!r} is not over the field of the certificate")
+    parts = _split(m[2])
+    if len(parts) == 2:
+        parts.insert(1, "0" if m[1] == "(" else "1")
+    elif len(parts) == 3 and m[1] == "[":
+        parts = [parts[0], parts[2], parts[1]]
+    else:
+        reject(f"the algebra {shown(algebra)!r} cannot be read; expected the form (a,b|F)")
+    trees = [parse(part) for part in parts]
+    letters = {name: None for tree in trees for name in _letters(tree, ring)}
+    return Setting(ring, (trees[0], trees[1], trees[2]), tuple(letters))
+
+
+def _split(text: str) -> list[str]:
+    parts, depth = [""], 0
+    for char in text:
+        depth += (char in "([") - (char in ")]")
+        if char == "," and not depth:
+            parts.append("")
+        else:
+            parts[-1] += char
+    return parts
+
+
+def _letters(tree: Tree, field: Ring | None) -> list[str]:
+    nodes = walk(tree)
+    if len(nodes) > MAX_CONSTANT_SIZE:
+        reject("a structure constant is too large")
+    out = []
+    for node in nodes:
+        if node[0] == "name" and (field is None or field.constant(node) is None):
+            if not re.fullmatch("[a-z]", node[1]) or node[1] in QUATERNIONS + BASIS:
+                reject(f"a structure constant may not use {shown(node[1])!r}")
+            out.append(node[1])
+        elif node[0] not in ("num", "name", "call", "neg", "+", "-", "*", "/", "pow"):
+            reject("a structure constant is no term of the field")
+        elif node[0] == "call" and (field is None or field.constant(node) is None):
+            reject(f"a structure constant uses the unknown function {shown(node[1])!r}")
+    return out
+
+
+@dataclass(frozen=True)
+class Statement:
+    """For all ``unknowns`` that are not in ``exists``: hypotheses ⇒ (there are …) conclusion.
+
+    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` trees of field elements.
+    """
+
+    unknowns: tuple[tuple[str, str], ...]
+    exists: tuple[str, ...]
+    hypotheses: tuple[Tree, ...]
+    conclusion: Tree
+    constants: tuple[Tree, ...]
+    divides: bool
+    compares_unequal: bool
+
+    @property
+    def matrix(self) -> Tree:
+        """The statement without its quantifiers."""
+        tree = self.conclusion
+        for h in reversed(self.hypotheses):
+            tree = ("=>", h, tree)
+        return tree
+
+    @property
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """The unknowns that the statement is for all values of."""
+        return tuple((name, sort) for name, sort in self.unknowns if name not in self.exists)
+
+    def about(self, tree: Tree, unknowns: tuple[tuple[str, str], ...] | None = None) -> "Statement":
+        """Return the statement ``tree``, for all values of the unknowns."""
+        unknowns = self.unknowns if unknowns is None else unknowns
+        return replace(self, unknowns=unknowns, exists=(), hypotheses=(), conclusion=tree)
+
+
+def read_statement(text: str, setting: Setting) -> Statement:
+    """Read a statement of the language, as the field and the algebra make its names mean."""
+    return _Reader(setting).read(parse(text))
+
+
+class _Reader:
+    """One pass over the tree: sorts, unknowns, constants of the field."""
+
+    def __init__(self, setting: Setting) -> None:
+        self.field, self.letters = setting.field, setting.letters
+        self.structure = setting.constants
+        self.unknowns: dict[str, str] = {}
+        self.constants: dict[Tree, None] = {}
+        self.divides = self.unequal = False
+
+    def read(self, tree: Tree) -> Statement:
+        """Return the statement."""
+        hypotheses: list[Tree] = []
+        while tree[0] == "=>":
+            hypotheses.append(tree[1])
+            tree = tree[2]
+        for h in hypotheses:
+            self.truth(h)
+        before, bound = set(self.unknowns), []
+        while tree[0] == "exists":
+            for name in tree[1]:
+                if self.unknown(name) is None or name in before or name in bound:
+                    reject(f"'exists' cannot bind {shown(name)!r} here")
+                bound.append(name)
+            tree = tree[2]
+        self.truth(tree)
+        for name in bound:
+            self.unknowns.setdefault(name, self.unknown(name) or "s")
+        for constant in self.structure:
+            if self.term(constant) != "s":
+                reject("a structure constant is no scalar")
+        return Statement(
+            tuple(self.unknowns.items()),
+            tuple(bound),
+            tuple(hypotheses),
+            tree,
+            tuple(self.constants),
+            self.divides,
+            self.unequal,
+        )
+
+    def unknown(self, name: str) -> str | None:
+        """Return the sort of an unknown, None for any other name."""
+        if self.field is not None and self.field.constant(("name", name)) is not None:
+            return None
+        if len(name) == 1 and name in QUATERNIONS:
+            return "q"
+        return "s" if (len(name) == 1 and name in SCALARS) or name in self.letters else None
+
+    def truth(self, tree: Tree) -> None:
+        """Read a statement without quantifiers."""
+        kind = tree[0]
+        if kind in ("==", "!="):
+            self.unequal |= kind == "!="
+            self.term(tree[1])
+            self.term(tree[2])
+        elif kind in ("and", "or", "=>", "<=>", "not"):
+            self.unequal |= kind == "not"
+            for part in tree[1:]:
+                self.truth(part)
+        else:
+            reject("expected a statement such as p == q where there is a term or a quantifier")
+
+    def term(self, tree: Tree) -> str:
+        """Read a term and return its sort."""
+        kind = tree[0]
+        if kind == "num":
+            self.divides |= isinstance(tree[1], Fraction)
+            return "s"
+        if kind == "name":
+            return self.name(tree)
+        if kind in ("neg", "pow"):
+            self.divides |= kind == "pow" and tree[2] < 0
+            return self.term(tree[1])
+        if kind == "index":
+            self.term(tree[1])
+            return "s"
+        if kind in ("+", "-", "*", "/"):
+            left, right = self.term(tree[1]), self.term(tree[2])
+            if kind == "/":
+                self.divides = True
+                if right == "q":
+                    reject("only scalars divide")
+            return "s" if left == right == "s" else "q"
+        if kind == "call":
+            return self.call(tree)
+        reject("expected a term where there is a statement")
+
+    def name(self, tree: Tree) -> str:
+        """Read a name."""
+        name = tree[1]
+        if len(name) == 1 and name in BASIS:
+            return "q"
+        sort = self.unknown(name)
+        if sort is not None:
+            return self.unknowns.setdefault(name, sort)
+        if self.field is None or self.field.constant(tree) is None:
+            reject(f"{shown(name)!r} means nothing in the statement")
+        self.constants.setdefault(tree)
+        return "s"
+
+    def call(self, tree: Tree) -> str:
+        """Read a function."""
+        function, arguments = tree[1], tree[2]
+        if function not in FUNCTIONS:
+            if self.field is None or self.field.constant(tree) is None:
+                reject(f"there is no function {shown(function)!r}")
+            self.constants.setdefault(tree)
+            return "s"
+        if len(arguments) != 1 + (function == "comm"):
+            reject(f"{function} does not take {len(arguments)} arguments")
+        self.divides |= function == "inv"
+        for x in arguments:
+            self.term(x)
+        return FUNCTIONS[function]
