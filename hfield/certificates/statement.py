@@ -121,7 +121,18 @@ class Statement:
 
 def read_statement(text: str, setting: Setting) -> Statement:
     """Read a statement of the language, as the field and the algebra make its names mean."""
-    return _Reader(setting).read(parse(text))
+    return read_tree(parse(text), setting)
+
+
+def read_tree(tree: Tree, setting: Setting) -> Statement:
+    """Read the tree of a statement."""
+    return _Reader(setting).read(tree)
+
+
+def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str]]:
+    """Return the sort of a term, ``q`` or ``s``, and the unknowns in it."""
+    reader = _Reader(setting)
+    return reader.term(tree), frozenset(reader.unknowns)
 
 
 class _Reader:

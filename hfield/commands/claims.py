@@ -26,8 +26,8 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """List the claims."""
-    from hfield.ledger.claim import claims
     from hfield.ledger.columns import in_section
+    from hfield.ledger.registry import claims
 
     chosen = in_section(args.section) if args.section is not None else claims()
     with open_output(args.output) as out:

@@ -37,8 +37,8 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
     from hfield.executors import open_executor
-    from hfield.ledger.claim import claims, find
     from hfield.ledger.columns import in_section, rows_to_decide, split_columns
+    from hfield.ledger.registry import claims, find
     from hfield.ledger.run import contradictions, decide_rows
 
     named = [find(name) for name in args.claims]

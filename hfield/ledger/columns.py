@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 
 from hfield.errors import HFieldError, shorten
-from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, claims
+from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim
+from hfield.ledger.registry import claims
 from hfield.notation import split_commas
 from hfield.rings import ring
 

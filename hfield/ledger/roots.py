@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import chain
 from itertools import product as tuples
 from typing import Any
 
@@ -11,6 +13,8 @@ from hfield.ledger.propositions import Statement, search_panel
 from hfield.product import Coordinates, multiply, norm
 from hfield.proving.decision import Decision
 from hfield.rings.base import INFINITY, Ring
+
+CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out
 
 # In characteristic 2 each norm is the square of the sum of the coordinates.
 SUM_OF_ALL = Statement("norm(q) == (q[0] + q[1] + q[2] + q[3])**2")
@@ -26,7 +30,7 @@ class ModulusDefined:
         """Look for a small q whose norm is no square; else say why every norm is one."""
         if field is None:
             return search_panel(self)
-        for q in small_elements(field):
+        for q in chain(small_elements(field), self._norm_without_root(field)):
             n = norm(hamilton(field), q)
             if field.sqrt(n) is None:
                 step = f"N(q) = {field.text(n)} is not a square in {field}."
@@ -39,6 +43,17 @@ class ModulusDefined:
                 "proved", "closed field", steps=(step,), assumes=(f"{field} is {field.closure}",)
             )
         return Decision("undecided", "search", tried=("norms of small elements",))
+
+    def _norm_without_root(self, F: Ring) -> Iterator[Coordinates]:
+        """Yield w + x·i whose norm is no square, over a finite field of odd order."""
+        if F.order is None or F.characteristic == 2:
+            return
+        target = next(n for n in F.elements() if F.sqrt(n) is None)
+        for w in F.elements():
+            x = F.sqrt(target - w * w)
+            if x is not None:
+                yield w, x, F.zero, F.zero
+                return
 
 
 def small_elements(F: Ring) -> list[Coordinates]:
@@ -121,15 +136,21 @@ class ModulusLaw:
         return F.equal(product, m * n if self.operation == "*" else m + n)
 
     def _finite(self, F: Ring) -> Decision:
-        """Choose the root that is itself a square, and check all products."""
+        """Choose the root that is itself a square; on small fields check all products too."""
+        steps = (
+            "F* is cyclic and −1 is no square, so of the two roots r, −r exactly one is a square.",
+            "Take that one: products of squares are squares.",
+        )
+        if F.order is None or F.order > CHECKED_BELOW:
+            cyclic = "the multiplicative group of a finite field is cyclic"
+            return Decision("proved", "choice of roots", steps=steps, assumes=(cyclic,))
         squares = {F.key(x * x) for x in F.elements()}
         root = {F.key(x * x): x for x in F.elements() if F.key(x) in squares}
-        total = set(root) == squares
-        if total and all(
-            F.equal(root[F.key(x * x * (y * y))], x * y)
-            for x in root.values()
-            for y in root.values()
+        pairs = tuples(root.values(), repeat=2)
+        if set(root) != squares or not all(
+            F.equal(root[F.key(x * x * (y * y))], x * y) for x, y in pairs
         ):
-            step = f"Take the root that is itself a square; checked on all {len(root)}² pairs."
-            return Decision("proved", "exhaustion", steps=(step,))
-        return Decision("undecided", "exhaustion", tried=("the root that is itself a square",))
+            return Decision("undecided", "exhaustion", tried=steps)
+        return Decision(
+            "proved", "exhaustion", steps=(*steps, f"Checked on all {len(root)}² pairs.")
+        )

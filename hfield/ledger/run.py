@@ -8,7 +8,8 @@ from itertools import groupby
 
 from hfield.errors import HFieldError
 from hfield.executors import unordered
-from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide, find
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide
+from hfield.ledger.registry import find
 from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
 
 Piece = tuple[Claim, str]

@@ -12,11 +12,11 @@ from hfield.proving.language import Sort, Statement
 from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
 from hfield.proving.search import by_weight, small_scalars, witness_texts
-from hfield.proving.setting import Setting
+from hfield.proving.setting import Setting, put_letters
 from hfield.proving.terms import Decide, about, by_terms, matrix, true_place
 from hfield.proving.trees import quaternion_node, substitute
 from hfield.rings import ring
-from hfield.syntax import Logic, Not, Number, parse
+from hfield.syntax import Logic, Negate, Not, Number, parse
 
 FEW = 400
 MAX_PLACES = 2_000
@@ -130,10 +130,12 @@ def _for_all_exists(
 def _at_zero(
     statement: Statement, setting: Setting, deadline: float, decide_one: Decide
 ) -> tuple[str, ...] | None:
-    """Return what exists when all that is given is 0: it may serve everywhere."""
+    """Return what exists when all that is given is 0 (letters −1): it may serve everywhere."""
     free = [name for name, _ in statement.unknowns if name not in statement.exists]
-    node = substitute(matrix(statement), {name: Number(0) for name in free})
-    one = _exists(about(statement, node, statement.exists), setting, deadline, decide_one)
+    values = {name: Number(0) for name in free}
+    there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
+    node = substitute(matrix(statement), values)
+    one = _exists(about(statement, node, statement.exists), there, deadline, decide_one)
     if one.verdict != PROVED or one.witness is None:
         return None
     return tuple(to_text(quaternion_node(one.witness[name])) for name in statement.exists)
@@ -160,9 +162,10 @@ def _by_places(
             for name, x in place.items()
         }
         instance = about(statement, substitute(node, values), statement.exists)
+        there = put_letters(setting, values)
         try:
-            one = _exists(replace(instance, divides=True), setting, deadline, decide_one)
-        except (HFieldError, KeyError):
+            one = _exists(replace(instance, divides=True), there, deadline, decide_one)
+        except HFieldError:
             return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
         if one.verdict == REFUTED:
             witness = witness_texts(field, place)

@@ -45,7 +45,7 @@ class Rule:
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""
-        out: dict[str, Any] = {"form": self.form, "by": self.by, "reason": self.reason}
+        out: dict[str, Any] = {"form": self.form, "by": self.by}
         if self.places:
             out["places"] = list(self.places)
         if self.form == SQUARES:

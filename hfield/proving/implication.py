@@ -7,7 +7,6 @@ from itertools import product
 from time import monotonic
 from typing import Any
 
-from hfield.product import norm
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -15,20 +14,18 @@ from hfield.proving.decision import (
     REDUCED_RINGS,
     characteristics,
 )
-from hfield.proving.expand import Expanded, expand, polynomial_world
-from hfield.proving.facts import ROOTS, Rule, relation, rules
+from hfield.proving.expand import Expanded, expand
+from hfield.proving.facts import ROOTS, Rule, rules
 from hfield.proving.formulas import Clause
+from hfield.proving.known import nonzero_constants_of, quaternions_of, relations_of
 from hfield.proving.language import Statement
 from hfield.proving.refutation import Problem, member, refute
 from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
-from hfield.proving.trees import walk
 from hfield.proving.vanish import vanishes
 from hfield.rings.base import Ring
-from hfield.syntax import Binary, Call, Compare, Name, Power
 
 MAX_CHOICES = 64
-MAX_QUATERNIONS = 24
 
 
 @dataclass(frozen=True)
@@ -164,7 +161,7 @@ def _attempt(
 ) -> Proof:
     field = setting.field if setting is not None else None
     own = rules(setting) if setting is not None else ()
-    quaternions = _quaternions(statement, constants) if own else ()
+    quaternions = quaternions_of(statement, constants) if own else ()
     items: list[Item] = []
     for clause in x.clauses:
         found = _clause(clause, x, characteristic, field, own, quaternions, deadline)
@@ -191,7 +188,7 @@ def _clause(
     if any(all(map(zero, goal)) for goal in clause.goals):
         return []
     zeros = [z for z in clause.zeros if not zero(z)]
-    relations = _relations(x, field)
+    relations = relations_of(x, field)
     problem = _problem(x, field, characteristic, (*zeros, *relations), (), ())
     texts = [polynomial_text(z, x.variables) for z in zeros]
     known = [polynomial_text(r, x.variables) for r in relations]
@@ -219,9 +216,11 @@ def _clause(
     if math.prod(map(len, choices)) > MAX_CHOICES:
         return None
     out = []
-    nonzero = _nonzero_constants(x, field)
+    nonzero = nonzero_constants_of(x, field)
     for chosen in product(*choices):
         choice = (*chosen, *nonzero)
+        if monotonic() > deadline:
+            return None
         problem = _problem(x, field, characteristic, (*zeros, *relations), choice, quaternions)
         refutation = refute(problem, own, deadline)
         if refutation is None:
@@ -254,51 +253,3 @@ def _problem(
     quaternions: tuple[tuple[tuple[Any, ...], Any], ...],
 ) -> Problem:
     return Problem(x.variables, x.unknowns, field, characteristic, zeros, nonzero, quaternions)
-
-
-def _relations(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
-    """Return the polynomials that the constants of the field satisfy, as far as they are known."""
-    out = []
-    for n in range(x.unknowns, len(x.variables)):
-        found = relation(field, x.variables[n]) if field is not None else None
-        if found is not None:
-            g = x.context.gens()[n]
-            out.append(sum((c * g**k for k, c in enumerate(found)), x.context.constant(0)))
-    return tuple(out)
-
-
-def _nonzero_constants(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
-    """Return the constants of the field, as polynomials, that satisfy no known relation but are not 0."""
-    gens = x.context.gens()
-    return tuple(
-        gens[n]
-        for n in range(x.unknowns, len(x.variables))
-        if field is not None
-        and relation(field, x.variables[n]) is None
-        and not vanishes(gens[n], x, field)
-    )
-
-
-def _quaternions(
-    statement: Statement, constants: tuple[str, str, str]
-) -> tuple[tuple[tuple[Any, ...], Any], ...]:
-    """Return the quaternions that occur in the statement and their vectors, each with its norm."""
-    world, _, _ = polynomial_world(statement, constants)
-    found: dict[str, tuple[tuple[Any, ...], Any]] = {}
-    nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
-    for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
-        if isinstance(node, Compare):  # the factors of a product are often compared with 0
-            q, _ = world.term(Binary("-", node.left, node.right))
-        elif isinstance(node, Name | Binary | Power | Call):
-            q, _ = world.term(node)
-        else:
-            continue
-        if not isinstance(q, tuple) or len(found) >= MAX_QUATERNIONS:
-            continue
-        for part in (q, (world.zero, *q[1:])):
-            numerators = tuple(map(world.numerator, part))
-            lifted = tuple(map(world.lift, numerators))
-            norm_of = world.numerator(norm(world.constants, lifted))
-            if any(not u.is_constant() for u in numerators):
-                found.setdefault(str(numerators), (numerators, norm_of))
-    return tuple(found.values())

@@ -22,6 +22,7 @@ from hfield.proving.decision import (
 )
 from hfield.proving.noncommutative import Cofactors, Rewriting, multiply_out
 from hfield.proving.tables import Table, find_table
+from hfield.proving.vanish import prime_factors
 from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
@@ -55,12 +56,17 @@ def decide_presentation(
         "relations": [_listed(r) for r in read_relations],
         "goals": [_listed(g) for g in read_goals],
     }
+    characteristics_tried = [0, 2] if field is None else [p]
     for q in dict.fromkeys((0, p)):
         proof = _prove(read_relations, read_goals, letters, q, deadline)
-        if proof is not None and (q == p or lcm(*(d for _, d in proof)) == 1):
+        if proof is None:
+            continue
+        divided_by = lcm(*(d for _, d in proof))
+        if divided_by == 1 or (field is not None and q == p):
             return _proved(proof, target, q)
-    primes = (0, 2) if field is None else (p,)
-    for q in primes:
+        if field is None:
+            characteristics_tried += prime_factors(divided_by) or []
+    for q in dict.fromkeys(characteristics_tried):
         found = find_table(
             "eijk", "e" if identity else None, read_relations, read_goals, q, deadline
         )

@@ -18,6 +18,7 @@ from hfield.rings.base import Ring
 
 SLICE = 150  # pairs between two looks at the rules
 MAX_ELEMENTS = 400
+MAX_TERMS = 6_000  # of all polynomials of a problem together
 MAX_CASES = 3  # how deep case distinctions nest
 MAX_FACTORED = 60  # terms of a polynomial that is still factored
 
@@ -58,6 +59,8 @@ def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutati
 
     Returns None when no proof was found; that says nothing.
     """
+    if _is_large(problem):
+        return None
     for prime in LARGE_PRIMES if problem.characteristic == 0 else (None,):
         search = _Search(problem, rules, deadline)
         try:
@@ -72,6 +75,8 @@ def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutati
 
 def member(problem: Problem, targets: Sequence[Any], deadline: float) -> list[Cofactors] | None:
     """Return cofactors that put every target into the ideal of the zeros, or None."""
+    if _is_large(problem):
+        return None
     ideal = Ideal(len(problem.variables), problem.characteristic)
     try:
         ideal.extend(ideal.lift(z) for z in problem.zeros)
@@ -85,6 +90,10 @@ def member(problem: Problem, targets: Sequence[Any], deadline: float) -> list[Co
                 return None
     except TooLargeError:
         return None
+
+
+def _is_large(problem: Problem) -> bool:
+    return sum(map(len, (*problem.zeros, *problem.nonzero))) > MAX_TERMS
 
 
 class _Search:

@@ -1,16 +1,18 @@
 """Where a statement is decided: a field (or all of them) and the structure constants of the algebra."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
 from hfield.errors import NotationError
 from hfield.notation import split_algebra
 from hfield.proving.language import BASIS, QUATERNIONS, generators
-from hfield.proving.trees import walk
+from hfield.proving.printing import to_text
+from hfield.proving.trees import substitute, walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
-from hfield.syntax import Name, parse, weight
+from hfield.syntax import Name, Node, parse, weight
 
 HAMILTON = ("-1", "0", "-1")
 UNNAMED = "F"
@@ -54,6 +56,16 @@ def read_setting(field: Ring | str | None = None, algebra: str | None = None) ->
     if algebra is None:
         return Setting(named, HAMILTON, ())
     return _read(named, algebra)
+
+
+def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
+    """Return the setting with terms in the place of the letters of its algebra."""
+    if not setting.letters:
+        return setting
+    own = {name: node for name, node in values.items() if name in setting.letters}
+    a, t, b = (to_text(substitute(parse(text), own)) for text in setting.constants)
+    left = tuple(name for name in setting.letters if name not in own)
+    return Setting(setting.field, (a, t, b), left)
 
 
 @lru_cache(maxsize=256)

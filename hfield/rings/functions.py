@@ -6,6 +6,8 @@ lowest terms with monic denominator, so that equal functions have equal parts.
 
 from __future__ import annotations
 
+import atexit
+import gc
 import random
 from collections.abc import Callable, Hashable
 from typing import Any
@@ -21,6 +23,12 @@ from hfield.rings.quotient import Quotient
 from hfield.rings.rational import rational, unwrap
 
 __all__ = ["FunctionField", "Quotient", "build"]
+
+# python-flint frees a polynomial over GF(q) through its context. Where the collector clears a cycle
+# that holds both, the context may go first, and the process dies. So contexts live for ever, and
+# nothing is collected any more at exit.
+_CONTEXTS: dict[Ring, Any] = {}
+atexit.register(gc.freeze)
 
 
 class FunctionField(Ring):
@@ -199,7 +207,9 @@ def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
     if base.name == "QQ":
         return flint.fmpq_poly  # type: ignore[no-any-return,unused-ignore]
     if isinstance(base, ExtensionField):
-        return flint.fq_default_poly_ctx(base.context)  # type: ignore[no-any-return,unused-ignore]
+        if base not in _CONTEXTS:
+            _CONTEXTS[base] = flint.fq_default_poly_ctx(base.context)
+        return _CONTEXTS[base]  # type: ignore[no-any-return,unused-ignore]
     p = base.characteristic
     if p < WORD:
         return lambda coefficients: flint.nmod_poly(coefficients, p)

@@ -1,4 +1,10 @@
-"""Reduction at infinity: from a lattice without bad places to a zero of the conic, or to a conic over k."""
+"""Conics over k(t): minimise at every place, reduce at infinity, solve over k.
+
+A form minimised everywhere lives on a vector bundle of rank 3 over the projective line without bad places.
+Such a bundle is a sum of line bundles: either some vector has too small a degree for the form to be
+anything but 0 there, or the form has constant coefficients. (For odd characteristic compare Cremona and
+van Hoeij, "Trivial points on conics over function fields", J. Théor. Nombres Bordeaux 18 (2006).)
+"""
 
 import itertools
 from fractions import Fraction
@@ -14,7 +20,6 @@ from hfield.structure.minimise import (
     Conic,
     Form,
     Lattice,
-    RamifiedError,
     Vector,
     half_discriminant,
     minimise,
@@ -24,6 +29,14 @@ from hfield.structure.qforms import diagonalise
 from hfield.structure.residue import ResidueField
 
 INFINITE = "inf"
+
+
+class RamifiedError(ArithmeticError):
+    """Raised inside this room when a place turns out to be ramified."""
+
+    def __init__(self, place: Any) -> None:
+        super().__init__(str(place))
+        self.place = place
 
 
 def solve_conic_functions(field: Any, c: Constants) -> tuple[Any, Any, Any]:
@@ -37,21 +50,32 @@ def solve_ternary(field: Any, form: Form) -> tuple[Any, Any, Any]:
     Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
     tuple of places of ℚ where a constant conic has no point.
     """
-    conic = Conic(field, form)
+    conic = Conic(form, field.zero, field.one)
     lattice = conic.start()
-    for p in conic.bad_primes():
-        minimise(conic, lattice, p)
+    for p in _bad_primes(field, form):
+        if not minimise(conic, lattice, ResidueField(field, p)):
+            raise RamifiedError(p)
     basis = _reduce(field, lattice.basis, _at_infinity(field, form))
     for v in basis:
         if conic.value(v).num == 0:
             return v[0], v[1], v[2]
     if field.base.order is None:
-        constants = _specialised_zero(conic, basis)
+        constants = _specialised_zero(field, form, basis)
     else:
         constants = _constant_zero(field, conic.coefficients(Lattice(basis, lattice.scale)))
     scaled = [[s * x for x in v] for s, v in zip(constants, basis, strict=True)]
     x, y, z = (sum(column[1:], column[0]) for column in zip(*scaled, strict=True))
     return x, y, z
+
+
+def _bad_primes(field: Any, form: Form) -> list[Any]:
+    """Return the monic irreducible polynomials at which the standard lattice may not be good."""
+    found: dict[str, Any] = {}
+    for x in (*(f.den for f in form), half_discriminant(form).num):
+        for p, _ in x.factor()[1]:
+            monic = field.quotient(field.one.num, p).den
+            found[str(monic)] = monic
+    return list(found.values())
 
 
 def _inverted(field: Any, x: Any) -> Any:
@@ -70,12 +94,10 @@ def _inverted(field: Any, x: Any) -> Any:
 def _at_infinity(field: Any, form: Form) -> list[Vector]:
     """Return a basis of a good lattice at infinity."""
     a, b, c, r, s, t = (_inverted(field, x) for x in form)
-    conic = Conic(field, (a, b, c, r, s, t))
+    conic = Conic((a, b, c, r, s, t), field.zero, field.one)
     lattice = conic.start()
-    try:
-        minimise(conic, lattice, field.gen.num)
-    except RamifiedError:
-        raise RamifiedError(INFINITE) from None
+    if not minimise(conic, lattice, ResidueField(field, field.gen.num)):
+        raise RamifiedError(INFINITE)
     return [[_inverted(field, x) for x in v] for v in lattice.basis]
 
 
@@ -152,26 +174,25 @@ def _constant_zero(field: Any, form: tuple[Any, ...]) -> list[Any]:
     raise UndecidedError(f"a conic over {base.name} without a point was met")
 
 
-def _specialised_zero(conic: Conic, basis: list[Vector]) -> list[Any]:
+def _specialised_zero(field: Any, form: Form, basis: list[Vector]) -> list[Any]:
     """Return coefficients in ℚ of a zero on a basis on which the form is constant, up to its scale.
 
     The form is the same at every point of the line, so a zero of it at a point with small values,
     where it is easy to find, is one everywhere. Raises :class:`RamifiedError` when there is none.
     """
-    field = conic.field
     for n in itertools.count():
         point = field.base((n + 1) // 2 * (-1) ** n)
-        if any(x.den(point) == 0 for v in [conic.form, *basis] for x in v):
+        if any(x.den(point) == 0 for v in [form, *basis] for x in v):
             continue
-        a, b, c, r, s, t = (fraction(_at(x, point)) for x in conic.form)
-        form = (a, b, c, r, s, t)
+        a, b, c, r, s, t = (fraction(_at(x, point)) for x in form)
+        special = (a, b, c, r, s, t)
         matrix = [[field.constant(_at(x, point)) for x in v] for v in basis]
         determinant = sum(
             (x * y for x, y in zip(_cross(matrix[1], matrix[2]), matrix[0], strict=True)),
             field.zero,
         )
-        if half_discriminant(form) and not field.is_zero(determinant):
-            target = [field(x) for x in _rational_zero(form)]
+        if half_discriminant(special) and not field.is_zero(determinant):
+            target = [field(x) for x in _rational_zero(special)]
             return _apply(_inverse(field, matrix), target)
     raise AssertionError("all but finitely many points are good")
 

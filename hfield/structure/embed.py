@@ -1,10 +1,10 @@
 """Finding i and j of one algebra inside an isomorphic one, without splitting either.
 
-Over the real and complex numbers by square roots. Over ℚ, i is a zero of a form in four variables. Elsewhere, for
-division algebras, by a common slot: isomorphic algebras (a, b)
-and (p, q) have an e with (a, b) = (a, e) = (p, e) = (p, q), and likewise [a, b) and [p, q) in
-characteristic 2. Given e, three conics with a point give the elements. To find it, e runs through q times
-norms from F(i), so that (p, e) = (p, q) holds of itself, until (a, e) = (a, b) holds too.
+Over the real and complex numbers by square roots. Over ℚ, i is a zero of a form in four variables.
+Elsewhere, for division algebras, by a common slot: isomorphic algebras (a, b) and (p, q) have an e with
+(a, b) = (a, e) = (p, e) = (p, q), and likewise [a, b) and [p, q) in characteristic 2. Given e, three
+conics with a point give the elements. To find it, e runs through q times norms from F(i), so that
+(p, e) = (p, q) holds of itself, until (a, e) = (a, b) holds too.
 """
 
 import itertools
@@ -23,7 +23,7 @@ from hfield.structure.integers import fraction
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.zero import zero_norm
 
-TRIALS = 1500
+TRIALS = 600
 
 
 def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:

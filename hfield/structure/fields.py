@@ -8,11 +8,10 @@ from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.bundle import solve_conic_functions
+from hfield.structure.bundle import RamifiedError, solve_conic_functions
 from hfield.structure.conic import solve_conic
 from hfield.structure.evidence import ZeroNorm, found, none
 from hfield.structure.forms import NormalForm
-from hfield.structure.minimise import RamifiedError
 from hfield.structure.places import pair, ramification
 from hfield.structure.quadratic_split import zero_divisor_quadratic
 

@@ -14,8 +14,7 @@ from typing import Any
 from hfield.errors import HFieldError, RingError, UndecidedError, shorten
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm
-from hfield.structure.minimise import valuation
-from hfield.structure.residue import ResidueField
+from hfield.structure.residue import ResidueField, valuation
 
 
 @dataclass(frozen=True)

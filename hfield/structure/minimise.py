@@ -1,31 +1,21 @@
-"""Conics over a rational function field k(t): minimise at every place, reduce at infinity, solve over k.
+"""Quadratic forms in three variables, minimised at a place of ℚ or of k(t).
 
-The form of an algebra is ``w² + t·wx − a·x² − b·y²``, the norm on ⟨e, i, j⟩; it has a zero exactly when
-the algebra splits. At each place a lattice is enlarged until f on it, scaled, has unit half-discriminant; a
-place where this fails is a ramified one. What is left is a form without bad places on a vector
-bundle of rank 3 over the projective line, and such a bundle is a sum of line bundles: either
-some vector has too small a degree for f to be anything but 0 there, or f has constant
-coefficients. Nothing here depends on the characteristic. (For odd characteristic compare Cremona and van
-Hoeij, "Trivial points on conics over function fields", J. Théor. Nombres Bordeaux 18 (2006).)
+At the place a lattice is enlarged, and the form on it scaled, until the half-discriminant is a unit
+there. This fails exactly where the form has no zero over the completion, that is, where the algebra
+ramifies. Nothing depends on the characteristic of the field or of the residue field.
+
+The form of an algebra is ``w² + t·wx − a·x² − b·y²``, the norm on ⟨e, i, j⟩; it has a zero exactly when the
+algebra splits.
 """
 
 from dataclasses import dataclass
 from typing import Any
 
 from hfield.product import Constants
-from hfield.structure.residue import ResidueField
 
 Vector = list[Any]
 Form = tuple[Any, Any, Any, Any, Any, Any]
 """The coefficients of x², y², z², yz, xz, xy."""
-
-
-class RamifiedError(ArithmeticError):
-    """Raised inside this room when a place turns out to be ramified."""
-
-    def __init__(self, place: Any) -> None:
-        super().__init__(str(place))
-        self.place = place
 
 
 @dataclass
@@ -37,10 +27,10 @@ class Lattice:
 
 
 class Conic:
-    """A nondegenerate quadratic form in three variables over the function field ``field``."""
+    """A nondegenerate quadratic form in three variables over a field with the given 0 and 1."""
 
-    def __init__(self, field: Any, form: Form) -> None:
-        self.field, self.form = field, form
+    def __init__(self, form: Form, zero: Any, one: Any) -> None:
+        self.form, self.zero, self.one = form, zero, one
 
     def value(self, v: Vector) -> Any:
         """Return f(v)."""
@@ -66,39 +56,14 @@ class Conic:
 
     def start(self) -> Lattice:
         """Return the standard lattice."""
-        o, e = self.field.zero, self.field.one
+        o, e = self.zero, self.one
         return Lattice([[e, o, o], [o, e, o], [o, o, e]], e)
-
-    def bad_primes(self) -> list[Any]:
-        """Return the monic irreducible polynomials at which the standard lattice may not be good."""
-        found: dict[Any, Any] = {}
-        for x in (*(f.den for f in self.form), half_discriminant(self.form).num):
-            for p, _ in x.factor()[1]:
-                monic = self.field.quotient(self.field.one.num, p).den
-                found[str(monic)] = monic
-        return list(found.values())
 
 
 def norm_form(field: Any, c: Constants) -> Form:
     """Return the norm form of an algebra on ⟨e, i, j⟩."""
     o, (a, t, b) = field.zero, c
     return field.one, -a, -b, o, o, t
-
-
-def valuation(x: Any, p: Any) -> int:
-    """Return the order of a nonzero rational function at the irreducible polynomial p."""
-    if x.num % p == 0:
-        return _order(x.num, p)
-    return -_order(x.den, p)
-
-
-def _order(poly: Any, p: Any) -> int:
-    n = 0
-    while True:
-        quotient, rest = divmod(poly, p)
-        if rest != 0:
-            return n
-        poly, n = quotient, n + 1
 
 
 def half_discriminant(form: Form) -> Any:
@@ -109,45 +74,44 @@ def half_discriminant(form: Form) -> Any:
     return four + four + r * s * t - a * (r * r) - b * (s * s) - c * (t * t)
 
 
-def minimise(conic: Conic, lattice: Lattice, p: Any) -> None:
-    """Change the lattice at p until the half-discriminant is a unit there.
+def minimise(conic: Conic, lattice: Lattice, place: Any) -> bool:
+    """Change the lattice at a place until the half-discriminant is a unit there, and return True.
 
-    Raises :class:`RamifiedError` when that is impossible.
+    Where the place is ramified that is impossible: then the half-discriminant is left with
+    valuation 1, and the answer is False. ``place`` is a :class:`ResidueField` or a :class:`PrimePlace`.
     """
-    field = conic.field
-    kappa = ResidueField(field, p)
-    pi = field.quotient(p, field.one.num)
-    worst = min(valuation(f, p) for f in conic.coefficients(lattice) if f.num != 0)
-    lattice.scale = lattice.scale * field.power(pi, -worst)
+    pi = place.uniformiser
+    inverse = place.inverse_uniformiser
+    worst = min(place.valuation(f) for f in conic.coefficients(lattice) if f != conic.zero)
+    for _ in range(abs(worst)):
+        lattice.scale = lattice.scale * (pi if worst < 0 else inverse)
     while True:
         form = conic.coefficients(lattice)
-        if valuation(half_discriminant(form), p) == 0:
-            return
-        radical = _radical(kappa, [kappa.reduce(f) for f in form])
-        vectors = _adapt(conic, lattice, kappa, radical)
+        if place.valuation(half_discriminant(form)) == 0:
+            return True
+        radical = _radical(place, [place.reduce(f) for f in form])
+        vectors = _adapt(lattice, place, radical)
         if len(vectors) == 1:
-            if valuation_at_least(conic.value(lattice.basis[vectors[0]]) * lattice.scale, p, 2):
-                inverse = field.inverse(pi)
+            size = conic.value(lattice.basis[vectors[0]]) * lattice.scale
+            if size == conic.zero or place.valuation(size) >= 2:
                 lattice.basis[vectors[0]] = [inverse * x for x in lattice.basis[vectors[0]]]
                 continue
-            vectors = _split_complement(conic, lattice, kappa, vectors[0])
+            line = _split_complement(conic, lattice, place, vectors[0])
+            if line is None:
+                return False
+            vectors = line
         for index in range(3):
             if index not in vectors:
                 lattice.basis[index] = [pi * x for x in lattice.basis[index]]
-        lattice.scale = lattice.scale * field.inverse(pi)
+        lattice.scale = lattice.scale * inverse
 
 
-def valuation_at_least(x: Any, p: Any, n: int) -> bool:
-    """Tell whether pⁿ divides x (0 is divisible by everything)."""
-    return bool(x.num == 0) or valuation(x, p) >= n
-
-
-def _radical(kappa: ResidueField, form: list[Any]) -> list[Vector]:
+def _radical(kappa: Any, form: list[Any]) -> list[Vector]:
     """Return a basis of the vectors r with f(r) = 0 and f(r, ·) = 0 over the residue field."""
     a, b, c, r, s, t = form
     if all(x == 0 for x in form):
         return [[kappa.one if i == j else kappa.zero for j in range(3)] for i in range(3)]
-    if kappa.base.characteristic == 2:
+    if kappa.even:
         if r != 0 or s != 0 or t != 0:
             return [[r, s, t]]
         lines = [kappa.sqrt(x) for x in (a, b, c)]
@@ -155,7 +119,7 @@ def _radical(kappa: ResidueField, form: list[Any]) -> list[Vector]:
     return _kernel(kappa, [[a + a, t, s], [t, b + b, r], [s, r, c + c]])
 
 
-def _kernel(kappa: ResidueField, rows: list[Vector]) -> list[Vector]:
+def _kernel(kappa: Any, rows: list[Vector]) -> list[Vector]:
     """Return a basis of the kernel of a matrix with three columns over the residue field."""
     rows = [[x % kappa.modulus for x in row] for row in rows]
     pivots: dict[int, Vector] = {}
@@ -181,7 +145,7 @@ def _kernel(kappa: ResidueField, rows: list[Vector]) -> list[Vector]:
     return basis
 
 
-def _adapt(conic: Conic, lattice: Lattice, kappa: ResidueField, vectors: list[Vector]) -> list[int]:
+def _adapt(lattice: Lattice, kappa: Any, vectors: list[Vector]) -> list[int]:
     """Change the basis so that lifts of the given vectors are in it; return their places."""
     indices: list[int] = []
     vectors = [list(v) for v in vectors]
@@ -196,27 +160,23 @@ def _adapt(conic: Conic, lattice: Lattice, kappa: ResidueField, vectors: list[Ve
         indices.append(index)
     old = [list(v) for v in lattice.basis]
     for index, v in zip(indices, vectors, strict=True):
-        lattice.basis[index] = _combination(conic, v, old)
+        lattice.basis[index] = _combination([kappa.lift(x) for x in v], old)
     return indices
 
 
-def _combination(conic: Conic, coefficients: Vector, basis: list[Vector]) -> Vector:
-    one = conic.field.one.num
-    scalars = [conic.field.quotient(x, one) for x in coefficients]
+def _combination(scalars: Vector, basis: list[Vector]) -> Vector:
     columns = ([s * v[i] for s, v in zip(scalars, basis, strict=True)] for i in range(3))
     return [sum(column[1:], column[0]) for column in columns]
 
 
-def _split_complement(
-    conic: Conic, lattice: Lattice, kappa: ResidueField, vertex: int
-) -> list[int]:
+def _split_complement(conic: Conic, lattice: Lattice, kappa: Any, vertex: int) -> list[int] | None:
     """Find a line of the form modulo p through its vertex; return the places of both vectors."""
     form = conic.coefficients(lattice)
     i, j = (n for n in range(3) if n != vertex)
     pair = form[{(1, 2): 3, (0, 2): 4, (0, 1): 5}[i, j]]
     root = kappa.quadratic_root(*(kappa.reduce(f) for f in (form[i], pair, form[j])))
     if root is None:
-        raise RamifiedError(kappa.modulus)
+        return None
     v = [kappa.zero] * 3
     v[i], v[j] = root
-    return [vertex, *_adapt(conic, lattice, kappa, [v])]
+    return [vertex, *_adapt(lattice, kappa, [v])]

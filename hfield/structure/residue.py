@@ -11,6 +11,20 @@ from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
 
 
+def valuation(x: Any, p: Any) -> int:
+    """Return the order of a nonzero rational function at the irreducible polynomial p."""
+    return _order(x.num, p) if x.num % p == 0 else -_order(x.den, p)
+
+
+def _order(poly: Any, p: Any) -> int:
+    n = 0
+    while True:
+        quotient, rest = divmod(poly, p)
+        if rest != 0:
+            return n
+        poly, n = quotient, n + 1
+
+
 class ResidueField:
     """k[t]/π for a monic irreducible π; with π = t the field k itself.
 
@@ -27,6 +41,29 @@ class ResidueField:
     def order(self) -> int | None:
         """How many elements there are; None for infinitely many."""
         return None if self.base.order is None else int(self.base.order) ** self.degree
+
+    @property
+    def even(self) -> bool:
+        """Whether the characteristic is 2."""
+        return self.base.characteristic == 2
+
+    @property
+    def uniformiser(self) -> Any:
+        """π as an element of k(t)."""
+        return self.lift(self.modulus)
+
+    @property
+    def inverse_uniformiser(self) -> Any:
+        """1/π."""
+        return self.field.quotient(self.field.one.num, self.modulus)
+
+    def lift(self, x: Any) -> Any:
+        """Return a polynomial as an element of k(t)."""
+        return self.field.quotient(x, self.field.one.num)
+
+    def valuation(self, x: Any) -> int:
+        """Return the order of a nonzero rational function at π."""
+        return valuation(x, self.modulus)
 
     def scalar(self, x: Any) -> Any:
         """Return an element of k as a polynomial."""
@@ -129,7 +166,7 @@ class ResidueField:
         """Return ``(x, y)`` ≠ (0, 0) with ``a·x² + b·xy + c·y² = 0``, or None."""
         if a == 0:
             return self.one, self.zero
-        if self.base.characteristic != 2:
+        if not self.even:
             half = self.scalar(self.base.inverse(self.base(2)))
             h = b * half % self.modulus
             root = self.sqrt((h * h - a * c) % self.modulus)

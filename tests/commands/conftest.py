@@ -1,14 +1,12 @@
 """A small ledger of fake claims, so that the commands are tested apart from the mathematics."""
 
-import sys
 from dataclasses import dataclass
-from types import ModuleType
 
 import pytest
 
 from hfield.cli import main
 from hfield.errors import TooLargeError
-from hfield.ledger import claim as ledger
+from hfield.ledger import registry
 from hfield.ledger.claim import Claim
 from hfield.proving.decision import Decision
 
@@ -64,7 +62,7 @@ def run(monkeypatch, capsys):
         return status, out, err
 
     yield call
-    ledger.claims.cache_clear()
+    registry.claims.cache_clear()
 
 
 @pytest.fixture
@@ -75,8 +73,6 @@ def broken(run, monkeypatch):
 
 
 def fake_ledger(monkeypatch, claims):
-    module = ModuleType("hfield.ledger.chapter1")
-    module.CLAIMS = claims
-    monkeypatch.setitem(sys.modules, module.__name__, module)
-    monkeypatch.setattr(ledger, "_foreign", lambda: ())
-    ledger.claims.cache_clear()
+    monkeypatch.setattr(registry, "CLAIMS", claims)
+    monkeypatch.setattr(registry, "_foreign", lambda: ())
+    registry.claims.cache_clear()

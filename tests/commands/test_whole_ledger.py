@@ -87,3 +87,10 @@ def test_the_report_fits_100_columns(tmp_path):
     assert "Errata" in lines
     headline = lines[lines.index("Headline claims, as printed") :]
     assert all("theorem-1" not in line or "✗" in line for line in headline[:20])
+
+
+@pytest.mark.parametrize("field", ["GF(4)(t)", "GF(9, x^2+1)", "QQ(sqrt(-3))", "ZZ/6"])
+def test_rings_outside_the_panel_end_well(field):
+    done = shell("verify", "--field", field, "--format", "json")
+    assert done.returncode in (0, 1), done.stderr
+    assert {row["field"] for row in json.loads(done.stdout)["results"]} == {field}

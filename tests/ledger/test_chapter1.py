@@ -9,7 +9,8 @@ import pytest
 
 from hfield import product
 from hfield.errors import HFieldError
-from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, claims, decide, find
+from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, decide
+from hfield.ledger.registry import claims, find
 from hfield.rings import ring
 
 CHAPTER = [claim for claim in claims() if claim.id.startswith("C1")]

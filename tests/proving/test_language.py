@@ -88,8 +88,8 @@ def test_generators_win_over_unknowns():
 
 
 ERRORS = [
-    ("p*q", 1, "expected a statement"),
-    ("p == q and r", 11, "expected a statement such as p == q, found a quaternion"),
+    ("p*q", 2, "expected a statement"),
+    ("p == q and r", 12, "expected a statement such as p == q, found a quaternion"),
     ("(p == q)*r == 0", 4, "expected a quaternion or a scalar, found a statement"),
     ("p/q == 1", 2, "only a scalar divides"),
     ("norm(p == q) == 0", 8, "found a statement"),

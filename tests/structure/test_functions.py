@@ -7,10 +7,9 @@ from hfield.errors import RingError, UndecidedError
 from hfield.product import norm
 from hfield.rings import ring
 from hfield.structure import hilbert_symbol, is_division, zero_norm
-from hfield.structure.bundle import solve_conic_functions
+from hfield.structure.bundle import RamifiedError, solve_conic_functions
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.functionfield import ramified_places_functions
-from hfield.structure.minimise import RamifiedError
 from hfield.structure.places import place, ramified_places, reduced_discriminant
 from hfield.structure.residue import ResidueField
 

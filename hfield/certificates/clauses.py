@@ -1,0 +1,219 @@
+"""From a statement to clauses: "if all of Z are 0, then all of some tuple in G are", over ℤ.
+
+Terms with division become fractions whose denominators are products of known factors; these
+factors are the conditions under which the term is defined. Formulas are nested tuples:
+``("and", parts)``, ``("or", parts)`` and literals ``("zero", polynomials)``, ``("nonzero", …)``.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from hfield.certificates.evaluate import Conditions, Evaluator, Quaternion
+from hfield.certificates.language import Tree
+from hfield.certificates.polynomials import (
+    Names,
+    Poly,
+    Work,
+    add,
+    constant,
+    divide,
+    multiply,
+)
+from hfield.certificates.rejection import reject
+from hfield.certificates.statement import Setting, Statement
+
+MAX_CLAUSES = 1_024
+
+Formula = tuple[Any, ...]
+Frozen = frozenset[tuple[int, int]]  # a polynomial that can be compared and hashed
+Pieces = tuple[tuple[int, int], ...]  # factors of a denominator with their multiplicities
+
+
+def freeze(f: Poly) -> Frozen:
+    """Return a hashable polynomial, the same for f and −f."""
+    return frozenset(f.items() if not f or f[max(f)] > 0 else [(m, -c) for m, c in f.items()])
+
+
+@dataclass(frozen=True)
+class Clause:
+    """``zeros`` and the tuples of ``goals`` are polynomials over ℤ."""
+
+    zeros: tuple[Frozen, ...]
+    goals: tuple[tuple[Frozen, ...], ...]
+
+
+@dataclass(frozen=True)
+class Expansion:
+    """A statement as clauses; the first ``unknowns`` variables are no constants of the field.
+
+    ``factors`` are the polynomials that were divided by.
+    """
+
+    names: Names
+    unknowns: int
+    clauses: tuple[Clause, ...]
+    factors: tuple[Poly, ...]
+    evaluator: Evaluator
+
+
+class Fractions:
+    """Scalars: ``(numerator, pieces of the denominator)``."""
+
+    def __init__(self, work: Work) -> None:
+        self.work, self.factors = work, list[Poly]()
+        self.zero: Any = ((), ())
+        self.one: Any = self.polynomial({0: 1})
+
+    @staticmethod
+    def polynomial(f: Poly) -> Any:
+        """Return a polynomial as a scalar."""
+        return (tuple(sorted(f.items())), ())
+
+    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+        """Return a literal."""
+        if isinstance(value, int):
+            return self.polynomial(constant(value)), ()
+        x, conditions = self.reciprocal(self.polynomial(constant(value.denominator)))
+        return self.mul(self.polynomial(constant(value.numerator)), x), conditions
+
+    def add(self, x: Any, y: Any) -> Any:
+        """Return x + y over the least common denominator."""
+        if not x[0] or not y[0]:
+            return y if not x[0] else x
+        if x[1] == y[1]:
+            return self._made(add(dict(x[0]), dict(y[0])), x[1])
+        common = dict(x[1])
+        for piece, n in y[1]:
+            common[piece] = max(common.get(piece, 0), n)
+        pieces = tuple(sorted(common.items()))
+        return self._made(add(self._over(x, common), self._over(y, common)), pieces)
+
+    def neg(self, x: Any) -> Any:
+        """Return −x."""
+        return tuple((m, -c) for m, c in x[0]), x[1]
+
+    def mul(self, x: Any, y: Any) -> Any:
+        """Return x·y."""
+        pieces = dict(x[1])
+        for piece, n in y[1]:
+            pieces[piece] = pieces.get(piece, 0) + n
+        top = multiply(dict(x[0]), dict(y[0]), self.work)
+        return self._made(top, tuple(sorted(pieces.items())))
+
+    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+        """Return 1/x on the condition that its numerator is not 0."""
+        top = dict(x[0])
+        if not top:
+            return self.zero, (self.polynomial({}),)
+        below = constant(1)
+        for piece, n in x[1]:
+            for _ in range(n):
+                below = multiply(below, self.factors[piece], self.work)
+        if top == {0: 1}:
+            return self.polynomial(below), ()
+        if top not in self.factors:
+            self.factors.append(top)
+        return self._made(below, ((self.factors.index(top), 1),)), (self.polynomial(top),)
+
+    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> Formula:
+        """Return "defined, and, being defined, (not) all numerators are 0"."""
+        tops = [dict(d[0]) for d in differences]
+        literal = _literal(tops, equal)
+        parts = [_literal([dict(c[0])], False) for c in conditions]
+        return ("and", (*parts, ("or", (literal, *(deny(part) for part in parts)))))
+
+    def join(self, kind: str, x: Formula, y: Formula) -> Formula:
+        """Return "x and y" or "x or y"."""
+        return (kind, (x, y))
+
+    def deny(self, x: Formula) -> Formula:
+        """Return "not x"."""
+        return deny(x)
+
+    def _over(self, x: Any, common: dict[int, int]) -> Poly:
+        top, own = dict(x[0]), dict(x[1])
+        for piece, n in common.items():
+            for _ in range(n - own.get(piece, 0)):
+                top = multiply(top, self.factors[piece], self.work)
+        return top
+
+    def _made(self, top: Poly, pieces: Pieces) -> Any:
+        return (tuple(sorted(top.items())), pieces) if top else self.zero
+
+
+def deny(f: Formula) -> Formula:
+    """Return the opposite formula."""
+    kind, parts = f
+    if kind in ("zero", "nonzero"):
+        return ("nonzero" if kind == "zero" else "zero", parts)
+    return ("or" if kind == "and" else "and", tuple(deny(x) for x in parts))
+
+
+def _literal(tops: list[Poly], zero: bool) -> Formula:
+    polynomials = frozenset(freeze(f) for f in tops if f)
+    if not polynomials:
+        return ("and" if zero else "or", ())
+    return ("zero" if zero else "nonzero", polynomials)
+
+
+def expand(statement: Statement, setting: Setting, work: Work) -> Expansion:
+    """Return the clauses of a statement without quantifiers."""
+    variables: list[Tree] = []
+    for name, sort in statement.unknowns:
+        tree: Tree = ("name", name)
+        variables += [tree] if sort == "s" else [("index", tree, n) for n in range(4)]
+    names = Names((*variables, *statement.constants))
+    scalars = Fractions(work)
+    values: dict[Tree, Any] = {}
+    for name, sort in statement.unknowns:
+        tree = ("name", name)
+        own = [tree] if sort == "s" else [("index", tree, n) for n in range(4)]
+        found = [scalars.polynomial(names.variable(v)) for v in own]
+        values[tree] = found[0] if sort == "s" else Quaternion(found)
+    for tree in statement.constants:
+        values[tree] = scalars.polynomial(names.variable(tree))
+    evaluator = Evaluator(scalars, setting.constants, values)
+    formula = evaluator.truth(statement.matrix)
+    # The algebra exists only where its structure constants are defined.
+    undefined = [_literal([dict(c[0])], True) for c in evaluator.conditions]
+    clauses = tuple(_clause(c) for c in _conjunction(("or", (*undefined, formula))))
+    return Expansion(names, len(variables), clauses, tuple(scalars.factors), evaluator)
+
+
+def _conjunction(f: Formula) -> list[frozenset[Formula]]:
+    """Return the conjunctive normal form, tautologies left out."""
+    kind, parts = f
+    if kind in ("zero", "nonzero"):
+        return [frozenset([f])]
+    if kind == "and":
+        out = [c for part in parts for c in _conjunction(part)]
+    else:
+        out = [frozenset()]
+        for part in parts:
+            right = _conjunction(part)
+            if len(out) * len(right) > MAX_CLAUSES:
+                reject("the statement has too many clauses")
+            out = [a | b for a in out for b in right]
+    out = [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
+    if len(out) > MAX_CLAUSES:
+        reject("the statement has too many clauses")
+    return out
+
+
+def _clause(literals: frozenset[Formula]) -> Clause:
+    zeros = [f for kind, fs in literals if kind == "nonzero" for f in fs]
+    goals = [tuple(sorted(fs, key=sorted)) for kind, fs in literals if kind == "zero"]
+    order = sorted(set(zeros), key=sorted)
+    return Clause(tuple(order), tuple(sorted(goals, key=lambda g: [sorted(f) for f in g])))
+
+
+def without_factors(f: Poly, known: list[Poly], work: Work) -> Poly:
+    """Divide by factors that are known not to be 0, as often as they divide."""
+    for factor in known:
+        while f and factor not in ({0: 1}, {0: -1}):
+            quotient = divide(f, factor, work)
+            if quotient is None:
+                break
+            f = quotient
+    return f

@@ -1,0 +1,165 @@
+"""Trying all cases over a finite ring: directly where they are few, else clause by clause."""
+
+from itertools import product
+from typing import Any
+
+from hfield.certificates.clauses import Expansion, expand
+from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
+from hfield.certificates.language import Tree
+from hfield.certificates.over_field import Place
+from hfield.certificates.polynomials import BITS, MASK, Work
+from hfield.certificates.rejection import reject
+from hfield.certificates.ring import Ring
+from hfield.certificates.statement import Setting, Statement
+
+FEW = 5_000
+COST = 200  # what evaluating a statement once is charged
+MAX_ORDER = 5_000
+
+Coefficients = dict[int, Any]
+Case = tuple[list[Coefficients], list[list[Coefficients]]]
+
+
+def evaluator_at(ring: Ring, setting: Setting, statement: Statement, values: Any) -> Evaluator:
+    """Return the evaluator with values for unknowns; the structure constants must be defined."""
+    known: dict[Tree, Any] = {tree: ring.constant(tree) for tree in statement.constants}
+    known.update((("name", name), value) for name, value in values.items())
+    evaluator = Evaluator(RingScalars(ring), setting.constants, known)
+    if evaluator.conditions:
+        reject("a structure constant of the algebra is not defined there")
+    return evaluator
+
+
+def width(unknowns: tuple[tuple[str, str], ...]) -> int:
+    """Return the number of coordinates of unknowns."""
+    return sum(1 if sort == "s" else 4 for _, sort in unknowns)
+
+
+def check_all(statement: Statement, setting: Setting, cases: int, work: Work) -> None:
+    """Check a statement without quantifiers for all values of its unknowns."""
+    ring = _finite(setting)
+    assert ring.order is not None
+    total = ring.order ** width(statement.unknowns)
+    if total <= FEW:
+        _one_by_one(statement, setting, work)
+        if cases > total or total % cases:
+            reject("the number of cases is wrong")
+        return
+    if statement.divides and not ring.is_field:
+        reject("over a ring that is no field, only few cases are tried for statements that divide")
+    expansion = expand(statement, setting, work)
+    count = _Tree(expansion, ring, work).check()
+    if cases not in (ring.order**count, total):
+        reject("the number of cases is wrong")
+
+
+def check_exists(statement: Statement, setting: Setting, cases: int, work: Work) -> None:
+    """Check that for all values given there are values of what ``exists`` binds."""
+    ring = _finite(setting)
+    assert ring.order is not None
+    if cases != ring.order ** width(statement.given):
+        reject("the number of cases is wrong")
+    bound = tuple((name, sort) for name, sort in statement.unknowns if name in statement.exists)
+    for values in places(ring, statement.given):
+        for more in places(ring, bound):
+            work.spend(COST)
+            if _true(statement, setting, ring, {**values, **more}):
+                break
+        else:
+            reject("for some values nothing exists")
+
+
+def _finite(setting: Setting) -> Ring:
+    ring = setting.field
+    if ring is None or ring.order is None:
+        reject("all cases can be tried over a finite ring only")
+    if ring.order > MAX_ORDER:
+        reject("the ring has too many elements to try them all")
+    return ring
+
+
+def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Any:
+    """Run through all values of the unknowns."""
+    elements = list(ring.elements())
+    for values in product(elements, repeat=width(unknowns)):
+        rest, out = iter(values), {}
+        for name, sort in unknowns:
+            out[name] = next(rest) if sort == "s" else Quaternion([next(rest) for _ in range(4)])
+        yield out
+
+
+def _true(statement: Statement, setting: Setting, ring: Ring, values: Any) -> bool:
+    return bool(evaluator_at(ring, setting, statement, values).truth(statement.matrix))
+
+
+def _one_by_one(statement: Statement, setting: Setting, work: Work) -> None:
+    ring = _finite(setting)
+    for values in places(ring, statement.unknowns):
+        work.spend(COST)
+        if not _true(statement, setting, ring, values):
+            reject("the statement is false in one of the cases")
+
+
+class _Tree:
+    """All values of one coordinate after the other, as long as a clause is not settled."""
+
+    def __init__(self, expansion: Expansion, ring: Ring, work: Work) -> None:
+        self.ring, self.work = ring, work
+        place = Place(expansion, ring)
+        self.elements = list(ring.elements())
+        self.cases: list[Case] = []
+        used: set[int] = set()
+        for clause in expansion.clauses:
+            polynomials = [*clause.zeros, *(g for goal in clause.goals for g in goal)]
+            for f in polynomials:
+                for m, _ in f:
+                    used.update(n for n in range(expansion.unknowns) if (m >> (BITS * n)) & MASK)
+            zeros = [place.coefficients(dict(f), True) for f in clause.zeros]
+            goals = [[place.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
+            self.cases.append((zeros, goals))
+        self.used = sorted(used)
+        self.powers: dict[tuple[Any, int], Any] = {}
+
+    def check(self) -> int:
+        """Try everything; return the number of coordinates."""
+        self._try(0, [case for case in self.cases if not self._settled(case)])
+        return len(self.used)
+
+    def _try(self, depth: int, cases: list[Case]) -> None:
+        if not cases:
+            return
+        if depth == len(self.used):
+            reject("the statement is false in one of the cases")
+        shift = BITS * self.used[depth]
+        for value in self.elements:
+            rest = []
+            for zeros, goals in cases:
+                case = (
+                    [self._put(f, shift, value) for f in zeros],
+                    [[self._put(f, shift, value) for f in goal] for goal in goals],
+                )
+                if not self._settled(case):
+                    rest.append(case)
+            self._try(depth + 1, rest)
+
+    def _settled(self, case: Case) -> bool:
+        """Tell whether a clause is true whatever the other coordinates are."""
+        zeros, goals = case
+        return any(len(z) == 1 and 0 in z for z in zeros) or any(not any(goal) for goal in goals)
+
+    def _put(self, f: Coefficients, shift: int, value: Any) -> Coefficients:
+        ring = self.ring
+        self.work.spend(len(f) + 1)
+        out: Coefficients = {}
+        for m, c in f.items():
+            e = (m >> shift) & MASK
+            if e:
+                c = ring.mul(c, self._power(value, e))
+                m -= e << shift
+            out[m] = ring.add(out[m], c) if m in out else c
+        return {m: c for m, c in out.items() if not ring.is_zero(c)}
+
+    def _power(self, value: Any, e: int) -> Any:
+        if (value, e) not in self.powers:
+            self.powers[value, e] = self.ring.power(value, e)
+        return self.powers[value, e]

@@ -1,0 +1,85 @@
+"""When an integer polynomial is 0 over a field: its constants put in, exponents reduced by x^q = x."""
+
+from typing import Any
+
+from hfield.certificates.clauses import Clause, Expansion, Frozen
+from hfield.certificates.polynomials import BITS, MASK, Poly, modulo
+from hfield.certificates.ring import Ring
+
+
+class Place:
+    """A ring, or all fields of a characteristic (``p`` 0: of all characteristics at once)."""
+
+    def __init__(self, expansion: Expansion, ring: Ring | None, p: int = 0) -> None:
+        self.expansion, self.ring = expansion, ring
+        self.p = ring.characteristic if ring is not None else p
+        self._known: dict[Frozen, bool] = {}
+        self._values: list[Any] = []
+        if ring is not None:
+            names = expansion.names.variables[expansion.unknowns :]
+            self._values = [ring.constant(tree) for tree in names]
+
+    def coefficients(self, f: Poly, functions: bool) -> dict[Any, Any]:
+        """Return the coefficients that are not 0, by the exponents of the unknowns."""
+        f, ring = modulo(f, self.p), self.ring
+        if ring is None:
+            return f
+        width = BITS * self.expansion.unknowns
+        q = ring.order if functions and ring.is_field else None
+        out: dict[int, Any] = {}
+        for m, c in f.items():
+            value, rest = ring.number(c), m >> width
+            for constant in self._values:
+                if rest & MASK:
+                    value = ring.mul(value, ring.power(constant, rest & MASK))
+                rest >>= BITS
+            own = _reduced(m & ((1 << width) - 1), q)
+            out[own] = ring.add(out[own], value) if own in out else value
+        return {m: c for m, c in out.items() if not ring.is_zero(c)}
+
+    def vanishes(self, f: Frozen | Poly) -> bool:
+        """Tell whether f is 0 at every place of the field (as a function, over a finite field)."""
+        key = f if isinstance(f, frozenset) else frozenset(f.items())
+        if key not in self._known:
+            self._known[key] = not self.coefficients(dict(key), True)
+        return self._known[key]
+
+    def is_trivial(self, clause: Clause) -> bool:
+        """Tell whether a goal vanishes entirely, or a hypothesis is a nonzero constant."""
+        if any(all(map(self.vanishes, goal)) for goal in clause.goals):
+            return True
+        return any(self.is_nonzero(z) for z in clause.zeros)
+
+    def is_nonzero(self, f: Frozen) -> bool:
+        """Tell whether f is a constant other than 0 there (for all fields: ±1)."""
+        found = self.coefficients(dict(f), False)
+        if set(found) != {0}:
+            return False
+        return self.ring is not None or bool(self.p) or found[0] in (1, -1)
+
+    def same(self, f: Poly) -> Frozen:
+        """Return what f has in common with its multiples by units: coefficients made monic."""
+        f = modulo(f, self.p)
+        if not f:
+            return frozenset()
+        lead = f[max(f)]
+        if self.p and (self.ring is None or self.ring.is_field):
+            scale = pow(lead, -1, self.p)
+            return frozenset((m, c * scale % self.p) for m, c in f.items())
+        if self.ring is not None and self.ring.is_field:
+            from math import gcd
+
+            scale = gcd(*f.values()) * (1 if lead > 0 else -1)
+            return frozenset((m, c // scale) for m, c in f.items())
+        return frozenset(f.items() if lead > 0 else [(m, -c) for m, c in f.items()])
+
+
+def _reduced(m: int, q: int | None) -> int:
+    if q is None:
+        return m
+    out, place = 0, 0
+    while m:
+        e = m & MASK
+        out |= ((e - 1) % (q - 1) + 1 if e else 0) << place
+        m, place = m >> BITS, place + BITS
+    return out

@@ -1,0 +1,242 @@
+"""Terms of the language in Coq's notation, each with its value as polynomials.
+
+The text is what Coq reads: it follows the tree node by node, so that the theorem says what the
+statement says. The value only serves to find the proof. A divisor d brings a variable of its own
+for ``inv d``, which the equation ``d·inv d = 1`` ties to d where d is known not to be 0.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from flint import Ordering, fmpz_mpoly_ctx
+
+from hfield.errors import TooLargeError
+from hfield.product import Constants, conjugate, multiply, norm, trace
+from hfield.proving.language import Sort, Statement
+from hfield.proving.trees import walk
+from hfield.syntax import Binary, Call, Compare, Index, Name, Negate, Node, Number, Power, parse
+
+MAX_SIZE = 20_000  # leaves of a coordinate once everything is unfolded, as Coq has to read it
+MAX_TERMS = 200_000  # of the polynomials multiplied here
+SPARE = 12  # inverses beyond those of divisors: of what the proof finds not to be 0
+COORDINATES = ("re", "im", "jm", "km")
+HAMILTON = ("-1", "0", "-1")
+
+
+@dataclass(frozen=True)
+class Term:
+    """A term of Coq, its value (a polynomial, or a tuple of four), and where it has one.
+
+    ``conditions`` are the scalars that must not be 0. ``size`` counts the leaves of a coordinate
+    when all definitions are unfolded; ``atomic`` tells whether the text needs no parentheses.
+    """
+
+    text: str
+    value: Any
+    size: int = 1
+    conditions: tuple["Term", ...] = ()
+    atomic: bool = False
+
+    @property
+    def is_scalar(self) -> bool:
+        """Whether this is a scalar, and no quaternion."""
+        return not isinstance(self.value, tuple)
+
+    @property
+    def inner(self) -> str:
+        """The text as it stands inside another."""
+        return self.text if self.atomic else f"({self.text})"
+
+
+class Terms:
+    """Translates the terms of one statement, in one algebra."""
+
+    def __init__(self, statement: Statement, constants: Sequence[str]) -> None:
+        nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
+        divisors = sum(isinstance(n, Binary | Call | Power | Number | Compare) for n in nodes)
+        self.atoms: list[str] = []
+        for name, sort in statement.unknowns:
+            self.atoms += [name] if sort is Sort.SCALAR else [f"{c} {name}" for c in COORDINATES]
+        self.known = len(self.atoms)
+        self.inverses: dict[str, int] = {}
+        self.room = self.known + min(divisors, 40) + SPARE
+        self.context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(self.room)], Ordering.degrevlex)
+        self.gens = self.context.gens()
+        self.names = self._unknowns(statement)
+        parts = [self.term(parse(text)) for text in constants]
+        if any(part.conditions for part in parts):
+            raise TooLargeError("structure constants that divide are not exported")
+        self.constants = Constants(*(part.value for part in parts))
+        shown = " ".join(part.inner for part in parts)
+        self.algebra = "H" if tuple(constants) == HAMILTON else f"(Algebra {shown})"
+        self.weight = max(part.size for part in parts)
+
+    def _unknowns(self, statement: Statement) -> dict[str, Term]:
+        out, at = {}, 0
+        for name, sort in statement.unknowns:
+            width = 1 if sort is Sort.SCALAR else 4
+            value = self.gens[at] if width == 1 else tuple(self.gens[at : at + 4])
+            out[name] = Term(name, value, atomic=True)
+            at += width
+        zero, one = self.integer(0), self.integer(1)
+        for n, name in enumerate("eijk"):
+            coordinates = tuple(one if m == n else zero for m in range(4))
+            out[name] = Term(name, coordinates, atomic=True)
+        return out
+
+    def integer(self, n: int) -> Any:
+        """Return an integer as a polynomial."""
+        return self.context.constant(n)
+
+    def inverse_of(self, d: Term) -> Any:
+        """Return the variable that stands for ``inv d``. Raises TooLargeError when there is none left."""
+        if d.text not in self.inverses:
+            if len(self.atoms) == self.room:
+                raise TooLargeError("too many things are divided by, or found not to be 0")
+            self.inverses[d.text] = len(self.atoms)
+            self.atoms.append(f"inv {d.inner}")
+        return self.gens[self.inverses[d.text]]
+
+    def embed(self, x: Term) -> Term:
+        """Return a scalar as a multiple of e."""
+        if not x.is_scalar:
+            return x
+        zero = self.integer(0)
+        return Term(f"embed {x.inner}", (x.value, zero, zero, zero), x.size, x.conditions)
+
+    def term(self, node: Node) -> Term:
+        """Translate a term. Raises :class:`TooLargeError` for what would be too large to check."""
+        out = self._term(node)
+        if out.size > MAX_SIZE:
+            raise TooLargeError(f"a term has more than {MAX_SIZE} leaves when it is unfolded")
+        return out
+
+    def _term(self, node: Node) -> Term:
+        match node:
+            case Number(value):
+                return self.number(value)
+            case Name(name):
+                return self.names[name]
+            case Negate(operand):
+                x = self.term(operand)
+                value = -x.value if x.is_scalar else tuple(-u for u in x.value)
+                text = f"- ({x.text})" if x.is_scalar else f"[-] {x.inner}"
+                return Term(text, value, x.size, x.conditions)
+            case Binary(op, left, right):
+                return self.binary(op, self.term(left), self.term(right))
+            case Power(base, exponent):
+                return self.power(self.term(base), exponent)
+            case Index(base, index):
+                return self.coordinate(self.term(base), index)
+            case Call(function, arguments):
+                return self.call(function, [self.term(x) for x in arguments])
+        raise AssertionError(node)
+
+    def coordinate(self, x: Term, n: int) -> Term:
+        """Return the coordinate number n."""
+        x = self.embed(x)
+        return Term(f"{COORDINATES[n]} {x.inner}", x.value[n], x.size, x.conditions)
+
+    def number(self, value: int | Fraction) -> Term:
+        """Return a literal."""
+        if isinstance(value, Fraction) and value.denominator != 1:
+            return self.binary("/", self.number(value.numerator), self.number(value.denominator))
+        n = int(value)
+        text = str(n) if n in (0, 1) else f"num {n}" if n > 0 else f"num ({n})"
+        return Term(text, self.integer(n), max(2 * n.bit_length(), 1), atomic=n in (0, 1))
+
+    def binary(self, op: str, x: Term, y: Term) -> Term:
+        """Return a sum, difference, product or quotient."""
+        conditions = _joined(x, y)
+        size = x.size + y.size
+        if op == "/":
+            value, conditions = self.inverse_of(y), _joined(x, y, (y,))
+            if x.is_scalar:
+                return Term(f"{x.inner} / {y.inner}", x.value * value, size, conditions)
+            scaled = tuple(u * value for u in x.value)
+            return Term(f"{x.inner} [/] {y.inner}", scaled, size, conditions)
+        if x.is_scalar and y.is_scalar:
+            self._bound(x, y, op)
+            value = {"+": x.value.__add__, "-": x.value.__sub__, "*": x.value.__mul__}[op](y.value)
+            return Term(f"{x.inner} {op} {y.inner}", value, size, conditions)
+        if op in "+-":
+            x, y = self.embed(x), self.embed(y)
+            pairs = zip(x.value, y.value, strict=True)
+            sums = tuple(u + v if op == "+" else u - v for u, v in pairs)
+            return Term(f"{x.inner} [{op}] {y.inner}", sums, size, conditions)
+        self._bound(x, y, op)
+        if x.is_scalar or y.is_scalar:
+            s, q = (x, y) if x.is_scalar else (y, x)
+            scaled = tuple(s.value * u for u in q.value)
+            return Term(f"{s.inner} [.] {q.inner}", scaled, size, conditions)
+        size = 5 * (size + 3 * self.weight)
+        product = multiply(self.constants, x.value, y.value)
+        return Term(f"{x.inner} [*{self.algebra}] {y.inner}", product, size, conditions)
+
+    def _bound(self, x: Term, y: Term, op: str) -> None:
+        if op == "*" and _length(x) * _length(y) > MAX_TERMS:
+            raise TooLargeError(f"a product has more than {MAX_TERMS} terms")
+
+    def power(self, x: Term, n: int) -> Term:
+        """Return a power; the zeroth is 1."""
+        if n < 0:
+            x, n = self.inverse(x), -n
+        out = Term("1" if x.is_scalar else "e", self.integer(1), conditions=x.conditions)
+        if not x.is_scalar:
+            out = Term("e", self.names["e"].value, conditions=x.conditions)
+        for m in range(n):
+            out = x if m == 0 else self.binary("*", x, out)
+            if out.size > MAX_SIZE:
+                raise TooLargeError(f"the power {n} is too large to unfold")
+        text = f"pow {x.inner} {n}" if x.is_scalar else f"qpow {self.algebra} {x.inner} {n}"
+        return Term(text, out.value, out.size, out.conditions)
+
+    def inverse(self, x: Term) -> Term:
+        """Return the inverse of a scalar or a quaternion."""
+        divisor = x if x.is_scalar else self.call("norm", [x])
+        value = self.inverse_of(divisor)
+        conditions = _joined(x, divisor, (divisor,))
+        if x.is_scalar:
+            return Term(f"inv {x.inner}", value, x.size, conditions)
+        bar = tuple(u * value for u in conjugate(self.constants, x.value))
+        size = divisor.size + 2 * x.size
+        return Term(f"qinv {self.algebra} {x.inner}", bar, size, conditions)
+
+    def call(self, function: str, arguments: list[Term]) -> Term:
+        """Return the value of a function of the language."""
+        x, A = self.embed(arguments[0]), self.algebra
+        c, size = self.constants, x.size
+        match function:
+            case "inv":
+                return self.inverse(x)
+            case "comm":
+                y = self.embed(arguments[1])
+                xy, yx = (self.binary("*", *pair) for pair in ((x, y), (y, x)))
+                value = tuple(u - v for u, v in zip(xy.value, yx.value, strict=True))
+                text = f"comm {A} {x.inner} {y.inner}"
+                return Term(text, value, xy.size + yx.size, _joined(x, y))
+            case "scalar":
+                return self.coordinate(x, 0)
+            case "vector":
+                return Term(f"vector {x.inner}", (self.integer(0), *x.value[1:]), size, x.conditions)
+            case "conj":
+                value = conjugate(c, x.value)
+                return Term(f"conj {A} {x.inner}", value, size + 2 * self.weight, x.conditions)
+            case "trace":
+                return Term(f"trace {A} {x.inner}", trace(c, x.value), 4 * size, x.conditions)
+            case "norm":
+                self._bound(x, x, "*")
+                size = 14 * (size + self.weight)
+                return Term(f"norm {A} {x.inner}", norm(c, x.value), size, x.conditions)
+        raise AssertionError(function)
+
+
+def _length(x: Term) -> int:
+    return len(x.value) if x.is_scalar else sum(map(len, x.value))
+
+
+def _joined(x: Term, y: Term, more: tuple[Term, ...] = ()) -> tuple[Term, ...]:
+    """Return the conditions of both, each once, the deepest first."""
+    return tuple({c.text: c for c in (*x.conditions, *y.conditions, *more)}.values())

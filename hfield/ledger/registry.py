@@ -1,0 +1,40 @@
+"""All claims there are: chapter 1, and what other packages bring as entry points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+from importlib.metadata import entry_points
+
+from hfield.errors import HFieldError
+from hfield.ledger.chapter1 import CLAIMS
+from hfield.ledger.claim import Claim
+
+
+@lru_cache(maxsize=1)
+def claims() -> tuple[Claim, ...]:
+    """Return all claims: chapter 1, then what other packages add (entry points ``hfield.claims``)."""
+    return (*CLAIMS, *_foreign())
+
+
+def _foreign() -> Iterator[Claim]:
+    for point in entry_points(group="hfield.claims"):
+        yield from point.load()
+
+
+def find(name: str) -> Claim:
+    """Return the claim with this id or name. Raises :class:`UnknownClaimError`."""
+    wanted = name.strip().lower()
+    for claim in claims():
+        if wanted in (claim.id.lower(), claim.name):
+            return claim
+    from difflib import get_close_matches
+
+    known = [text for claim in claims() for text in (claim.id, claim.name)]
+    close = get_close_matches(name, known, n=3) or get_close_matches(wanted, known, n=3)
+    hint = f"did you mean {' or '.join(close)}?" if close else "`hfield claims` lists them"
+    raise UnknownClaimError(f"there is no claim {name!r}: {hint}")
+
+
+class UnknownClaimError(HFieldError, LookupError):
+    """A claim's id or name that is not in the ledger."""

@@ -1,0 +1,65 @@
+"""What a proof may start from besides the clause: relations of constants, and telling quaternions."""
+
+from typing import Any
+
+from hfield.product import norm
+from hfield.proving.expand import Expanded, polynomial_world
+from hfield.proving.facts import relation
+from hfield.proving.language import Statement
+from hfield.proving.trees import walk
+from hfield.proving.vanish import vanishes
+from hfield.rings.base import Ring
+from hfield.syntax import Binary, Call, Compare, Name, Power
+
+MAX_QUATERNIONS = 24
+MAX_QUATERNION_TERMS = 200
+
+
+def relations_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
+    """Return the polynomials that the constants of the field satisfy, as far as they are known."""
+    out = []
+    for n in range(x.unknowns, len(x.variables)):
+        found = relation(field, x.variables[n]) if field is not None else None
+        if found is not None:
+            g = x.context.gens()[n]
+            out.append(sum((c * g**k for k, c in enumerate(found)), x.context.constant(0)))
+    return tuple(out)
+
+
+def nonzero_constants_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
+    """Return the constants of the field, as polynomials, that satisfy no known relation but are not 0."""
+    gens = x.context.gens()
+    return tuple(
+        gens[n]
+        for n in range(x.unknowns, len(x.variables))
+        if field is not None
+        and relation(field, x.variables[n]) is None
+        and not vanishes(gens[n], x, field)
+    )
+
+
+def quaternions_of(
+    statement: Statement, constants: tuple[str, str, str]
+) -> tuple[tuple[tuple[Any, ...], Any], ...]:
+    """Return the quaternions that occur in the statement and their vectors, each with its norm."""
+    world, _, _ = polynomial_world(statement, constants)
+    found: dict[str, tuple[tuple[Any, ...], Any]] = {}
+    nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
+    for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
+        if isinstance(node, Compare):  # the factors of a product are often compared with 0
+            q, _ = world.term(Binary("-", node.left, node.right))
+        elif isinstance(node, Name | Binary | Power | Call):
+            q, _ = world.term(node)
+        else:
+            continue
+        if not isinstance(q, tuple) or len(found) >= MAX_QUATERNIONS:
+            continue
+        if sum(map(len, q)) > MAX_QUATERNION_TERMS:
+            continue
+        for part in (q, (world.zero, *q[1:])):
+            numerators = tuple(map(world.numerator, part))
+            lifted = tuple(map(world.lift, numerators))
+            norm_of = world.numerator(norm(world.constants, lifted))
+            if any(not u.is_constant() for u in numerators):
+                found.setdefault(str(numerators), (numerators, norm_of))
+    return tuple(found.values())

@@ -1,0 +1,145 @@
+"""Square roots of elements: at most four, or a whole quadric of them when the element is a scalar."""
+
+import itertools
+from dataclasses import dataclass
+from typing import Any
+
+from hfield.errors import UndecidedError
+from hfield.product import Constants, Coordinates, multiply, norm, trace
+from hfield.rings.base import Ring
+from hfield.structure.centre import basis_of
+from hfield.structure.forms import discriminant, normal_form
+from hfield.structure.integers import fraction
+from hfield.structure.isomorphism import is_isomorphic, isomorphism
+from hfield.structure.qforms import isotropic_vector
+from hfield.structure.split import split
+from hfield.structure.zero import zero_norm
+
+TRIALS = 200
+
+
+@dataclass(frozen=True)
+class SquareRoots:
+    """The square roots of an element: all of them in ``isolated``, unless ``quadric`` is not None.
+
+    In that case the element is a scalar s, ``quadric`` is one root of trace 0, and the roots are the
+    isolated ones and all elements of trace 0 and norm −s.
+    """
+
+    isolated: tuple[Coordinates, ...]
+    quadric: Coordinates | None = None
+
+    def __bool__(self) -> bool:
+        """Tell whether there is a square root."""
+        return bool(self.isolated) or self.quadric is not None
+
+
+def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
+    """Return the square roots of an element, each verified by squaring. The ring must be a field.
+
+    For a root x of trace T and norm n, ``T·x = q + n``, ``n² = N(q)`` and ``T² = tr(q) + 2n``. Where q is no
+    scalar, T is not 0 and this gives all of them. Raises :class:`UndecidedError` where the ring
+    does not decide square roots, or whether an element of given trace and norm exists.
+    """
+    if not ring.is_field:
+        raise UndecidedError(f"{ring.name} is not a field: square roots are found over fields only")
+    if all(ring.is_zero(x) for x in q[1:]):
+        return _of_scalar(ring, c, q[0])
+    found: list[Coordinates] = []
+    for n in _both_roots(ring, norm(c, q)):
+        for t in _both_roots(ring, trace(c, q) + n + n):
+            if not ring.is_zero(t):
+                scale = ring.inverse(t)
+                w, x, y, z = q
+                found.append((scale * (w + n), scale * x, scale * y, scale * z))
+    for root in found:
+        if not all(ring.equal(x, y) for x, y in zip(multiply(c, root, root), q, strict=True)):
+            raise AssertionError("a square root that was found does not square to the element")
+    return SquareRoots(tuple(found))
+
+
+def _both_roots(ring: Ring, x: Any) -> list[Any]:
+    """Return the square roots of a scalar: none, one or two."""
+    root = ring.sqrt(x)
+    if root is None:
+        return []
+    return [root] if ring.equal(root, ring.zero - root) else [root, ring.zero - root]
+
+
+def _of_scalar(ring: Ring, c: Constants, s: Any) -> SquareRoots:
+    """Return the roots of s·e: scalars, and the elements of trace 0 and norm −s."""
+    o = ring.zero
+    if ring.is_zero(s):
+        nilpotent = nilpotent_element(ring, c)
+        return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
+    scalars = [] if ring.characteristic == 2 else _both_roots(ring, s)
+    return SquareRoots(tuple((r, o, o, o) for r in scalars), traceless_root(ring, c, s))
+
+
+def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
+    """Return a nonzero element with square 0 over a field, or None in a division algebra."""
+    _, i, j, _ = basis_of(ring)
+    if ring.is_zero(c.b):
+        return j
+    if ring.is_zero(discriminant(c)) and ring.characteristic != 2:
+        return ring.zero - c.t, ring(2), ring.zero, ring.zero
+    q = zero_norm(ring, c).element
+    if q is None or ring.is_zero(trace(c, q)):
+        return q
+    # q·A is a plane of elements of norm 0, and the trace vanishes on a line in it
+    t = trace(c, q)
+    for u in (i, j):
+        p = multiply(c, q, u)
+        s = trace(c, p)
+        w, x, y, z = (s * m - t * n for m, n in zip(q, p, strict=True))
+        if not all(map(ring.is_zero, (w, x, y, z))):
+            return w, x, y, z
+    raise AssertionError("a zero divisor generates an ideal of dimension 2")
+
+
+def traceless_root(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+    """Return some x of trace 0 with ``x² = s``, s ≠ 0, or None when there is none."""
+    o = ring.zero
+    if ring.characteristic == 2:
+        scalar = ring.sqrt(s)
+        if scalar is not None:  # scalars have trace 0 here
+            return scalar, o, o, o
+    for u, square in zip(basis_of(ring)[1:], (c.a, c.b, o - c.a * c.b), strict=True):
+        if ring.is_zero(trace(c, u)) and not ring.is_zero(square):
+            ratio = ring.sqrt(ring.divide(s, square))
+            if ratio is not None:
+                w, x, y, z = (ratio * v for v in u)
+                return w, x, y, z
+    if ring.is_zero(discriminant(c)):
+        raise UndecidedError("whether s is the square of an element of trace 0 is not decided here")
+    splitting = split(ring, c)
+    if splitting is not None:
+        return splitting.from_matrix([[o, s], [ring.one, o]])
+    return _in_division_algebra(ring, c, s)
+
+
+def _in_division_algebra(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+    if ring.characteristic == 2:
+        raise UndecidedError(f"inseparable subfields over {ring.name} are not searched for")
+    form = normal_form(ring, c)
+    a, b = form.constants
+    o = ring.zero
+    if ring.name == "QQ":
+        solution = isotropic_vector([fraction(x) for x in (a, b, o - a * b, o - s)])
+        if solution is None:
+            return None
+        x, y, z, r = (ring(u) for u in solution)
+        scale = ring.inverse(r)
+        return form.back((o, x * scale, y * scale, z * scale))
+    if ring.name == "RR":
+        return None if ring.sign(s) > 0 else form.back((o, ring.sqrt(ring.divide(s, a)), o, o))
+    if ring.sqrt(s) is not None:
+        return None  # its roots commute with everything that commutes with it: only scalars
+    for m, n in itertools.product(range(15), range(1, 15)):
+        e = b * (ring(m * m) - a * ring(n * n))
+        other = Constants(s, o, e)
+        if not ring.is_zero(e) and is_isomorphic(ring, other, c):
+            found = isomorphism(ring, other, c)
+            assert found is not None
+            return found.images[1]
+    raise UndecidedError(f"whether s has a square root of trace 0 over {ring.name} was not decided")
