@@ -222,6 +222,6 @@ def _root(poly: Any) -> Any:
         return None
     try:
         root = poly.sqrt()
-    except flint.utils.flint_exceptions.DomainError:
+    except (ValueError, flint.utils.flint_exceptions.DomainError):  # flint raises either
         return None
     return root if root * root == poly else None

@@ -139,7 +139,7 @@ class PolynomialRing(Ring):
             return x
         try:
             root = x.sqrt()
-        except flint.utils.flint_exceptions.DomainError:
+        except (ValueError, flint.utils.flint_exceptions.DomainError):  # flint raises either
             return None
         return root if root * root == x else None
 
