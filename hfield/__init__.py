@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from hfield.algebra import H, QuaternionAlgebra
     from hfield.proving.prove import prove
-    from hfield.quaternion import Quaternion
+    from hfield.quaternion import Quaternion, conjugator
     from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
-    from hfield.structure import hilbert_symbol
+    from hfield.structure import four_squares, hilbert_symbol, places
 
 __version__ = "0.1.0"
 
@@ -22,9 +22,9 @@ __version__ = "0.1.0"
 _HOMES = {
     "algebra": ["H", "QuaternionAlgebra"],
     "proving.prove": ["prove"],
-    "quaternion": ["Quaternion"],
+    "quaternion": ["Quaternion", "conjugator"],
     "rings": ["CC", "GF", "QQ", "RDF", "RR", "ZZ", "Zmod", "ring"],
-    "structure": ["hilbert_symbol"],
+    "structure": ["four_squares", "hilbert_symbol", "places"],
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 
@@ -39,7 +39,10 @@ __all__ = [
     "Quaternion",
     "QuaternionAlgebra",
     "Zmod",
+    "conjugator",
+    "four_squares",
     "hilbert_symbol",
+    "places",
     "prove",
     "ring",
 ]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any
 
 from hfield import notation, structure, syntax
-from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
+from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, RingError, shorten
+from hfield.invariants import Invariants
 from hfield.notation import BASIS
 from hfield.product import Constants, Coordinates
 from hfield.quaternion import Quaternion, is_array
@@ -15,7 +16,7 @@ from hfield.rings import ring as read_ring
 from hfield.rings.base import Ring
 
 
-class QuaternionAlgebra:
+class QuaternionAlgebra(Invariants):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Calling the
@@ -41,6 +42,27 @@ class QuaternionAlgebra:
         """Read ``(a,b|F)``, ``[a,b|F)``, ``[a,b,t|F)`` or ``H(F)``. Raises :class:`NotationError`."""
         ring, (a, t, b) = notation.parse_algebra(text)
         return cls(ring, a, b, t)
+
+    @classmethod
+    def from_ramification(
+        cls, ring: Ring | str, primes: Iterable[Any], infinite: bool | None = None
+    ) -> QuaternionAlgebra:
+        """Return the algebra over ℚ that ramifies exactly at these primes, and at ∞ if ``infinite``.
+
+        Places ramify in even number, so ``infinite`` may be left out. Raises :class:`RingError` for
+        what is no prime or comes twice, for an odd number of places, and for another field.
+
+        >>> QuaternionAlgebra.from_ramification("QQ", [2, 3]).discriminant()
+        6
+        """
+        F = read_ring(ring)
+        if F.name != "QQ":
+            raise RingError(f"algebras are made from their ramification over QQ only, not over {F}")
+        named = list(primes)
+        a, b = structure.from_ramification_q(
+            named, len(named) % 2 == 1 if infinite is None else infinite
+        )
+        return cls(F, a, b)
 
     @cached_property
     def batch_constants(self) -> Constants:
@@ -184,26 +206,6 @@ class QuaternionAlgebra:
     def multiplication_table(self) -> tuple[tuple[Quaternion, ...], ...]:
         """Return the products of the basis, row times column, in the order e, i, j, k (Table 1.1)."""
         return tuple(tuple(p * q for q in self.basis) for p in self.basis)
-
-    def center(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the centre, found by linear algebra in the base ring (thesis 1.1.2)."""
-        return tuple(self(*c) for c in structure.centre(self.ring, self.constants))
-
-    def is_commutative(self) -> bool:
-        """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
-        return structure.is_commutative(self.ring, self.constants)
-
-    def zero_norm_element(self) -> Quaternion | None:
-        """Return a nonzero element of norm 0, or None if it is proved that there is none.
-
-        Raises :class:`UndecidedError` where neither is known; the message says what was tried.
-        """
-        found = structure.zero_norm(self.ring, self.constants).element
-        return None if found is None else self(*found)
-
-    def is_division_algebra(self) -> bool:
-        """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
-        return structure.is_division(self.ring, self.constants)
 
     def change_ring(self, ring: Ring | str) -> QuaternionAlgebra:
         """Return the algebra with the same constants over another ring."""

@@ -23,6 +23,7 @@ COMMANDS = {
     "claims": "list the claims",
     "explain": "show one decision in full",
     "prove": "prove or refute a statement of your own",
+    "check": "re-check certificates, independently",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
     "repl": "an interactive session with e, i, j, k at hand",

@@ -6,6 +6,7 @@ from collections.abc import Hashable, Iterator
 from typing import Any, Protocol
 
 from hfield import product
+from hfield.elements import ElementFacts
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.notation import element_text
 from hfield.product import Coordinates
@@ -27,7 +28,7 @@ class Parent(Protocol):
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
 
 
-class Quaternion:
+class Quaternion(ElementFacts):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
     Elements are made by calling their algebra. The four coordinates are elements of the base ring,
@@ -249,46 +250,14 @@ class Quaternion:
             f"{shorten(self.ring.text(n))}, and q·y = 0 for y = {shorten(y)}"
         )
 
-    def annihilator(self) -> Quaternion | None:
-        """Return some nonzero y with ``q·y = 0``, or None if q is not a zero divisor.
-
-        q is one exactly when its norm is 0 or a zero divisor of the base ring: then ``conj(q)``
-        times an annihilator of the norm serves, and where that vanishes, an annihilator of all of
-        the coordinates of ``conj(q)``.
-        """
-        s = self.ring.annihilator(self.norm())
-        if s is None:
-            return None
-        y = self.conjugate() * self.algebra.scalar(s)
-        if not y.is_zero():
-            return y
-        # s·conj(q) = 0 and so s·q = 0: the scalar s itself annihilates q.
-        return self.algebra.scalar(s)
-
     def is_zero(self) -> bool:
         """Tell whether all coordinates are 0 (of a single quaternion)."""
         return all(self.ring.is_zero(x) for x in self.coordinates)
-
-    def is_unit(self) -> bool:
-        """Tell whether q has an inverse: its norm is a unit of the base ring."""
-        return self.ring.is_unit(self.norm())
-
-    def is_zero_divisor(self) -> bool:
-        """Tell whether q·y = 0 for some y ≠ 0. By this definition 0 is a zero divisor."""
-        return self.ring.annihilator(self.norm()) is not None
 
     def matrix(self) -> tuple[tuple[Any, ...], ...]:
         """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n)."""
         columns = [(self * b).coordinates for b in self.algebra.basis]
         return tuple(zip(*columns, strict=True))
-
-    def minimal_polynomial(self) -> tuple[Any, ...]:
-        """Return the coefficients, low degree first, monic: ``(−w, 1)`` or ``(N(q), −tr(q), 1)``."""
-        w, *vector = self.coordinates
-        one = self.ring.one
-        if all(self.ring.is_zero(x) for x in vector):
-            return (-w, one)
-        return (self.norm(), -self.trace(), one)
 
     def change_ring(self, ring: Ring | str) -> Quaternion:
         """Return q in the algebra with the same constants over ``ring``, which must contain them."""
@@ -324,3 +293,9 @@ class Quaternion:
 def is_array(x: object) -> bool:
     """Tell whether a coordinate is an array; a 0-dimensional one counts."""
     return hasattr(x, "dtype") and hasattr(x, "ndim")
+
+
+def conjugator(p: Quaternion, q: Quaternion) -> Quaternion | None:
+    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none."""
+    x: Quaternion | None = p.conjugator(q)
+    return x

@@ -14,7 +14,6 @@ from hfield.certificates.language import Tree
 from hfield.certificates.polynomials import (
     Names,
     Poly,
-    Work,
     add,
     constant,
     divide,
@@ -22,6 +21,7 @@ from hfield.certificates.polynomials import (
 )
 from hfield.certificates.rejection import reject
 from hfield.certificates.statement import Setting, Statement
+from hfield.certificates.work import charge
 
 MAX_CLAUSES = 1_024
 
@@ -60,8 +60,8 @@ class Expansion:
 class Fractions:
     """Scalars: ``(numerator, pieces of the denominator)``."""
 
-    def __init__(self, work: Work) -> None:
-        self.work, self.factors = work, list[Poly]()
+    def __init__(self) -> None:
+        self.factors = list[Poly]()
         self.zero: Any = ((), ())
         self.one: Any = self.polynomial({0: 1})
 
@@ -98,7 +98,7 @@ class Fractions:
         pieces = dict(x[1])
         for piece, n in y[1]:
             pieces[piece] = pieces.get(piece, 0) + n
-        top = multiply(dict(x[0]), dict(y[0]), self.work)
+        top = multiply(dict(x[0]), dict(y[0]))
         return self._made(top, tuple(sorted(pieces.items())))
 
     def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
@@ -109,7 +109,7 @@ class Fractions:
         below = constant(1)
         for piece, n in x[1]:
             for _ in range(n):
-                below = multiply(below, self.factors[piece], self.work)
+                below = multiply(below, self.factors[piece])
         if top == {0: 1}:
             return self.polynomial(below), ()
         if top not in self.factors:
@@ -135,7 +135,7 @@ class Fractions:
         top, own = dict(x[0]), dict(x[1])
         for piece, n in common.items():
             for _ in range(n - own.get(piece, 0)):
-                top = multiply(top, self.factors[piece], self.work)
+                top = multiply(top, self.factors[piece])
         return top
 
     def _made(self, top: Poly, pieces: Pieces) -> Any:
@@ -145,6 +145,7 @@ class Fractions:
 def deny(f: Formula) -> Formula:
     """Return the opposite formula."""
     kind, parts = f
+    charge(5)
     if kind in ("zero", "nonzero"):
         return ("nonzero" if kind == "zero" else "zero", parts)
     return ("or" if kind == "and" else "and", tuple(deny(x) for x in parts))
@@ -157,14 +158,14 @@ def _literal(tops: list[Poly], zero: bool) -> Formula:
     return ("zero" if zero else "nonzero", polynomials)
 
 
-def expand(statement: Statement, setting: Setting, work: Work) -> Expansion:
+def expand(statement: Statement, setting: Setting) -> Expansion:
     """Return the clauses of a statement without quantifiers."""
     variables: list[Tree] = []
     for name, sort in statement.unknowns:
         tree: Tree = ("name", name)
         variables += [tree] if sort == "s" else [("index", tree, n) for n in range(4)]
     names = Names((*variables, *statement.constants))
-    scalars = Fractions(work)
+    scalars = Fractions()
     values: dict[Tree, Any] = {}
     for name, sort in statement.unknowns:
         tree = ("name", name)
@@ -184,6 +185,7 @@ def expand(statement: Statement, setting: Setting, work: Work) -> Expansion:
 def _conjunction(f: Formula) -> list[frozenset[Formula]]:
     """Return the conjunctive normal form, tautologies left out."""
     kind, parts = f
+    charge(20)
     if kind in ("zero", "nonzero"):
         return [frozenset([f])]
     if kind == "and":
@@ -194,6 +196,7 @@ def _conjunction(f: Formula) -> list[frozenset[Formula]]:
             right = _conjunction(part)
             if len(out) * len(right) > MAX_CLAUSES:
                 reject("the statement has too many clauses")
+            charge(20 * len(out) * len(right))
             out = [a | b for a in out for b in right]
     out = [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
     if len(out) > MAX_CLAUSES:
@@ -208,11 +211,11 @@ def _clause(literals: frozenset[Formula]) -> Clause:
     return Clause(tuple(order), tuple(sorted(goals, key=lambda g: [sorted(f) for f in g])))
 
 
-def without_factors(f: Poly, known: list[Poly], work: Work) -> Poly:
+def without_factors(f: Poly, known: list[Poly]) -> Poly:
     """Divide by factors that are known not to be 0, as often as they divide."""
     for factor in known:
         while f and factor not in ({0: 1}, {0: -1}):
-            quotient = divide(f, factor, work)
+            quotient = divide(f, factor)
             if quotient is None:
                 break
             f = quotient

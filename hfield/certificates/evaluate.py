@@ -11,6 +11,7 @@ from typing import Any, Protocol
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject
 from hfield.certificates.ring import MAX_EXPONENT, Ring
+from hfield.certificates.work import charge
 
 Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined
 
@@ -55,7 +56,9 @@ class Quaternion(tuple[Any, ...]):
 class Evaluator:
     """The algebra over some scalars, with values for unknowns and constants."""
 
-    def __init__(self, scalars: Scalars, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Any]):
+    def __init__(
+        self, scalars: Scalars, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Any]
+    ):
         self.s, self.values = scalars, values
         self.conditions: Conditions = ()
         found = []
@@ -115,9 +118,10 @@ class Evaluator:
     def term(self, tree: Tree) -> tuple[Any, Conditions]:
         """Return the value of a term, and what must be a unit for it to be defined."""
         kind, s = tree[0], self.s
+        charge(10)
         if kind == "num":
             return s.number(tree[1])
-        if tree in self.values:
+        if kind in ("name", "call") and tree in self.values:
             return self.values[tree], ()
         if kind == "name":
             return self._name(tree[1]), ()
@@ -222,10 +226,13 @@ class Evaluator:
             return s.add(s.add(x[0], x[0]), s.mul(self.t, x[1])), d
         if function == "vector":
             return Quaternion((s.zero, *x[1:])), d
-        simple = {"conj": self.conjugate, "norm": self.norm, "scalar": lambda q: q[0]}
-        if function not in simple:
+        if function == "conj":
+            return self.conjugate(x), d
+        if function == "norm":
+            return self.norm(x), d
+        if function != "scalar":
             reject(f"there is no function {function!r}")
-        return simple[function](x), d
+        return x[0], d
 
 
 class RingScalars:

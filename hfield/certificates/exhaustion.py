@@ -7,10 +7,11 @@ from hfield.certificates.clauses import Expansion, expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
-from hfield.certificates.polynomials import BITS, MASK, Work
+from hfield.certificates.polynomials import BITS, MASK
 from hfield.certificates.rejection import reject
 from hfield.certificates.ring import Ring
 from hfield.certificates.statement import Setting, Statement
+from hfield.certificates.work import charge
 
 FEW = 5_000
 COST = 200  # what evaluating a statement once is charged
@@ -35,25 +36,25 @@ def width(unknowns: tuple[tuple[str, str], ...]) -> int:
     return sum(1 if sort == "s" else 4 for _, sort in unknowns)
 
 
-def check_all(statement: Statement, setting: Setting, cases: int, work: Work) -> None:
+def check_all(statement: Statement, setting: Setting, cases: int) -> None:
     """Check a statement without quantifiers for all values of its unknowns."""
     ring = _finite(setting)
     assert ring.order is not None
     total = ring.order ** width(statement.unknowns)
     if total <= FEW:
-        _one_by_one(statement, setting, work)
+        _one_by_one(statement, setting)
         if cases > total or total % cases:
             reject("the number of cases is wrong")
         return
     if statement.divides and not ring.is_field:
         reject("over a ring that is no field, only few cases are tried for statements that divide")
-    expansion = expand(statement, setting, work)
-    count = _Tree(expansion, ring, work).check()
+    expansion = expand(statement, setting)
+    count = _Tree(expansion, ring).check()
     if cases not in (ring.order**count, total):
         reject("the number of cases is wrong")
 
 
-def check_exists(statement: Statement, setting: Setting, cases: int, work: Work) -> None:
+def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
     """Check that for all values given there are values of what ``exists`` binds."""
     ring = _finite(setting)
     assert ring.order is not None
@@ -62,7 +63,7 @@ def check_exists(statement: Statement, setting: Setting, cases: int, work: Work)
     bound = tuple((name, sort) for name, sort in statement.unknowns if name in statement.exists)
     for values in places(ring, statement.given):
         for more in places(ring, bound):
-            work.spend(COST)
+            charge(COST)
             if _true(statement, setting, ring, {**values, **more}):
                 break
         else:
@@ -92,10 +93,10 @@ def _true(statement: Statement, setting: Setting, ring: Ring, values: Any) -> bo
     return bool(evaluator_at(ring, setting, statement, values).truth(statement.matrix))
 
 
-def _one_by_one(statement: Statement, setting: Setting, work: Work) -> None:
+def _one_by_one(statement: Statement, setting: Setting) -> None:
     ring = _finite(setting)
     for values in places(ring, statement.unknowns):
-        work.spend(COST)
+        charge(COST)
         if not _true(statement, setting, ring, values):
             reject("the statement is false in one of the cases")
 
@@ -103,8 +104,8 @@ def _one_by_one(statement: Statement, setting: Setting, work: Work) -> None:
 class _Tree:
     """All values of one coordinate after the other, as long as a clause is not settled."""
 
-    def __init__(self, expansion: Expansion, ring: Ring, work: Work) -> None:
-        self.ring, self.work = ring, work
+    def __init__(self, expansion: Expansion, ring: Ring) -> None:
+        self.ring = ring
         place = Place(expansion, ring)
         self.elements = list(ring.elements())
         self.cases: list[Case] = []
@@ -149,7 +150,7 @@ class _Tree:
 
     def _put(self, f: Coefficients, shift: int, value: Any) -> Coefficients:
         ring = self.ring
-        self.work.spend(len(f) + 1)
+        charge(len(f) + 1)
         out: Coefficients = {}
         for m, c in f.items():
             e = (m >> shift) & MASK

@@ -14,12 +14,7 @@ from hfield.certificates.functions import Functions
 from hfield.certificates.numbers import Rationals, Surds
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.ring import Ring
-
-HENSEL = "a number that is 1 modulo 8 is a square in the 2-adic numbers (Hensel)"
-SERRE = (
-    "the norm form of (a,b|Q_p) is anisotropic exactly when the Hilbert symbol (a,b)_p is -1, given by "
-    "Serre's formulas (A Course in Arithmetic, III.1)"
-)
+from hfield.certificates.work import charge
 
 
 def is_ordered(field: Ring) -> bool:
@@ -27,24 +22,27 @@ def is_ordered(field: Ring) -> bool:
     return field.is_field and field.sign(field.one) == 1 and field.name != "RDF"
 
 
-def level_above(field: Ring, bound: int) -> tuple[str, ...] | None:
-    """Prove that −1 is not a sum of ``bound`` squares; return the theorems used, None if it fails."""
-    if bound < 1:
-        return ()
-    if is_ordered(field):
-        return ()
+def level_above(field: Ring, bound: int) -> bool:
+    """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing.
+
+    In ℚ(√d) with d ≡ 1 modulo 8 the prime 2 splits, and modulo the third power of a prime above it the
+    integers there are those modulo 8. A sum of four squares that is 0 could be divided until one of its
+    terms is not in that prime; but then it is not 0 modulo 8.
+    """
+    if bound < 1 or is_ordered(field):
+        return True
     base = field
     while isinstance(base, Functions):  # a constant that is a sum of squares in F(t) is one in F
         base = base.base
     if is_ordered(base):
-        return ()
+        return True
     if base.order is not None and base.is_field:
-        return () if bound == 1 and base.order % 4 == 3 else None
+        return bound == 1 and base.order % 4 == 3
     if not isinstance(base, Surds) or base.d is None:
-        return None
+        return False
     if bound == 1:
-        return () if base.d != -1 else None
-    return (HENSEL,) if bound <= 3 and base.d % 8 == 1 and _odd_squares_modulo_8() else None
+        return base.d != -1
+    return bound <= 3 and base.d % 8 == 1 and _odd_squares_modulo_8()
 
 
 def _odd_squares_modulo_8() -> bool:
@@ -56,59 +54,15 @@ def _odd_squares_modulo_8() -> bool:
     )
 
 
-def anisotropic(field: Ring, a: Any, t: Any, b: Any, places: list[str]) -> tuple[str, ...]:
-    """Prove that the norm of (a, t, b) is 0 only at 0; return the theorems that are cited for it."""
-    if not field.is_field or field.characteristic == 2 or field.order is not None:
-        reject(f"that the norm is anisotropic over {field.name} cannot be verified here")
-    # Completing the square: the norm form is that of (d, b) with d = t² + 4a.
-    d = field.add(field.mul(t, t), field.mul(field.number(4), a))
-    if is_ordered(field) and field.sign(d) == -1 and field.sign(b) == -1:
-        return ()
-    minus_one, four = field.number(-1), field.number(-4)
-    if field.equal(d, four) and field.equal(b, minus_one):
-        found = level_above(field, 2)
-        if found is not None:
-            return found
-    if isinstance(field, Rationals):
-        for place in places:
-            if not (place.isascii() and place.isdigit() and len(place) < 30):
-                continue
-            if is_prime(int(place)) and hilbert(d, b, int(place)) == -1:
-                return (SERRE,)
-    reject(f"that the norm is anisotropic over {field.name} cannot be verified here")
-
-
-def hilbert(a: Fraction, b: Fraction, p: int) -> int:
-    """Return the Hilbert symbol (a, b) at the prime p."""
-    if not a or not b:
-        reject("a Hilbert symbol of 0")
-    (m, u), (n, v) = _valuation(a, p), _valuation(b, p)
-    if p == 2:
-        sign = ((u - 1) // 2) * ((v - 1) // 2) + m * ((v * v - 1) // 8) + n * ((u * u - 1) // 8)
-        return -1 if sign % 2 else 1
-    sign = m * n * ((p - 1) // 2) % 2
-    if n % 2 and pow(u, (p - 1) // 2, p) != 1:
-        sign ^= 1
-    if m % 2 and pow(v, (p - 1) // 2, p) != 1:
-        sign ^= 1
-    return -1 if sign else 1
-
-
-def _valuation(x: Fraction, p: int) -> tuple[int, int]:
-    """Return (n, u) with x = pⁿ·u up to squares of units: u modulo p, or modulo 8 for p = 2."""
-    unit, n = x.numerator * x.denominator, 0
-    while unit % p == 0:
-        unit, n = unit // p, n + 1
-    return n, unit % (8 if p == 2 else p)
-
-
 def is_square(field: Ring, x: Any) -> bool:
     """Tell whether x is a square in the field; rejects where that is not decided here."""
     if field.is_zero(x):
         return True
     if isinstance(field, Rationals):
-        return x > 0 and isqrt(x.numerator) ** 2 == x.numerator and isqrt(x.denominator) ** 2 == (
-            x.denominator
+        return (
+            bool(x > 0)
+            and isqrt(x.numerator) ** 2 == x.numerator
+            and isqrt(x.denominator) ** 2 == x.denominator
         )
     if field.order is not None and field.is_field:
         q = field.order
@@ -170,11 +124,13 @@ def has_no_rational_root(c: list[int]) -> bool:
     if last == 0 or lead == 0:
         return False
     for p in (n for n in range(2, 200) if is_prime(n)):
+        charge(p * len(c))
         if lead % p and all(_value(c, x, p) for x in range(p)):
             return True
     tops, belows = _divisors(abs(last)), _divisors(abs(lead))
     if len(tops) * len(belows) > 20_000:
         reject("a polynomial has too many candidates for rational roots")
+    charge(20 * len(tops) * len(belows) * len(c))
     for u, v in product(tops, belows):
         for top in (u, -u):
             if sum(a * top**n * v ** (len(c) - 1 - n) for n, a in enumerate(c)) == 0:
@@ -190,7 +146,8 @@ def _value(c: list[int], x: int, p: int) -> int:
 
 
 def _divisors(n: int) -> list[int]:
-    if n > 10**12:
+    charge(isqrt(n))
+    if n > 10**10:
         reject("a polynomial's coefficients are too large to list their divisors")
     small = [d for d in range(1, isqrt(n) + 1) if n % d == 0]
     return sorted({*small, *(n // d for d in small)})

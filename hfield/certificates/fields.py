@@ -1,4 +1,4 @@
-"""The names of rings, read: ``QQ``, ``ZZ/6``, ``GF(9, x^2+1)``, ``QQ(sqrt(-7))``, ``GF(4)(t)``, ``QQ[x,y]``."""
+"""The names of rings, read: ``QQ``, ``ZZ/6``, ``GF(9, x^2+1)``, ``QQ(sqrt(-7))``, ``GF(4)(t)``."""
 
 import re
 from functools import lru_cache
@@ -30,9 +30,9 @@ def read_field(text: str) -> Ring:
         if n < 2:
             reject("ZZ/n needs n of at least 2")
         return Residues(n, False)
-    if m := re.fullmatch(r"GF\(([0-9]+)(?:,(.+))?\)", name):
-        if ")(" not in (m[2] or "") and not (m[2] or "").endswith(")["):
-            return galois_field(_number(m[1]), _modulus(m[2], _number(m[1])), name)
+    m = re.fullmatch(r"GF\(([0-9]+)(?:,(.+))?\)", name)
+    if m is not None and ")(" not in (m[2] or ""):
+        return galois_field(_number(m[1]), _modulus(m[2], _number(m[1])), name)
     if m := re.fullmatch(r"QQ\((?:sqrt\((-?[0-9]+)\)|I)\)", name):
         d = -1 if m[1] is None else _number(m[1])
         if m[1] is not None and d == -1:

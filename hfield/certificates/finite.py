@@ -8,6 +8,7 @@ from hfield.certificates.conway import CONWAY
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.ring import Ring
+from hfield.certificates.work import charge
 
 MAX_BITS = 512
 MAX_DEGREE = 64
@@ -125,6 +126,7 @@ class Extension(Ring):
             return tuple([a * y[0] % p for a in x])
         if self.modulus is None:
             reject(f"the modulus of {self.name} is not known here; write it in the field's name")
+        charge(n * n)
         wide = [0] * (2 * n - 1)
         for m, a in enumerate(x):
             if a:
@@ -143,7 +145,8 @@ class Extension(Ring):
             return None
         if not any(x[1:]):
             return self.number(pow(x[0], -1, self.characteristic))
-        return self.power(x, self.order - 2)
+        found: Digits = self.power(x, self.characteristic**self.degree - 2)
+        return found
 
     def constant(self, tree: Tree) -> Any:
         """Return the class of x for its name."""

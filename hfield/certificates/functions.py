@@ -6,6 +6,7 @@ from typing import Any
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject
 from hfield.certificates.ring import Ring
+from hfield.certificates.work import charge
 
 MAX_TERMS = 4_000
 
@@ -41,6 +42,7 @@ class Polynomials(Ring):
         """Return x·y."""
         if len(x) * len(y) > MAX_TERMS**2 // 16:
             reject(f"an element of {self.name} has grown too large")
+        charge(5 * len(x) * len(y))
         out: dict[tuple[int, ...], Any] = {}
         for m, c in x:
             for n, d in y:
@@ -136,14 +138,27 @@ class Functions(Ring):
         signs = [self.base.sign(part[-1][1]) for part in x]
         return None if None in signs else (signs[0] or 0) * (signs[1] or 0)
 
+    def signs(self, x: Fraction) -> tuple[int | None, ...]:
+        """Return the signs for large and for small values of the variable, positive and negative."""
+        sign = self.sign(x)
+        if sign is None or not x[0]:
+            return (sign,) * 4
+        out = []
+        for end in (-1, 0):
+            terms = [part[end] for part in x]
+            plus = (self.base.sign(terms[0][1]) or 0) * (self.base.sign(terms[1][1]) or 0)
+            odd = (terms[0][0][0] + terms[1][0][0]) % 2
+            out += [plus, -plus if odd else plus]
+        return tuple(out)
+
     def _fraction(self, top: Poly, below: Poly) -> Fraction:
         """Divide by the greatest common divisor, so that sums stay small."""
         if not top:
             return self.zero
         if len(below) == 1 and not any(below[0][0]):
             return (self._scaled(top, below[0][1]), self.polynomials.one)
-        divisor = self._gcd(_dense(top, self.base), _dense(below, self.base))
-        f, g = (self._divided(_dense(x, self.base), divisor)[0] for x in (top, below))
+        divisor = self._gcd(dense(top, self.base), dense(below, self.base))
+        f, g = (self.divided(dense(x, self.base), divisor)[0] for x in (top, below))
         lead = self.base.inverse(g[-1])
         return self._sparse(f, lead), self._sparse(g, lead)
 
@@ -156,12 +171,13 @@ class Functions(Ring):
             ((n,), self.base.mul(c, scale)) for n, c in enumerate(f) if not self.base.is_zero(c)
         )
 
-    def _divided(self, f: list[Any], g: list[Any]) -> tuple[list[Any], list[Any]]:
+    def divided(self, f: list[Any], g: list[Any]) -> tuple[list[Any], list[Any]]:
         """Return quotient and remainder; low degree first, no leading zeros."""
         b, f = self.base, list(f)
         lead = b.inverse(g[-1])
         quotient = [b.zero] * max(len(f) - len(g) + 1, 0)
         while len(f) >= len(g):
+            charge(10 * len(f))
             shift, c = len(f) - len(g), b.mul(f[-1], lead)
             quotient[shift] = c
             f = [
@@ -174,14 +190,15 @@ class Functions(Ring):
 
     def _gcd(self, f: list[Any], g: list[Any]) -> list[Any]:
         while g:
-            f, g = g, self._divided(f, g)[1]
+            f, g = g, self.divided(f, g)[1]
         return f
 
 
 MAX_DEGREE = 2_000
 
 
-def _dense(f: Poly, base: Ring) -> list[Any]:
+def dense(f: Poly, base: Ring) -> list[Any]:
+    """Return the coefficients of a polynomial in one variable, low degree first."""
     if not f:
         return []
     if f[-1][0][0] > MAX_DEGREE:

@@ -7,7 +7,6 @@ from typing import Any
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
 from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.facts import (
-    anisotropic,
     has_no_rational_root,
     is_ordered,
     is_square,
@@ -15,12 +14,12 @@ from hfield.certificates.facts import (
 )
 from hfield.certificates.finite import is_prime
 from hfield.certificates.over_field import Place
+from hfield.certificates.places import anisotropic
 from hfield.certificates.polynomials import (
     BITS,
     MASK,
     Names,
     Poly,
-    Work,
     add,
     constant,
     is_constant,
@@ -29,6 +28,7 @@ from hfield.certificates.polynomials import (
 )
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
 from hfield.certificates.statement import Setting
+from hfield.certificates.work import charge
 
 MAX_CHOICES = 512
 MAX_DEPTH = 8
@@ -62,10 +62,12 @@ class Item:
             self.member = names.read(a_text(item["member"], "member", 10**6), "a member")
             self._verify(item, known, names, self.member)
             return
-        found = [names.read(g, "a polynomial of 'nonzero'") for g in texts(item["nonzero"], "nonzero")]
+        found = [
+            names.read(g, "a polynomial of 'nonzero'") for g in texts(item["nonzero"], "nonzero")
+        ]
         more = names.extended([f"T{n}" for n in range(1, len(found) + 1)])
         for n, g in enumerate(found, 1):
-            inverse = multiply(more.variable(("name", f"T{n}")), g, context.work)
+            inverse = multiply(more.variable(("name", f"T{n}")), g)
             known.append(add(constant(1), inverse, -1))
             if context.is_nonzero_constant(g):
                 self.uses_field = True
@@ -98,7 +100,7 @@ class Item:
             reject(f"there are {len(cofactors)} cofactors for {len(known)} polynomials")
         total: Poly = {}
         for text, f in zip(cofactors, known, strict=True):
-            total = add(total, multiply(names.read(text, "a cofactor"), f, self.context.work))
+            total = add(total, multiply(names.read(text, "a cofactor"), f))
         return total
 
     def _steps(self, data: object, known: list[Poly], names: Names, depth: int) -> None:
@@ -107,7 +109,7 @@ class Item:
         if depth > MAX_DEPTH:
             reject("case distinctions nest too deeply")
         for number, raw in enumerate(steps, 1):
-            kind = raw.get("step") if isinstance(raw, dict) else None
+            kind = str(raw.get("step")) if isinstance(raw, dict) else ""
             step = an_object(raw, f"step cofactors denominator {_KEYS.get(kind, '')}", "a step")
             ends = kind in ("contradiction", "no root", "cases")
             if ends != (number == len(steps)):
@@ -139,14 +141,15 @@ class Item:
             target = self.context.norm(terms)
         else:
             coefficients = [
-                an_integer(c, "a coefficient", 1) for c in a_list(step["coefficients"], "coefficients")
+                an_integer(c, "a coefficient", 1)
+                for c in a_list(step["coefficients"], "coefficients")
             ]
             if len(coefficients) != len(terms):
                 reject("there are not as many coefficients as terms")
             self.context.need_squares(len(terms), any(c != 1 for c in coefficients))
             target = {}
             for c, f in zip(coefficients, terms, strict=True):
-                target = add(target, multiply(f, f, self.context.work), c)
+                target = add(target, multiply(f, f), c)
         total = self._sum(step, known, names)
         self._divided_by(an_integer(step["denominator"], "a denominator"))
         p = self.p or (self.context.ring.characteristic if self.context.ring else 0)
@@ -164,7 +167,7 @@ class Item:
             if n > 64:
                 reject("a power of a factor is too large")
             for _ in range(n):
-                target = multiply(target, f, self.context.work)
+                target = multiply(target, f)
         self._verify(step, known, names, target)
         for f, branch in zip(factors, branches, strict=True):
             self._steps(branch, [*known, f], names, depth + 1)
@@ -196,8 +199,8 @@ def _proportional(f: Poly, g: Poly, p: int) -> bool:
 class Context:
     """What the items of one implication share: the expansion, the field, its facts."""
 
-    def __init__(self, expansion: Expansion, setting: Setting, facts: object, work: Work) -> None:
-        self.expansion, self.setting, self.work = expansion, setting, work
+    def __init__(self, expansion: Expansion, setting: Setting, facts: object) -> None:
+        self.expansion, self.setting = expansion, setting
         self.names, self.ring = expansion.names, setting.field
         self.place = Place(expansion, self.ring)
         self.assumes: dict[str, None] = {}
@@ -216,12 +219,14 @@ class Context:
         if ring is None or not ring.is_field:
             reject("facts are about a field that is named")
         if fact["form"] == "norm":
-            places = texts(fact.get("places", []), "places")
             evaluator = Evaluator(RingScalars(ring), self.setting.constants, self._constants())
             if evaluator.conditions or self.setting.letters:
                 reject("the structure constants are not known")
             values = [evaluator.term(tree)[0] for tree in self.setting.constants]
-            self._assume(anisotropic(ring, values[0], values[1], values[2], places))
+            a, t, b = values
+            self.assumes.update(
+                dict.fromkeys(anisotropic(ring, (a, t, b), fact, self.setting.algebra))
+            )
         elif fact["form"] == "squares":
             if not isinstance(fact["positive"], bool):
                 reject("'positive' must be true or false")
@@ -230,15 +235,12 @@ class Context:
                 if not is_ordered(ring):
                     reject(f"{ring.name} is not known to have an ordering")
             else:
-                found = level_above(ring, most - 1)
-                if found is None:
+                if not level_above(ring, most - 1):
                     reject(f"sums of {most} squares in {ring.name} may be 0")
-                self._assume(found)
+            if fact["by"] not in ("ordering", "level"):
+                reject("the fact 'squares' is by 'ordering' or by 'level'")
         elif fact["by"] not in ("factors", "squares"):
             reject("the fact 'roots' is by 'factors' or by 'squares'")
-
-    def _assume(self, theorems: tuple[str, ...]) -> None:
-        self.assumes.update(dict.fromkeys(theorems))
 
     def _constants(self) -> dict[Any, Any]:
         ring = self.ring
@@ -312,20 +314,20 @@ class Context:
 
 
 def check_implication(
-    expansion: Expansion, setting: Setting, data: Any, work: Work
+    expansion: Expansion, setting: Setting, data: Any
 ) -> tuple[str, tuple[str, ...]]:
     """Check the items and that they cover the clauses; return the scope and the theorems used."""
-    context = Context(expansion, setting, data["facts"], work)
+    context = Context(expansion, setting, data["facts"])
     items = [Item(raw, context) for raw in a_list(data["items"], "items")]
     ring = setting.field
     if ring is None:
-        return _everywhere(expansion, items, work), ()
+        return _everywhere(expansion, items), ()
     usable = items
     if not ring.is_field:
         usable = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
         if ring.name == "ZZ" and not _divides(expansion):
             usable = items  # what holds for all elements of ℚ holds for those of ℤ
-    _cover(expansion, Place(expansion, ring), usable, work)
+    _cover(expansion, Place(expansion, ring), usable)
     return "field", tuple(context.assumes)
 
 
@@ -333,19 +335,21 @@ def _divides(expansion: Expansion) -> bool:
     return bool(expansion.factors)
 
 
-def _everywhere(expansion: Expansion, items: list[Item], work: Work) -> str:
+def _everywhere(expansion: Expansion, items: list[Item]) -> str:
     """Cover the clauses over all fields, and again in each characteristic that was divided by."""
     general = [item for item in items if item.p == 0]
-    _cover(expansion, Place(expansion, None), general, work)
+    _cover(expansion, Place(expansion, None), general)
     divided = {abs(d) for item in general for d in item.denominators}
     primes = {item.p for item in items if item.p}
     for p in primes:
         own = [
-            item for item in items if item.p == p or (not item.p and all(d % p for d in item.denominators))
+            item
+            for item in items
+            if item.p == p or (not item.p and all(d % p for d in item.denominators))
         ]
-        _cover(expansion, Place(expansion, None, p), own, work)
+        _cover(expansion, Place(expansion, None, p), own)
     for d in divided:
-        for p in (*primes, *_plain_primes(expansion, d, primes, general, work)):
+        for p in (*primes, *_plain_primes(expansion, d, primes, general)):
             while d % p == 0:
                 d //= p
         if d != 1:
@@ -354,36 +358,32 @@ def _everywhere(expansion: Expansion, items: list[Item], work: Work) -> str:
     return "commutative rings" if direct else "fields"
 
 
-def _plain_primes(
-    expansion: Expansion, d: int, primes: set[int], general: list[Item], work: Work
-) -> list[int]:
+def _plain_primes(expansion: Expansion, d: int, primes: set[int], general: list[Item]) -> list[int]:
     """Return small primes that divide d and in whose characteristic no item of its own is needed."""
     found = []
     for p in (n for n in range(2, 1000) if d % n == 0 and n not in primes and is_prime(n)):
         own = [item for item in general if all(m % p for m in item.denominators)]
-        _cover(expansion, Place(expansion, None, p), own, work)
+        _cover(expansion, Place(expansion, None, p), own)
         found.append(p)
     return found
 
 
-def _cover(expansion: Expansion, place: Place, items: list[Item], work: Work) -> None:
+def _cover(expansion: Expansion, place: Place, items: list[Item]) -> None:
     for clause in expansion.clauses:
-        if not place.is_trivial(clause) and not _covers(clause, expansion, place, items, work):
+        if not place.is_trivial(clause) and not _covers(clause, expansion, place, items):
             reject("a case of the statement is not covered by the evidence")
 
 
-def _covers(
-    clause: Clause, expansion: Expansion, place: Place, items: list[Item], work: Work
-) -> bool:
+def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item]) -> bool:
     """Tell whether verified items prove the clause."""
     # Where a factor of the denominators is 0, the clause is true: so it may be divided by.
     single = {goal[0] for goal in clause.goals if len(goal) == 1}
     known = [f for f in expansion.factors if freeze(f) in single]
 
     def same(f: Any) -> Any:
-        return place.same(without_factors(dict(f), known, work))
+        return place.same(without_factors(dict(f), known))
 
-    zeros = {same(z) for z in clause.zeros} | {frozenset()}
+    zeros: set[Any] = {same(z) for z in clause.zeros} | {frozenset()}
     usable = [item for item in items if all(same(z) in zeros for z in item.zero)]
     members = [item.member for item in usable if item.member is not None]
     if any(is_constant(f) and place.is_nonzero(freeze(f)) for f in members):
@@ -396,11 +396,10 @@ def _covers(
         return False
     excluded = [{same(g) for g in item.nonzero} for item in usable if item.member is None]
     excluded += [{f} for f in proved]
-    count = 0
-    for choice in product(*goals):
-        count += 1
-        if count > MAX_CHOICES:
+    for count, choice in enumerate(product(*goals)):
+        if count >= MAX_CHOICES:
             reject("a case of the statement has too many branches")
+        charge(len(excluded))
         if not any(part <= set(choice) for part in excluded):
             return False
     return True

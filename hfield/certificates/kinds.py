@@ -1,5 +1,6 @@
 """Evidence for statements of the language, kind by kind."""
 
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -11,7 +12,6 @@ from hfield.certificates.implication import check_implication
 from hfield.certificates.language import Tree, parse, substitute, walk
 from hfield.certificates.numbers import Floats
 from hfield.certificates.over_field import Place
-from hfield.certificates.polynomials import Work
 from hfield.certificates.rejection import (
     a_list,
     a_text,
@@ -23,6 +23,7 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree, sort_of
+from hfield.certificates.work import charge
 
 FIELD, FIELDS, RINGS = "field", "fields", "commutative rings"
 MAX_TUPLES = 4**6
@@ -30,24 +31,22 @@ MAX_TUPLES = 4**6
 Shown = tuple[str, tuple[str, ...]]  # the scope, and the theorems that are cited
 
 
-def establish(
-    statement: Statement, setting: Setting, verdict: str, evidence: object, work: Work
-) -> Shown:
+def establish(statement: Statement, setting: Setting, verdict: str, evidence: object) -> Shown:
     """Check the evidence for a verdict on a statement; return its scope and what it cites."""
     kind = kind_of(evidence)
     if verdict == "proved" and not statement.exists:
-        return _proved(statement, setting, kind, evidence, work)
+        return _proved(statement, setting, kind, evidence)
     if verdict == "proved":
-        return _proved_exists(statement, setting, kind, evidence, work)
+        return _proved_exists(statement, setting, kind, evidence)
     if verdict == "refuted" and not statement.exists and kind == "witness":
         ring, values = _witness(statement, setting, evidence, statement.unknowns)
         if evaluator_at(ring, setting, statement, values).truth(statement.matrix):
             reject("the statement is true for the values of the witness")
         return FIELD, ()
     if verdict == "refuted" and statement.exists and kind in ("none exists", "place"):
-        return _none_exists(statement, setting, kind, evidence, work)
+        return _none_exists(statement, setting, kind, evidence)
     if verdict == "vacuous" and kind == "unsatisfiable":
-        return _unsatisfiable(statement, setting, evidence, work)
+        return _unsatisfiable(statement, setting, evidence)
     reject(f"evidence of the kind {shown(kind)!r} does not show that the statement is {verdict}")
 
 
@@ -58,31 +57,29 @@ def kind_of(evidence: object) -> str:
     return str(evidence["kind"])
 
 
-def _proved(
-    statement: Statement, setting: Setting, kind: str, evidence: object, work: Work
-) -> Shown:
+def _proved(statement: Statement, setting: Setting, kind: str, evidence: object) -> Shown:
     ring = setting.field
     if isinstance(ring, Floats):
         reject("nothing is proved over floats")
     if kind == "exhaustion":
         data = an_object(evidence, "kind cases", "the evidence")
-        check_all(statement, setting, an_integer(data["cases"], "cases", 1), work)
+        check_all(statement, setting, an_integer(data["cases"], "cases", 1))
         return FIELD, ()
     if kind == "multilinear":
-        return _multilinear(statement, setting, evidence, work)
+        return _multilinear(statement, setting, evidence)
     if ring is not None and not ring.is_field and statement.divides:
         reject(f"a statement that divides is shown over {ring.name} by all cases only")
     fields_only = statement.divides or statement.compares_unequal
     if kind == "identity":
         an_object(evidence, "kind", "the evidence")
-        expansion = expand(statement, setting, work)
+        expansion = expand(statement, setting)
         place = Place(expansion, ring)
         if not all(map(place.is_trivial, expansion.clauses)):
             reject("the statement does not hold by expanding")
         return (FIELDS if fields_only else RINGS) if ring is None else FIELD, ()
     if kind == "implication":
         data = an_object(evidence, "kind facts items", "the evidence")
-        scope, assumes = check_implication(expand(statement, setting, work), setting, data, work)
+        scope, assumes = check_implication(expand(statement, setting), setting, data)
         return FIELDS if scope == RINGS and fields_only else scope, assumes
     reject(f"evidence of the kind {shown(kind)!r} does not show that the statement is proved")
 
@@ -119,9 +116,7 @@ def read_values(
     return out
 
 
-def _proved_exists(
-    statement: Statement, setting: Setting, kind: str, evidence: object, work: Work
-) -> Shown:
+def _proved_exists(statement: Statement, setting: Setting, kind: str, evidence: object) -> Shown:
     if isinstance(setting.field, Floats):
         reject("nothing is proved over floats")
     if kind == "witness" and not statement.given and setting.field is not None:
@@ -131,14 +126,14 @@ def _proved_exists(
         return FIELD, ()
     if kind == "exhaustion":
         data = an_object(evidence, "kind cases", "the evidence")
-        check_exists(statement, setting, an_integer(data["cases"], "cases", 1), work)
+        check_exists(statement, setting, an_integer(data["cases"], "cases", 1))
         return FIELD, ()
     if kind == "terms":
-        return _terms(statement, setting, evidence, work)
+        return _terms(statement, setting, evidence)
     reject(f"evidence of the kind {shown(kind)!r} does not show that something exists")
 
 
-def _terms(statement: Statement, setting: Setting, evidence: object, work: Work) -> Shown:
+def _terms(statement: Statement, setting: Setting, evidence: object) -> Shown:
     data = an_object(evidence, "kind terms proof", "the evidence")
     terms = an_object(data["terms"], " ".join(statement.exists), "the terms")
     given, sorts = {name for name, _ in statement.given}, dict(statement.unknowns)
@@ -153,7 +148,7 @@ def _terms(statement: Statement, setting: Setting, evidence: object, work: Work)
             reject(f"the term for {name} may be undefined")
         chosen[name] = tree
     instance = read_tree(substitute(statement.matrix, chosen), setting)
-    scope, assumes = establish(instance, setting, "proved", data["proof"], work)
+    scope, assumes = establish(instance, setting, "proved", data["proof"])
     return (FIELDS if setting.field is None else scope), assumes
 
 
@@ -174,9 +169,7 @@ def _is_monotone(tree: Tree) -> bool:
     )
 
 
-def _none_exists(
-    statement: Statement, setting: Setting, kind: str, evidence: object, work: Work
-) -> Shown:
+def _none_exists(statement: Statement, setting: Setting, kind: str, evidence: object) -> Shown:
     if setting.field is None:
         if not isinstance(evidence, dict) or "field" not in evidence:
             reject("the evidence must name the field in which nothing exists")
@@ -184,9 +177,9 @@ def _none_exists(
         ring = read_field(name)
         if not ring.is_field:
             reject(f"{ring.name} is no field")
-        here = Setting(ring, setting.constants, setting.letters)
+        here = replace(setting, field=ring)
         evidence = {key: value for key, value in evidence.items() if key != "field"}
-        return _none_exists(statement, here, kind, evidence, work)
+        return _none_exists(statement, here, kind, evidence)
     matrix = statement.matrix
     if kind == "place":
         data = an_object(evidence, "kind values proof", "the evidence")
@@ -199,7 +192,7 @@ def _none_exists(
     if data["kind"] != "none exists":
         reject("a place refutes by evidence of the kind 'none exists'")
     never = read_tree(("not", matrix), setting)
-    _, assumes = establish(never, setting, "proved", data["proof"], work)
+    _, assumes = establish(never, setting, "proved", data["proof"])
     return FIELD, assumes
 
 
@@ -211,7 +204,7 @@ def _tree_of(coordinates: list[str]) -> Tree:
     return ("+", ("+", parts[0], parts[1]), ("+", parts[2], parts[3]))
 
 
-def _unsatisfiable(statement: Statement, setting: Setting, evidence: object, work: Work) -> Shown:
+def _unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> Shown:
     data = an_object(evidence, "kind proof", "the evidence")
     if not statement.hypotheses:
         reject("there are no hypotheses")
@@ -219,10 +212,10 @@ def _unsatisfiable(statement: Statement, setting: Setting, evidence: object, wor
     for h in statement.hypotheses[1:]:
         tree = ("and", tree, h)
     never = read_tree(("not", tree), setting)
-    return establish(never, setting, "proved", data["proof"], work)
+    return establish(never, setting, "proved", data["proof"])
 
 
-def _multilinear(statement: Statement, setting: Setting, evidence: object, work: Work) -> Shown:
+def _multilinear(statement: Statement, setting: Setting, evidence: object) -> Shown:
     data = an_object(evidence, "kind unknowns tuples", "the evidence")
     tree, names = statement.conclusion, [name for name, _ in statement.unknowns]
     if tree[0] != "==" or statement.hypotheses or any(s != "q" for _, s in statement.unknowns):
@@ -244,7 +237,7 @@ def _multilinear(statement: Statement, setting: Setting, evidence: object, work:
     if 4 ** len(names) > MAX_TUPLES or len(found) != 4 ** len(names):
         reject("the list of tuples of basis vectors is not complete")
     for word in map("".join, product("eijk", repeat=len(names))):
-        work.spend(1_000)
+        charge(1_000)
         if word not in found:
             reject("the list of tuples of basis vectors is not complete")
         values = {

@@ -1,4 +1,274 @@
+"""Statements about the field and the algebra as wholes, and logic between closed statements.
+
+The vocabulary, with P, Q for statements of any kind:
+
+``every{P; Q; …}`` · ``implies{P; Q}`` · ``iff{P; Q}`` · ``not-everywhere{P}`` · ``angles{P}`` ·
+``division`` · ``formally-real`` · ``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` ·
+``modulus-law{*}`` · ``centre{2}`` · ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` ·
+``curried-linear{1}`` · ``last-argument{4; 1,2,3}``
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
-def read_proposition(t): return None
-def establish_proposition(*a): raise AssertionError
-def proposition_tree(p): return p
+
+from hfield.certificates import forms, special
+from hfield.certificates.fields import read_field
+from hfield.certificates.kinds import FIELD, FIELDS, RINGS, Shown, establish, kind_of
+from hfield.certificates.language import parse
+from hfield.certificates.presentation import establish_presentation, read_presentation
+from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
+from hfield.certificates.statement import HAMILTON, Setting, read_statement
+
+LOGIC = {"every": None, "implies": 2, "iff": 2, "not-everywhere": 1, "angles": 1}
+CIRCLE = "(cos θ, sin θ) runs once through the points of the circle c² + s² = 1 for θ in [0, 2π)"
+MAX_DEPTH = 6
+MAX_PARTS = 64
+
+# What shows some relations over all fields at once.
+# H(F) is a division algebra when F is formally real: an element of norm 0 with a coordinate that is
+# not 0 makes −1 a sum of three squares.
+THREE_SQUARES = tuple(
+    f"norm(q) == 0 and q[{n}] != 0 => "
+    + " + ".join(f"(q[{m}]/q[{n}])**2" for m in range(4) if m != n)
+    + " == -1"
+    for n in range(4)
+)
+# … and exactly when −1 is not a sum of two squares: if s² + y² = −1 (y = 0 included), e + s·i + y·j is
+# a nonzero element of norm 0. Let N(q) = 0 with q ≠ 0. If q₂² + q₃² ≠ 0, the third line writes −1 as
+# a sum of two squares; if not, and q₂ or q₃ is not 0, the fourth or fifth does; if both are 0, then q₀
+# or q₁ is not 0, and the last two do.
+TWO_SQUARES = (
+    "s**2 + y**2 == -1 => norm(e + s*i + y*j) == 0",
+    "s**2 == -1 => norm(e + s*i) == 0",
+    "norm(q) == 0 and q[2]**2 + q[3]**2 != 0 => "
+    "((q[0]*q[2] + q[1]*q[3])/(q[2]**2 + q[3]**2))**2"
+    " + ((q[0]*q[3] - q[1]*q[2])/(q[2]**2 + q[3]**2))**2 == -1",
+    "q[2]**2 + q[3]**2 == 0 and q[3] != 0 => (q[2]/q[3])**2 == -1",
+    "q[2]**2 + q[3]**2 == 0 and q[2] != 0 => (q[3]/q[2])**2 == -1",
+    "norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[1] != 0 => (q[0]/q[1])**2 == -1",
+    "norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[0] != 0 => (q[1]/q[0])**2 == -1",
+)
+LEMMAS = {
+    "implies{formally-real; division}": THREE_SQUARES,
+    "implies{division; level-above{2}}": TWO_SQUARES,
+    "iff{division; level-above{2}}": TWO_SQUARES,
+    # The product commutes in characteristic 2; and if it does, i and j do, which takes 2 = 0.
+    "iff{p*q == q*p; 2 == 0}": ("2 == 0 => p*q == q*p", "i*j == j*i => 2 == 0"),
+    "implies{2 == 0; exists q: q != 0 and norm(q) == 0}": (
+        "2 == 0 => norm(e + i) == 0",
+        "e + i != 0",
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Proposition:
+    """A word of the vocabulary with the texts between its braces."""
+
+    word: str
+    parts: tuple[str, ...]
+
+
+Check = Callable[[tuple[str, ...], Setting, str, Any], Shown]
+SPECIAL: dict[str, Check] = {**special.CHECKS, **forms.CHECKS}
+
+
+def read_proposition(text: str, depth: int = 0) -> Proposition | None:
+    """Read a statement of the vocabulary; None for any other."""
+    m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\})?\s*", text, re.DOTALL)
+    if m is None or (m[1] not in LOGIC and m[1] not in SPECIAL):
+        return None
+    if depth > MAX_DEPTH:
+        reject("the statement nests too deeply")
+    parts = () if m[2] is None else tuple(_split(m[2]))
+    if m[1] in LOGIC and len(parts) != (LOGIC[m[1]] or max(len(parts), 1)):
+        reject(f"{m[1]} has {len(parts)} parts")
+    if len(parts) > MAX_PARTS or not all(part.strip() for part in parts):
+        reject(f"{m[1]} has an empty part, or too many")
+    return Proposition(m[1], parts)
+
+
+def _split(text: str) -> list[str]:
+    parts, depth = [""], 0
+    for char in text:
+        depth += (char == "{") - (char == "}")
+        if depth < 0:
+            reject("the braces of the statement do not match")
+        if char == ";" and not depth:
+            parts.append("")
+        else:
+            parts[-1] += char
+    if depth:
+        reject("the braces of the statement do not match")
+    return parts
+
+
+def proposition_tree(p: Proposition, depth: int = 0) -> Any:
+    """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
+    if p.word in SPECIAL:
+        return (p.word, tuple("".join(part.split()) for part in p.parts))
+    out = []
+    for part in p.parts:
+        inner = read_proposition(part, depth + 1)
+        presentation = None if inner else read_presentation(part)
+        if inner is not None:
+            out.append(proposition_tree(inner, depth + 1))
+        else:
+            out.append(presentation.tree if presentation else parse(part))
+    return (p.word, tuple(out))
+
+
+def establish_any(
+    text: str, setting: Setting, verdict: str, evidence: Any, depth: int = 0
+) -> Shown:
+    """Check the evidence for a verdict on a statement of any kind."""
+    p = read_proposition(text, depth)
+    if p is None:
+        presentation = read_presentation(text)
+        if presentation is not None:
+            return establish_presentation(presentation, setting.field, verdict, evidence)
+        return establish(read_statement(text, setting), setting, verdict, evidence)
+    if setting.constants != HAMILTON:
+        reject("statements about wholes are about H(F)")
+    if p.word in SPECIAL:
+        if setting.field is None and kind_of(evidence) == "over":
+            return _over(text, setting, verdict, evidence, depth)
+        return SPECIAL[p.word](p.parts, setting, verdict, evidence)
+    return _Logic(p, text, setting, depth).establish(verdict, evidence)
+
+
+def _over(text: str, setting: Setting, verdict: str, evidence: Any, depth: int) -> Shown:
+    """Refute for all fields by one field."""
+    data = an_object(evidence, "kind field evidence", "the evidence")
+    ring = read_field(a_text(data["field"], "the field of the evidence"))
+    if verdict != "refuted" or not ring.is_field:
+        reject("one field refutes what is said of all, and proves nothing")
+    here = replace(setting, field=ring)
+    _, cited = establish_any(text, here, "refuted", data["evidence"], depth + 1)
+    return FIELD, cited
+
+
+class _Logic:
+    """One proposition made of others."""
+
+    def __init__(self, p: Proposition, text: str, setting: Setting, depth: int) -> None:
+        self.p, self.text, self.setting, self.depth = p, text, setting, depth
+
+    def part(self, n: int, verdict: str, evidence: Any) -> Shown:
+        """Check a part."""
+        return establish_any(self.p.parts[n], self.setting, verdict, evidence, self.depth + 1)
+
+    def establish(self, verdict: str, evidence: Any) -> Shown:
+        """Check the evidence."""
+        kind, word = kind_of(evidence), self.p.word
+        if (
+            self.setting.field is None
+            and kind == "over"
+            and word not in ("not-everywhere", "every")
+        ):
+            return _over(self.text, self.setting, verdict, evidence, self.depth)
+        if word == "angles":
+            scope, cited = self.part(0, verdict, evidence)
+            return scope, tuple(dict.fromkeys((*cited, CIRCLE)))
+        if word == "every":
+            return self._every(verdict, kind, evidence)
+        if word == "not-everywhere":
+            return self._not_everywhere(verdict, evidence)
+        if self.setting.field is None:
+            if verdict != "proved":
+                reject(f"evidence of the kind {shown(kind)!r} refutes nothing here")
+            return self._everywhere(kind, evidence)
+        return (self._implies if word == "implies" else self._iff)(verdict, kind, evidence)
+
+    def _every(self, verdict: str, kind: str, evidence: Any) -> Shown:
+        if verdict == "refuted" and kind == "part":
+            data = an_object(evidence, "kind part evidence", "the evidence")
+            n = an_integer(data["part"], "the number of a part", 0)
+            if n >= len(self.p.parts):
+                reject("there is no part of that number")
+            return self.part(n, "refuted", data["evidence"])
+        if verdict != "proved" or kind != "parts":
+            reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
+        data = an_object(evidence, "kind parts", "the evidence")
+        parts = a_list(data["parts"], "parts")
+        if len(parts) != len(self.p.parts):
+            reject("there is not evidence for every part")
+        scopes: list[str] = []
+        cited: list[str] = []
+        for n, raw in enumerate(parts):
+            scope, own = self.part(n, *_judged(raw, ("proved", "vacuous")))
+            scopes.append(scope)
+            cited += own
+        return _widest(scopes), tuple(dict.fromkeys(cited))
+
+    def _not_everywhere(self, verdict: str, evidence: Any) -> Shown:
+        data = an_object(evidence, "kind field evidence", "the evidence")
+        if verdict != "proved" or data["kind"] != "over":
+            reject("that something fails somewhere is shown by a field where it fails")
+        field = self.setting.field
+        if field is not None and read_field(a_text(data["field"], "field")).name != field.name:
+            reject("the field of the evidence is not that of the certificate")
+        anywhere = replace(self.setting, field=None)
+        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth)
+
+    def _implies(self, verdict: str, kind: str, evidence: Any) -> Shown:
+        if verdict == "proved" and kind == "conclusion":
+            data = an_object(evidence, "kind evidence", "the evidence")
+            return self.part(1, "proved", data["evidence"])
+        if verdict == "vacuous" and kind == "hypothesis":
+            data = an_object(evidence, "kind evidence", "the evidence")
+            return self.part(0, "refuted", data["evidence"])
+        if verdict == "refuted" and kind == "both":
+            data = an_object(evidence, "kind left right", "the evidence")
+            _, first = self.part(0, *_judged(data["left"], ("proved",)))
+            _, second = self.part(1, *_judged(data["right"], ("refuted",)))
+            return FIELD, tuple(dict.fromkeys((*first, *second)))
+        reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
+
+    def _iff(self, verdict: str, kind: str, evidence: Any) -> Shown:
+        data = an_object(evidence, "kind left right", "the evidence")
+        left, right = (_judged(data[x], ("proved", "refuted")) for x in ("left", "right"))
+        if kind != "both" or verdict != ("proved" if left[0] == right[0] else "refuted"):
+            reject(f"the two sides do not show this {verdict}")
+        cited = [*self.part(0, *left)[1], *self.part(1, *right)[1]]
+        return FIELD, tuple(dict.fromkeys(cited))
+
+    def _everywhere(self, kind: str, evidence: Any) -> Shown:
+        """Prove a relation between closed statements over all fields at once, by known lemmas."""
+        data = an_object(evidence, "kind proofs", "the evidence")
+        said = proposition_tree(self.p)
+        lemmas = next((own for text, own in LEMMAS.items() if meaning(text) == said), None)
+        proofs = a_list(data["proofs"], "proofs")
+        if kind != "lemmas" or lemmas is None or len(proofs) != len(lemmas):
+            reject("these are not the proofs that show this over all fields")
+        for lemma, proof in zip(lemmas, proofs, strict=True):
+            statement = read_statement(lemma, self.setting)
+            _, cited = establish(statement, self.setting, "proved", proof)
+            if cited:
+                reject("a proof over all fields cites what it cannot")
+        return FIELDS, ()
+
+
+def meaning(statement: str) -> Any:
+    """Return a statement of any kind as a tree, without blanks and superfluous parentheses."""
+    p = read_proposition(statement)
+    if p is not None:
+        return proposition_tree(p)
+    presentation = read_presentation(statement)
+    return parse(statement) if presentation is None else presentation.tree
+
+
+def _judged(raw: object, allowed: tuple[str, ...]) -> tuple[str, Any]:
+    """Return the verdict and the evidence for a part."""
+    data = an_object(raw, "verdict evidence", "the evidence for a part")
+    if data["verdict"] not in allowed:
+        reject(f"a part must be {' or '.join(allowed)}")
+    return data["verdict"], data["evidence"]
+
+
+def _widest(scopes: list[str]) -> str:
+    if FIELD in scopes:
+        return FIELD
+    return FIELDS if FIELDS in scopes else RINGS

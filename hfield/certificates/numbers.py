@@ -6,16 +6,18 @@ only if all its coefficients are.
 """
 
 from fractions import Fraction
+from functools import lru_cache
 from math import isqrt
 from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.ring import Ring
+from hfield.certificates.work import charge
 
-MAX_ROOT = 10**12  # square roots of larger numbers are not taken apart
-MAX_SUMMANDS = 64
-MAX_BITS = 200_000
+MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart
+MAX_SUMMANDS = 32
+MAX_BITS = 100_000
 
 Radical = tuple[int, ...]  # primes and −1, in order; () is 1
 Surd = tuple[tuple[Radical, Fraction], ...]
@@ -36,7 +38,7 @@ class Rationals(Ring):
 
     def add(self, x: Fraction, y: Fraction) -> Fraction:
         """Return x + y."""
-        return x + y
+        return _bounded(x + y)
 
     def neg(self, x: Fraction) -> Fraction:
         """Return −x."""
@@ -163,6 +165,12 @@ class Surds(Ring):
             return square[0] or square[1]
         return square[0] if a * a > b * b * n else square[1]
 
+    def signs(self, x: Surd) -> tuple[int | None, ...]:
+        """Return the signs of a + b·√d and of a − b·√d; the one sign in ℝ."""
+        if self.d is None:
+            return (self.sign(x),)
+        return self.sign(x), self.sign(tuple((key, -c if key else c) for key, c in x))
+
     def constant(self, tree: Tree) -> Any:
         """Return the value of ``I`` or of ``sqrt(…)``, if it lies in the field."""
         if tree == ("name", "I"):
@@ -200,17 +208,21 @@ class Surds(Ring):
 
 
 def _bounded(x: Fraction) -> Fraction:
-    if x.numerator.bit_length() + x.denominator.bit_length() > MAX_BITS:
+    bits = x.numerator.bit_length() + x.denominator.bit_length()
+    charge(5 + bits * bits // 500_000)
+    if bits > MAX_BITS:
         reject("a number has grown too large")
     return x
 
 
+@lru_cache(maxsize=1024)
 def _radical(n: int) -> tuple[Radical, int]:
     """Return (primes, m) with √n = m·√(their product)."""
     if n == 0:
         return (), 0
     if abs(n) > MAX_ROOT:
         reject(f"the square root of {shown(n)} is not taken apart here")
+    charge(isqrt(abs(n)))
     key, scale, rest, p = [-1] if n < 0 else [], 1, abs(n), 2
     while p * p <= rest:
         power = 0

@@ -71,7 +71,8 @@ class Place:
 
             scale = gcd(*f.values()) * (1 if lead > 0 else -1)
             return frozenset((m, c // scale) for m, c in f.items())
-        return frozenset(f.items() if lead > 0 else [(m, -c) for m, c in f.items()])
+        opposite = modulo({m: -c for m, c in f.items()}, self.p)
+        return frozenset(min(f, opposite, key=lambda g: sorted(g.items())).items())
 
 
 def _reduced(m: int, q: int | None) -> int:

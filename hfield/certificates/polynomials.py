@@ -1,7 +1,7 @@
 """Polynomials with integer coefficients in many variables: a dict from packed exponents to numbers.
 
 The exponents of a monomial are the digits of one integer in base 2²⁴, so that monomials multiply by
-adding. Every product is charged to a budget before it is begun.
+adding. Every product is charged for before it is begun.
 """
 
 import re
@@ -9,30 +9,20 @@ from collections.abc import Mapping, Sequence
 
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import MAX_DIGITS, reject, shown
+from hfield.certificates.work import charge
 
 BITS = 24
 MASK = (1 << BITS) - 1
 MAX_EXPONENT = 1 << 16
-MAX_WORK = 20_000_000
+MAX_PRODUCTS = 2_000_000  # of terms in one multiplication: they bound the memory
 MAX_TEXT = 4_000_000
 
 Poly = dict[int, int]
 
-_TERM = re.compile(r"\s*([+-]?)\s*((?:[^\s+*(\[-]|\([^()]*\)|\[[0-3]\])(?:[^\s+(\[-]|\([^()]*\)|\[[0-3]\])*)")
+_TERM = re.compile(
+    r"\s*([+-]?)\s*((?:[^\s+*(\[-]|\([^()]*\)|\[[0-3]\])(?:[^\s+(\[-]|\([^()]*\)|\[[0-3]\])*)"
+)
 _FACTOR = re.compile(r"([A-Za-z]\w*(?:\[[0-3]\]|\([^()]*\))?)(?:\*\*([0-9]{1,6}))?")
-
-
-class Work:
-    """How many products of terms may still be formed in checking one file."""
-
-    def __init__(self, most: int = MAX_WORK) -> None:
-        self.left = most
-
-    def spend(self, work: int) -> None:
-        """Charge for a product; reject the file when the budget is used up."""
-        self.left -= work
-        if self.left < 0:
-            reject("checking this would take more work than the checker does for one file")
 
 
 def constant(c: int) -> Poly:
@@ -52,9 +42,12 @@ def add(f: Poly, g: Poly, scale: int = 1) -> Poly:
     return out
 
 
-def multiply(f: Poly, g: Poly, work: Work) -> Poly:
+def multiply(f: Poly, g: Poly) -> Poly:
     """Return f·g."""
-    work.spend(len(f) * len(g))
+    if len(f) * len(g) > MAX_PRODUCTS:
+        reject("a product of polynomials has too many terms")
+    bits = max((c.bit_length() for h in (f, g) for c in h.values()), default=0)
+    charge(len(f) * len(g) * (1 + bits // 1_000) + len(f) + len(g))
     out: Poly = {}
     for m, c in f.items():
         for n, d in g.items():
@@ -86,7 +79,7 @@ def exponents(m: int, count: int) -> tuple[int, ...]:
     return tuple((m >> (BITS * n)) & MASK for n in range(count))
 
 
-def divide(f: Poly, g: Poly, work: Work) -> Poly | None:
+def divide(f: Poly, g: Poly) -> Poly | None:
     """Return f/g if g divides f over ℤ, else None."""
     lead = max(g)
     rest, out = dict(f), {}
@@ -96,7 +89,7 @@ def divide(f: Poly, g: Poly, work: Work) -> Poly | None:
         if c % g[lead] or not _divides(lead, top):
             return None
         out[m] = c // g[lead]
-        work.spend(len(g))
+        charge(len(g))
         for n, d in g.items():
             total = rest.get(m + n, 0) - out[m] * d
             if total:

@@ -7,9 +7,9 @@ from typing import Any
 from hfield.certificates.finite import is_prime
 from hfield.certificates.kinds import FIELD, RINGS, Shown
 from hfield.certificates.language import Tree, parse
-from hfield.certificates.polynomials import Work
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
 from hfield.certificates.ring import Ring
+from hfield.certificates.work import charge
 
 Words = dict[str, int]
 MAX_WORDS = 5_000
@@ -120,7 +120,7 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
 
 
 def establish_presentation(
-    target: Presentation, ring: Ring | None, verdict: str, evidence: object, work: Work
+    target: Presentation, ring: Ring | None, verdict: str, evidence: object
 ) -> Shown:
     """Check the evidence for or against a statement about associative algebras."""
     kind = evidence.get("kind") if isinstance(evidence, dict) else None
@@ -140,14 +140,14 @@ def establish_presentation(
     _repeated(data["relations"], target.relations, target.identity, "relations")
     _repeated(data["goals"], target.goals, target.identity, "goals")
     if kind == "presentation":
-        return _proofs(target, ring, p, data, work)
+        return _proofs(target, ring, p, data)
     if ring is not None and ring.characteristic != p:
         reject("the algebra is over another characteristic than the field has")
     _table(target, p, data)
     return FIELD, ()
 
 
-def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any, work: Work) -> Shown:
+def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Shown:
     if p and (ring is None or ring.characteristic != p):
         reject("the proof is valid in one characteristic only")
     proofs = a_list(data["proofs"], "proofs")
@@ -168,8 +168,10 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any, work: Wo
             n = an_integer(entry[2], "the number of a relation", 0)
             if n >= len(target.relations):
                 reject("there is no relation of that number")
-            work.spend(len(target.relations[n]) * 50)
-            total = _add(total, {left + w + right: d for w, d in target.relations[n].items()}, factor)
+            charge(len(target.relations[n]) * 50)
+            total = _add(
+                total, {left + w + right: d for w, d in target.relations[n].items()}, factor
+            )
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
     return (RINGS if ring is None else FIELD), ()

@@ -60,6 +60,10 @@ class Ring:
         """Return the sign of x in an ordering of the field; None where there is none."""
         return None
 
+    def signs(self, x: Any) -> tuple[int | None, ...]:
+        """Return the signs of x in several orderings of the field."""
+        return (self.sign(x),)
+
     def equal(self, x: Any, y: Any) -> bool:
         """Tell whether x = y."""
         return self.is_zero(self.add(x, self.neg(y)))

@@ -11,6 +11,7 @@ from hfield.certificates.fields import read_field
 from hfield.certificates.language import Tree, parse, walk
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.ring import Ring
+from hfield.certificates.work import charge
 
 QUATERNIONS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
 FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "trace": "s"} | {
@@ -26,11 +27,7 @@ class Setting:
     field: Ring | None
     constants: tuple[Tree, Tree, Tree]  # a, t, b
     letters: tuple[str, ...]
-
-    @property
-    def name(self) -> str:
-        """Where the statement is decided, in words."""
-        return "every field" if self.field is None else self.field.name
+    algebra: str
 
 
 HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("num", 1)))
@@ -54,7 +51,7 @@ def read_setting(algebra: str, field: str | None) -> Setting:
         reject(f"the algebra {shown(algebra)!r} cannot be read; expected the form (a,b|F)")
     trees = [parse(part) for part in parts]
     letters = {name: None for tree in trees for name in _letters(tree, ring)}
-    return Setting(ring, (trees[0], trees[1], trees[2]), tuple(letters))
+    return Setting(ring, (trees[0], trees[1], trees[2]), tuple(letters), algebra)
 
 
 def _split(text: str) -> list[str]:
@@ -156,7 +153,8 @@ class _Reader:
         before, bound = set(self.unknowns), []
         while tree[0] == "exists":
             for name in tree[1]:
-                if self.unknown(name) is None or name in before or name in bound:
+                free = self.unknown(name) is not None and name not in self.letters
+                if not free or name in before or name in bound:
                     reject(f"'exists' cannot bind {shown(name)!r} here")
                 bound.append(name)
             tree = tree[2]
@@ -200,6 +198,7 @@ class _Reader:
 
     def term(self, tree: Tree) -> str:
         """Read a term and return its sort."""
+        charge(5)
         kind = tree[0]
         if kind == "num":
             self.divides |= isinstance(tree[1], Fraction)

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from hfield.commands.output import Progress, note, open_output
+from hfield.commands.output import OutputError, Progress, note, open_output
 from hfield.commands.parser import add_format, add_output, processes
+from hfield.errors import shorten
+
+if TYPE_CHECKING:
+    from hfield.ledger.claim import Row
 
 HELP = (
     "Decide claims of the thesis over fields: as printed and, where that is refuted, as corrected. "
@@ -31,6 +37,9 @@ def configure(parser: ArgumentParser) -> None:
     add_format(parser, "table", "json", "markdown")
     parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
     parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at tcp://HOST:PORT")
+    parser.add_argument(
+        "--certificates", metavar="DIR", help="write a certificate for every decided row to DIR"
+    )
     add_output(parser)
 
 
@@ -51,10 +60,11 @@ def run(args: Namespace) -> int:
     with open_output(args.output) as out:
         with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)
+        paths = _certificates(rows, args.certificates)
         if args.format == "json":
             from hfield import __version__
 
-            results = [row.to_json() for row in rows]
+            results = [row.to_json(paths.get((row.claim.id, row.field))) for row in rows]
             out.write_json(
                 {"schema": "hfield-verify/1", "version": __version__, "results": results}
             )
@@ -70,6 +80,23 @@ def run(args: Namespace) -> int:
     for clash in clashes if args.format == "json" else ():
         note(f"contradiction: {clash}")
     return int(bool(clashes) or not all(row.settled for row in rows))
+
+
+def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str, str], str]:
+    """Write the certificates if they are wanted; return their paths by claim and field."""
+    if directory is None:
+        return {}
+    from pathlib import Path
+
+    from hfield.ledger.certificate import write_certificates
+
+    try:
+        return write_certificates(rows, Path(directory))
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise OutputError(
+            f"cannot write certificates to {shorten(directory)!r}: {reason}; choose another directory"
+        ) from error
 
 
 def _remark(fields: list[str]) -> None:

@@ -1,4 +1,4 @@
-From Coq Require Import ZArith Ring Field InitialRing Decidable.
+From Coq Require Import ZArith Ring Ring_theory Ring_polynom InitialRing Field Decidable.
 
 (* ---------------------------------------------------------------------------------------------- *)
 (* Definitions. The operations of a ring stand together in one record; that they are those of a    *)
@@ -81,11 +81,85 @@ Notation "s [.] q" := (qscale s q) (at level 40, left associativity).
 Notation "p [* A ] q" := (qmul A p q)
   (at level 40, A at level 99, left associativity, format "p  [* A ]  q").
 
-(* Equations between polynomials in the coordinates: unfold, then Coq's decision procedure. *)
-Ltac calculate :=
+(* Identities between polynomials, quickly: the same definitions are read over Coq's own polynomial
+   expressions, whose normal forms [vm_compute] compares; [ring_correct] carries that over to R. *)
+Definition expression := PExpr Z.
+Global Instance expressions : Operations expression :=
+  { zero := PEO; one := PEI; add := @PEadd Z; mul := @PEmul Z; sub := @PEsub Z; opp := @PEopp Z }.
+Definition value {R} {operations : Operations R} : list R -> expression -> R :=
+  PEeval 0 1 add mul sub opp (gen_phiZ zero one add mul opp) id_phi_N (pow_N 1 mul).
+Definition normal : expression -> Pol Z :=
+  norm_subst 0%Z 1%Z Z.add Z.mul Z.sub Z.opp Zeq_bool Z.quotrem 0 List.nil.
+Lemma by_normal_form : forall {R} {operations : Operations R},
+  ring_theory zero one add mul sub opp (@eq R) -> forall l x y,
+  Peq Zeq_bool (normal x) (normal y) = true -> value l x = value l y.
+Proof.
+  intros R operations laws l x y E.
+  exact (ring_correct (Eqsth R) (Eq_ext _ _ _) (Rth_ARth (Eqsth R) (Eq_ext _ _ _) laws)
+    (gen_phiZ_morph (Eqsth R) (Eq_ext _ _ _) laws) (pow_N_th _ _ (Eqsth R))
+    (Ztriv_div_th (Eqsth R) _) 0 l List.nil x y I E).
+Qed.
+(* The coordinates, structure constants and scalars around, as a list. *)
+Ltac atoms R found :=
+  match goal with
+  | q : quaternion R |- _ =>
+      lazymatch found with
+      | context [re q] => fail
+      | _ => atoms R constr:(cons (re q) (cons (im q) (cons (jm q) (cons (km q) found))))
+      end
+  | A : algebra R |- _ =>
+      lazymatch found with
+      | context [const_a A] => fail
+      | _ => atoms R constr:(cons (const_a A) (cons (const_t A) (cons (const_b A) found)))
+      end
+  | s : R |- _ =>
+      lazymatch found with
+      | context [cons s _] => fail
+      | _ => atoms R constr:(cons s found)
+      end
+  | _ => found
+  end.
+(* A term over R as an expression, variable number n standing for the first of the atoms. *)
+Ltac reading R operations term list n :=
+  lazymatch list with
+  | cons (re ?q) (cons (im ?q) (cons (jm ?q) (cons (km ?q) ?rest))) =>
+      lazymatch (eval pattern q in term) with
+      | ?f _ =>
+          let g := reading R operations f rest (n + 4)%positive in
+          constr:(g (Quaternion (PEX Z n) (PEX Z (n + 1)) (PEX Z (n + 2)) (PEX Z (n + 3))))
+      end
+  | cons (const_a ?A) (cons (const_t ?A) (cons (const_b ?A) ?rest)) =>
+      lazymatch (eval pattern A in term) with
+      | ?f _ =>
+          let g := reading R operations f rest (n + 3)%positive in
+          constr:(g (Algebra (PEX Z n) (PEX Z (n + 1)) (PEX Z (n + 2))))
+      end
+  | cons ?s ?rest =>
+      lazymatch (eval pattern s in term) with
+      | ?f _ => let g := reading R operations f rest (n + 1)%positive in constr:(g (PEX Z n))
+      end
+  | _ => lazymatch (eval pattern R, operations in term) with
+         | ?f _ _ => constr:(f expression expressions)
+         end
+  end.
+Ltac polynomials laws :=
+  lazymatch type of laws with
+  | @ring_theory ?R _ _ _ _ _ _ _ =>
+      lazymatch goal with
+      | operations : Operations R |- ?x = ?y =>
+          let list := atoms R (@List.nil R) in
+          let left := reading R operations x list 1%positive in
+          let right := reading R operations y list 1%positive in
+          let equal := constr:(@eq_refl bool true
+            <: Peq Zeq_bool (normal left) (normal right) = true) in
+          vm_cast_no_check (by_normal_form laws list left right equal)
+      end
+  end.
+
+(* Equations between polynomials in the coordinates are unfolded, then decided by [ring]. *)
+Ltac unfolded :=
   cbv [num gen_phiZ gen_phiPOS pow embed e i j k Hamilton qadd qsub qopp qscale qmul qpow conj norm
-       trace vector comm re im jm km const_a const_t const_b];
-  ring.
+       trace vector comm re im jm km const_a const_t const_b].
 
 Section Tools.
 Context {R : Type} {operations : Operations R}.
@@ -107,6 +181,3 @@ Proof. intros x y z -> E. transitivity (x - y + y); [ring | rewrite E; ring]. Qe
 Lemma difference_apart : forall x y, x <> y -> x - y <> 0.
 Proof. intros x y N E; apply N. transitivity (x - y + y); [ring | rewrite E; ring]. Qed.
 End Tools.
-
-Ltac equations :=
-  intros; repeat match goal with |- _ /\ _ => split end; try apply coordinates; calculate.

@@ -7,11 +7,12 @@ Nothing here needs Coq. What the file claims is worth something only once ``coqc
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from importlib.resources import files
 
 from hfield.coq.facts import NoProofError
 from hfield.coq.theorems import ASSOCIATIVE, FIELDS, RINGS, Theorem, theorem
-from hfield.errors import HFieldError, TooLargeError, shorten
+from hfield.errors import HFieldError, shorten
 from hfield.proving.decision import PROVED, VACUOUS
 from hfield.proving.prove import Answer, prove
 
@@ -19,12 +20,13 @@ from hfield.proving.prove import Answer, prove
 SECTIONS = (
     ("rings.v", RINGS, "Commutative_rings"),
     ("fields.v", FIELDS, "Fields"),
+    ("multilinear.v", "", "Multilinear_maps"),
     ("presentations.v", ASSOCIATIVE, "Associative_rings"),
 )
 HEADER = """\
-Quaternion algebras: theorems that Coq checks, written by `hfield export --coq`.
-Check them with `coqc FILE.v` (Coq 8.16 or later). Every theorem is about any ring or field at all;
-the end of the file prints what each one assumes, which is nothing: "Closed under the global context"."""
+Quaternion algebras: theorems for Coq, written by `hfield export --coq`. Check them with
+`coqc FILE.v` (Coq 8.16 or later). They are about any commutative ring, any field, any associative
+ring. The last line prints what all of them rest on: "Closed under the global context", no axiom."""
 
 
 @dataclass(frozen=True)
@@ -38,38 +40,51 @@ class Left:
 
 @dataclass(frozen=True)
 class Export:
-    """The theorems found, and what was left out. ``text`` is the file."""
+    """The theorems found, and what was left out; ``text`` is the file.
+
+    ``by_hand`` maps claims that are no statement of the language to theorems that stand in every
+    file.
+    """
 
     theorems: tuple[Theorem, ...]
-    left: tuple[Left, ...]
+    left: tuple[Left, ...] = ()
+    by_hand: tuple[tuple[str, str], ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
         """The names of all theorems and lemmas of the file, in its order."""
         return tuple(re.findall(r"^(?:Theorem|Lemma) (\w+)", self.body, re.MULTILINE))
 
-    @property
+    @cached_property
     def body(self) -> str:
-        """The file without its list of assumptions."""
-        folder = files("hfield.coq")
-        parts = [_comment(HEADER), (folder / "definitions.v").read_text(encoding="utf-8")]
+        """The file without its last lines, which print the assumptions."""
+        parts = [_comment(HEADER), _piece("definitions.v")]
         for file, room, section in SECTIONS:
-            parts.append((folder / file).read_text(encoding="utf-8").rstrip("\n"))
-            parts += [str(t) for t in self.theorems if t.room == room]
+            parts += [_piece(file), *(f"{t}\n" for t in self.theorems if t.room == room)]
             parts.append(f"End {section}.\n")
+        if self.by_hand:
+            lines = (f"{claim}: {theorem}" for claim, theorem in self.by_hand)
+            parts.append(_comment("\n".join(["Claims proved by hand, under these names:", *lines])))
         if self.left:
-            lines = [f"{x.name}: {shorten(x.text, 90)}\n      {x.reason}" for x in self.left]
+            lines = (f"{x.name}: {shorten(x.text, 90)}\n  {x.reason}" for x in self.left)
             parts.append(_comment("\n".join(["Not in this file:", *lines])))
         return "\n".join(parts)
 
     @property
     def text(self) -> str:
-        """The file, with the assumptions of every theorem printed at its end."""
-        printed = "".join(f"Print Assumptions {name}.\n" for name in self.names)
-        return f"{self.body}\n{printed}"
+        """The file: its last command prints what all theorems together assume."""
+        used = "".join(f"  let _ := @{name} in\n" for name in self.names)
+        everything = (
+            f"Definition all_theorems : True :=\n{used}  I.\nPrint Assumptions all_theorems.\n"
+        )
+        return f"{self.body}\n\n{everything}"
 
     def __add__(self, other: "Export") -> "Export":
-        return Export((*self.theorems, *other.theorems), (*self.left, *other.left))
+        return Export(
+            (*self.theorems, *other.theorems),
+            (*self.left, *other.left),
+            (*self.by_hand, *other.by_hand),
+        )
 
 
 def export_statements(statements: Sequence[str], algebra: str | None = None) -> Export:
@@ -110,8 +125,10 @@ def comment_text(text: str) -> str:
     return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
 
 
+def _piece(file: str) -> str:
+    """Return a file of this folder that stands in every export."""
+    return (files("hfield.coq") / file).read_text(encoding="utf-8").lstrip("\n")
+
+
 def _comment(text: str) -> str:
     return f"(* {comment_text(text)} *)".replace("\n", "\n   ")
-
-
-__all__ = ["Export", "Left", "TooLargeError", "export_session", "export_statements"]

@@ -59,9 +59,7 @@ class Facts:
             return self
         polynomial = d.value * terms.inverse_of(d) - 1
         unit = Zero(f"(inverse {d.inner} {proof})", polynomial)
-        return replace(
-            self, zeros=(*self.zeros, unit), units=(*self.units, (d.text, proof))
-        )
+        return replace(self, zeros=(*self.zeros, unit), units=(*self.units, (d.text, proof)))
 
     def with_difference(self, terms: Terms, name: str, left: Term, right: Term) -> "Facts":
         """Add ``left <> right``."""
@@ -69,7 +67,7 @@ class Facts:
             return replace(self, apart=(*self.apart, Apart(name, left, right)))
         if right.text == "0":
             return self.with_unit(terms, name, left)
-        d = Term(f"{left.inner} - {right.inner}", left.value - right.value)
+        d = terms.binary("-", left, right)
         return self.with_unit(terms, f"(difference_apart laws _ _ {name})", d)
 
 
@@ -96,10 +94,12 @@ def combine(terms: Terms, facts: Facts, target: Any, deadline: float) -> Combina
     prime = next((z for z in facts.zeros if _is_prime(z.polynomial)), None)
     if prime is None:
         found = _member(terms, 0, facts.zeros, target, deadline)
-        return None if found is None else Combination(_parts(terms, found, facts.zeros), found.denominator)
+        if found is None:
+            return None
+        return Combination(_parts(terms, found, facts.zeros), found.denominator)
     p = int(prime.polynomial.leading_coefficient())
     others = tuple(z for z in facts.zeros if int(z.polynomial.content()) % p)
-    rest, parts = target, ()
+    rest, parts = target, tuple[tuple[str, str], ...]()
     if int(target.content()) % p:
         found = _member(terms, p, others, target, deadline)
         if found is None:
@@ -133,9 +133,7 @@ def _member(
         return None
 
 
-def _parts(
-    terms: Terms, found: Cofactors, zeros: Sequence[Zero]
-) -> tuple[tuple[str, str], ...]:
+def _parts(terms: Terms, found: Cofactors, zeros: Sequence[Zero]) -> tuple[tuple[str, str], ...]:
     pairs = zip(found.factors, zeros, strict=True)
     return tuple((polynomial_text(f, terms.atoms), z.proof) for f, z in pairs if f != 0)
 

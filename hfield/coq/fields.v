@@ -16,6 +16,10 @@ Local Notation nil := (combination_nil).
 Local Notation cons c equation rest := (combination_cons laws c _ _ _ equation rest).
 Local Notation qinv A q := (qscale (inv (norm A q)) (conj A q)).
 Local Notation "q [/] s" := (qscale (inv s) q) (at level 40, left associativity).
+Ltac inverses := repeat match goal with |- context [inv ?x] => generalize (inv x); intro end.
+Ltac calculate := first [inverses; polynomials laws | unfolded; ring].
+Ltac equations :=
+  intros; repeat match goal with |- _ /\ _ => split end; try apply coordinates; calculate.
 Ltac combine proof := refine (by_combination laws _ _ _ proof _); calculate.
 Implicit Types (p q r : quaternion R) (A : algebra R) (s x y : R).
 

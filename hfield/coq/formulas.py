@@ -65,7 +65,7 @@ def grouped(formula: Formula) -> str:
 
 def nonzero(terms: Terms, d: Term) -> Formula:
     """Return ``d <> 0``."""
-    return Negation(Equation(d, Term("0", terms.integer(0), atomic=True)))
+    return Negation(Equation(d, Term("0", terms.integer(0))))
 
 
 def formula_of(terms: Terms, node: Node) -> Formula:
@@ -84,6 +84,8 @@ def formula_of(terms: Terms, node: Node) -> Formula:
             return out
         case Not(x):
             return Negation(formula_of(terms, x))
+        case Logic("and", Logic("and", x, y), z):
+            return formula_of(terms, Logic("and", x, Logic("and", y, z)))
         case Logic(op, x, y):
             return Junction(op, formula_of(terms, x), formula_of(terms, y))
     raise AssertionError(node)

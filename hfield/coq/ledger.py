@@ -1,6 +1,6 @@
 """The universal theorems of the ledger: which propositions of a claim hold for all fields at once."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 
 from hfield.coq.export import Export, Left, comment_text, theorem_of
 from hfield.coq.facts import NoProofError
@@ -14,33 +14,40 @@ from hfield.ledger.registry import claims
 from hfield.proving.decision import PROVED, REFUTED
 from hfield.proving.prove import prove
 
-# What is no statement of the language, but stands among the theorems proved by hand.
+# Claims that are no statements of the language, and the theorems of the file that say the same.
 BY_HAND = {
-    "C1.1.2-c": "centre and centre_in_char_2",
+    "C1.1.2-c": "centre, centre_in_char_2",
     "C1.1.3-a": "multilinear_maps_agree",
     "C1.1.3-b": "multilinear_maps_agree",
-    "C1.1.3-c": "linear_maps_agree",
+    "C1.1.3-c": "sum_in_the_last_argument",
     "C1.1.3-d": "curried_is_multilinear",
     "C1.1.3-e": "sum_in_the_last_argument",
     "C1.1.3-f": "multilinear_maps_agree",
-    "C1.4.1-a": "coordinates_are_unique",
-    "C1.4.2-a": "coordinates_are_unique",
 }
 
 
-def export_ledger(chosen: Iterable[Claim] = ()) -> Export:
+def export_ledger(chosen: Sequence[Claim] = ()) -> Export:
     """Export what is proved for all fields among the claims chosen, all of them by default."""
     theorems: list[Theorem] = []
     left: list[Left] = []
-    for claim in tuple(chosen) or claims():
+    by_hand: list[tuple[str, str]] = []
+    for claim in chosen or claims():
         found = list(_propositions(claim))
-        for number, (kind, proposition) in enumerate(found, 1):
+        if chosen and not found:
+            left.append(Left(claim.id, claim.statement, "nothing in it is proved for all fields"))
+        for number, (kind, part) in enumerate(found, 1):
             name = theorem_name(claim, kind, number if len(found) > 1 else 0)
+            shown = f"{claim.id} {kind}".rstrip()
             try:
-                theorems += _theorems(name, claim, proposition)
+                theorems.append(_theorem(name, claim, part))
+            except NoStatementError as error:
+                if claim.id in BY_HAND:
+                    by_hand.append((shown, BY_HAND[claim.id]))
+                else:
+                    left.append(Left(shown, part.text, str(error)))
             except HFieldError as error:
-                left.append(Left(claim.id + (f" {kind}" if kind else ""), proposition.text, str(error)))
-    return Export(tuple(theorems), tuple(left))
+                left.append(Left(shown, part.text, str(error)))
+    return Export(tuple(theorems), tuple(left), tuple(by_hand))
 
 
 def theorem_name(claim: Claim, kind: str, number: int) -> str:
@@ -80,19 +87,20 @@ def _is_candidate(part: Proposition) -> bool:
     return decision.verdict == PROVED and decision.scope is not None
 
 
-def _theorems(name: str, claim: Claim, part: Proposition) -> list[Theorem]:
+def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
     words = f"{claim.id}: "
-    match part:
-        case Statement():
-            return [theorem_of(name, prove(part.formula, given=part.given), words)]
-        case Presented():
-            decision = part.decide(None)
-            write = presented if decision.verdict == PROVED else counterexample
-            if decision.verdict == REFUTED:
-                name, words = f"{name}_fails", f"{words}refuted: "
-            comment = comment_text(words + part.text)
-            evidence = decision.evidence or {}
-            return [write(name, comment, RELATIONS, part.goals, evidence)]
-    by_hand = BY_HAND.get(claim.id)
-    hint = f"; by hand: theorem {by_hand}" if by_hand else ""
-    raise NoProofError(f"this is no statement of the language{hint}")
+    if isinstance(part, Statement):
+        return theorem_of(name, prove(part.formula, given=part.given), words)
+    if not isinstance(part, Presented):
+        raise NoStatementError("this is no statement of the language")
+    decision = part.decide(None)
+    evidence = decision.evidence or {}
+    if decision.verdict == PROVED:
+        comment = comment_text(words + part.text)
+        return presented(name, comment, RELATIONS, part.goals, evidence)
+    comment = comment_text(f"{words}refuted is: {part.text}")
+    return counterexample(f"{name}_fails", comment, RELATIONS, part.goals, evidence)
+
+
+class NoStatementError(NoProofError):
+    """A proposition that cannot be translated, since it is not written in the language."""

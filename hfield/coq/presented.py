@@ -99,7 +99,7 @@ def _text(node: Node) -> str:
         case Number(value) if isinstance(value, int):
             return _number(value)
         case Negate(x):
-            return f"- {_inner(x)}"
+            return f"- ({_text(x)})"
         case Binary("+" | "-" | "*" as op, x, y):
             return f"{_inner(x)} {op} {_inner(y)}"
         case Power(x, n) if n > 0:

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from hfield.coq.facts import Facts, NoProofError, combine
-from hfield.coq.formulas import Equation, Formula, Junction, Negation, grouped
+from hfield.coq.formulas import Equation, Formula, Junction, Negation
 from hfield.coq.terms import Term, Terms
 from hfield.proving.vanish import prime_factors
 
@@ -66,7 +66,10 @@ class Proof:
                 self.need_field()
                 how = f"destruct (imp_simp _ _ {DECIDED} {name})"
                 return self._cases(how, (self.deny, left), (self.assume, right), facts, rest)
-        parts = Junction("=>", formula.left, formula.right), Junction("=>", formula.right, formula.left)
+        parts = (
+            Junction("=>", formula.left, formula.right),
+            Junction("=>", formula.right, formula.left),
+        )
         return self._both(f"destruct {name}", *parts, facts, rest, self.assume)
 
     def deny(self, name: str, formula: Formula, facts: Facts, rest: Rest) -> Lines:
@@ -91,10 +94,11 @@ class Proof:
                 return self._both(how, left, Negation(right), facts, rest, self.assume)
         how = f"destruct (not_iff _ _ {DECIDED} {DECIDED} {name})"
         first, second = formula.left, formula.right
-        choices = [Junction("and", first, Negation(second)), Junction("and", Negation(first), second)]
-        return self._cases(
-            how, (self.assume, choices[0]), (self.assume, choices[1]), facts, rest
-        )
+        choices = [
+            Junction("and", first, Negation(second)),
+            Junction("and", Negation(first), second),
+        ]
+        return self._cases(how, (self.assume, choices[0]), (self.assume, choices[1]), facts, rest)
 
     def _both(
         self, how: str, left: Formula, right: Formula, facts: Facts, rest: Rest, use: Any
@@ -129,20 +133,20 @@ class Proof:
             case Negation(inner):
                 name = self.fresh()
                 return [f"intro {name}.", *self.assume(name, inner, facts, self.contradiction)]
-            case Junction("and", Negation() as left, right):
+            case Junction("and", first, second) if isinstance(first, Negation):
                 name = self.fresh()
                 return [
-                    f"assert ({name} : {left.text}).",
-                    *block(self.prove(left, facts)),
+                    f"assert ({name} : {first.text}).",
+                    *block(self.prove(first, facts)),
                     f"split; [exact {name} |].",
-                    *self.assume(name, left, facts, lambda known: self.prove(right, known)),
+                    *self.assume(name, first, facts, lambda known: self.prove(second, known)),
                 ]
-            case Junction("and", left, right):
-                parts = [self.prove(left, facts), self.prove(right, facts)]
+            case Junction("and", first, second):
+                parts = [self.prove(first, facts), self.prove(second, facts)]
                 return ["split.", *(line for part in parts for line in block(part))]
-            case Junction("=>", left, right):
+            case Junction("=>", first, second):
                 name = self.fresh()
-                known = self.assume(name, left, facts, lambda more: self.prove(right, more))
+                known = self.assume(name, first, facts, lambda more: self.prove(second, more))
                 return [f"intro {name}.", *known]
             case Junction("<=>", left, right):
                 ways = Junction("=>", left, right), Junction("=>", right, left)
@@ -210,8 +214,7 @@ class Proof:
 
     def _by_characteristic(self, p: int, facts: Facts, target: Any) -> Lines:
         a, b = self.fresh(), self.fresh()
-        number = Term(f"num {p}", self.terms.integer(p))
-        zero = Term("0", self.terms.integer(0), atomic=True)
+        number, zero = self.terms.number(p), self.terms.number(0)
         divides = facts.with_equation(a, number, zero)
         other = facts.with_unit(self.terms, b, number)
         return [
@@ -235,6 +238,3 @@ class Proof:
             more = known.with_difference(self.terms, name, left, right)
             lines += block(self.close(more, target))
         return lines
-
-
-__all__ = ["Formula", "Proof", "block", "grouped"]

@@ -10,6 +10,9 @@ Add Ring commutative_ring : laws.
 Local Open Scope scalar_scope.
 Local Notation nil := (combination_nil).
 Local Notation cons c equation rest := (combination_cons laws c _ _ _ equation rest).
+Ltac calculate := first [polynomials laws | unfolded; ring].
+Ltac equations :=
+  intros; repeat match goal with |- _ /\ _ => split end; try apply coordinates; calculate.
 Ltac combine proof := refine (by_combination laws _ _ _ proof _); calculate.
 Implicit Types (p q r : quaternion R) (A : algebra R) (s x y : R).
 

@@ -18,11 +18,12 @@ from hfield.proving.language import Sort, Statement
 from hfield.proving.trees import walk
 from hfield.syntax import Binary, Call, Compare, Index, Name, Negate, Node, Number, Power, parse
 
-MAX_SIZE = 20_000  # leaves of a coordinate once everything is unfolded, as Coq has to read it
+MAX_SIZE = 50_000  # leaves of a coordinate once everything is unfolded, as Coq has to read it
 MAX_TERMS = 200_000  # of the polynomials multiplied here
 SPARE = 12  # inverses beyond those of divisors: of what the proof finds not to be 0
 COORDINATES = ("re", "im", "jm", "km")
 HAMILTON = ("-1", "0", "-1")
+ATOM, APPLICATION, PRODUCT, SUM = range(4)
 
 
 @dataclass(frozen=True)
@@ -30,14 +31,14 @@ class Term:
     """A term of Coq, its value (a polynomial, or a tuple of four), and where it has one.
 
     ``conditions`` are the scalars that must not be 0. ``size`` counts the leaves of a coordinate
-    when all definitions are unfolded; ``atomic`` tells whether the text needs no parentheses.
+    when all definitions are unfolded, ``level`` tells how loosely the text binds.
     """
 
     text: str
     value: Any
     size: int = 1
     conditions: tuple["Term", ...] = ()
-    atomic: bool = False
+    level: int = ATOM
 
     @property
     def is_scalar(self) -> bool:
@@ -46,8 +47,12 @@ class Term:
 
     @property
     def inner(self) -> str:
-        """The text as it stands inside another."""
-        return self.text if self.atomic else f"({self.text})"
+        """The text as the argument of a function."""
+        return self.within(ATOM)
+
+    def within(self, level: int) -> str:
+        """Return the text, in parentheses if it binds more loosely than ``level``."""
+        return self.text if self.level <= level else f"({self.text})"
 
 
 class Terms:
@@ -78,12 +83,12 @@ class Terms:
         for name, sort in statement.unknowns:
             width = 1 if sort is Sort.SCALAR else 4
             value = self.gens[at] if width == 1 else tuple(self.gens[at : at + 4])
-            out[name] = Term(name, value, atomic=True)
+            out[name] = Term(name, value)
             at += width
         zero, one = self.integer(0), self.integer(1)
         for n, name in enumerate("eijk"):
             coordinates = tuple(one if m == n else zero for m in range(4))
-            out[name] = Term(name, coordinates, atomic=True)
+            out[name] = Term(name, coordinates)
         return out
 
     def integer(self, n: int) -> Any:
@@ -104,7 +109,8 @@ class Terms:
         if not x.is_scalar:
             return x
         zero = self.integer(0)
-        return Term(f"embed {x.inner}", (x.value, zero, zero, zero), x.size, x.conditions)
+        value = (x.value, zero, zero, zero)
+        return Term(f"embed {x.inner}", value, x.size, x.conditions, APPLICATION)
 
     def term(self, node: Node) -> Term:
         """Translate a term. Raises :class:`TooLargeError` for what would be too large to check."""
@@ -121,9 +127,11 @@ class Terms:
                 return self.names[name]
             case Negate(operand):
                 x = self.term(operand)
-                value = -x.value if x.is_scalar else tuple(-u for u in x.value)
-                text = f"- ({x.text})" if x.is_scalar else f"[-] {x.inner}"
-                return Term(text, value, x.size, x.conditions)
+                negative = -x.value if x.is_scalar else tuple(-u for u in x.value)
+                inner = x.within(APPLICATION)
+                inner = f"({inner})" if inner in ("0", "1") else inner
+                text = f"{'-' if x.is_scalar else '[-]'} {inner}"
+                return Term(text, negative, x.size, x.conditions, SUM)
             case Binary(op, left, right):
                 return self.binary(op, self.term(left), self.term(right))
             case Power(base, exponent):
@@ -137,7 +145,8 @@ class Terms:
     def coordinate(self, x: Term, n: int) -> Term:
         """Return the coordinate number n."""
         x = self.embed(x)
-        return Term(f"{COORDINATES[n]} {x.inner}", x.value[n], x.size, x.conditions)
+        text = f"{COORDINATES[n]} {x.inner}"
+        return Term(text, x.value[n], x.size, x.conditions, APPLICATION)
 
     def number(self, value: int | Fraction) -> Term:
         """Return a literal."""
@@ -145,7 +154,8 @@ class Terms:
             return self.binary("/", self.number(value.numerator), self.number(value.denominator))
         n = int(value)
         text = str(n) if n in (0, 1) else f"num {n}" if n > 0 else f"num ({n})"
-        return Term(text, self.integer(n), max(2 * n.bit_length(), 1), atomic=n in (0, 1))
+        level = ATOM if n in (0, 1) else APPLICATION
+        return Term(text, self.integer(n), max(2 * n.bit_length(), 1), level=level)
 
     def binary(self, op: str, x: Term, y: Term) -> Term:
         """Return a sum, difference, product or quotient."""
@@ -153,27 +163,24 @@ class Terms:
         size = x.size + y.size
         if op == "/":
             value, conditions = self.inverse_of(y), _joined(x, y, (y,))
-            if x.is_scalar:
-                return Term(f"{x.inner} / {y.inner}", x.value * value, size, conditions)
-            scaled = tuple(u * value for u in x.value)
-            return Term(f"{x.inner} [/] {y.inner}", scaled, size, conditions)
+            result = x.value * value if x.is_scalar else tuple(u * value for u in x.value)
+            return _infix(x, "/" if x.is_scalar else "[/]", y, result, size, conditions)
         if x.is_scalar and y.is_scalar:
             self._bound(x, y, op)
             value = {"+": x.value.__add__, "-": x.value.__sub__, "*": x.value.__mul__}[op](y.value)
-            return Term(f"{x.inner} {op} {y.inner}", value, size, conditions)
+            return _infix(x, op, y, value, size, conditions)
         if op in "+-":
             x, y = self.embed(x), self.embed(y)
             pairs = zip(x.value, y.value, strict=True)
             sums = tuple(u + v if op == "+" else u - v for u, v in pairs)
-            return Term(f"{x.inner} [{op}] {y.inner}", sums, size, conditions)
+            return _infix(x, f"[{op}]", y, sums, size, conditions)
         self._bound(x, y, op)
         if x.is_scalar or y.is_scalar:
             s, q = (x, y) if x.is_scalar else (y, x)
-            scaled = tuple(s.value * u for u in q.value)
-            return Term(f"{s.inner} [.] {q.inner}", scaled, size, conditions)
+            return _infix(s, "[.]", q, tuple(s.value * u for u in q.value), size, conditions)
         size = 5 * (size + 3 * self.weight)
         product = multiply(self.constants, x.value, y.value)
-        return Term(f"{x.inner} [*{self.algebra}] {y.inner}", product, size, conditions)
+        return _infix(x, f"[*{self.algebra}]", y, product, size, conditions)
 
     def _bound(self, x: Term, y: Term, op: str) -> None:
         if op == "*" and _length(x) * _length(y) > MAX_TERMS:
@@ -191,7 +198,7 @@ class Terms:
             if out.size > MAX_SIZE:
                 raise TooLargeError(f"the power {n} is too large to unfold")
         text = f"pow {x.inner} {n}" if x.is_scalar else f"qpow {self.algebra} {x.inner} {n}"
-        return Term(text, out.value, out.size, out.conditions)
+        return Term(text, out.value, out.size, out.conditions, APPLICATION)
 
     def inverse(self, x: Term) -> Term:
         """Return the inverse of a scalar or a quaternion."""
@@ -199,38 +206,50 @@ class Terms:
         value = self.inverse_of(divisor)
         conditions = _joined(x, divisor, (divisor,))
         if x.is_scalar:
-            return Term(f"inv {x.inner}", value, x.size, conditions)
+            return Term(f"inv {x.inner}", value, x.size, conditions, APPLICATION)
         bar = tuple(u * value for u in conjugate(self.constants, x.value))
         size = divisor.size + 2 * x.size
-        return Term(f"qinv {self.algebra} {x.inner}", bar, size, conditions)
+        return Term(f"qinv {self.algebra} {x.inner}", bar, size, conditions, APPLICATION)
 
     def call(self, function: str, arguments: list[Term]) -> Term:
         """Return the value of a function of the language."""
-        x, A = self.embed(arguments[0]), self.algebra
-        c, size = self.constants, x.size
+        x, c = self.embed(arguments[0]), self.constants
         match function:
             case "inv":
                 return self.inverse(x)
+            case "scalar":
+                return self.coordinate(x, 0)
             case "comm":
                 y = self.embed(arguments[1])
                 xy, yx = (self.binary("*", *pair) for pair in ((x, y), (y, x)))
                 value = tuple(u - v for u, v in zip(xy.value, yx.value, strict=True))
-                text = f"comm {A} {x.inner} {y.inner}"
-                return Term(text, value, xy.size + yx.size, _joined(x, y))
-            case "scalar":
-                return self.coordinate(x, 0)
+                text, size = f"{x.inner} {y.inner}", xy.size + yx.size
+                return self._applied("comm", text, value, size, _joined(x, y))
             case "vector":
-                return Term(f"vector {x.inner}", (self.integer(0), *x.value[1:]), size, x.conditions)
+                text, value = f"vector {x.inner}", (self.integer(0), *x.value[1:])
+                return Term(text, value, x.size, x.conditions, APPLICATION)
             case "conj":
-                value = conjugate(c, x.value)
-                return Term(f"conj {A} {x.inner}", value, size + 2 * self.weight, x.conditions)
+                value, size = conjugate(c, x.value), x.size + 2 * self.weight
             case "trace":
-                return Term(f"trace {A} {x.inner}", trace(c, x.value), 4 * size, x.conditions)
-            case "norm":
+                value, size = trace(c, x.value), 3 * x.size + self.weight
+            case _:
                 self._bound(x, x, "*")
-                size = 14 * (size + self.weight)
-                return Term(f"norm {A} {x.inner}", norm(c, x.value), size, x.conditions)
-        raise AssertionError(function)
+                value, size = norm(c, x.value), 14 * (x.size + self.weight)
+        return self._applied(function, x.inner, value, size, x.conditions)
+
+    def _applied(
+        self, function: str, text: str, value: Any, size: int, conditions: tuple[Term, ...]
+    ) -> Term:
+        return Term(f"{function} {self.algebra} {text}", value, size, conditions, APPLICATION)
+
+
+def _infix(
+    x: Term, sign: str, y: Term, value: Any, size: int, conditions: tuple[Term, ...]
+) -> Term:
+    """Join two terms; all operators associate to the left."""
+    level = SUM if sign.strip("[]") in ("+", "-") else PRODUCT
+    text = f"{x.within(level)} {sign} {y.within(level - 1)}"
+    return Term(text, value, size, conditions, level)
 
 
 def _length(x: Term) -> int:

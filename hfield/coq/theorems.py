@@ -8,6 +8,7 @@ from hfield.coq.facts import Facts, NoProofError
 from hfield.coq.formulas import Equation, Formula, Junction, formula_of, grouped, nonzero
 from hfield.coq.proofs import Lines, Proof, block
 from hfield.coq.terms import Term, Terms
+from hfield.errors import TooLargeError
 from hfield.proving.decision import Decision
 from hfield.proving.language import Sort, Statement
 from hfield.proving.setting import Setting
@@ -48,6 +49,8 @@ def theorem(
     for room in (RINGS, FIELDS) if general else (FIELDS,):
         try:
             text, proof = _theorem(statement, setting, witnesses, room, deadline)
+        except RecursionError:
+            raise TooLargeError("the statement nests too deeply for its proof") from None
         except NoProofError:
             if room == FIELDS:
                 raise
@@ -66,8 +69,9 @@ def _theorem(
     terms = Terms(statement, setting.constants)
     hypotheses = [formula_of(terms, h) for h in statement.hypotheses]
     conclusion = formula_of(terms, statement.conclusion)
-    given = {n: s for n, s in statement.unknowns if n not in statement.exists}
-    sought = {n: s for n, s in statement.unknowns if n in statement.exists}
+    order = sorted(statement.unknowns, key=lambda unknown: unknown[1] is Sort.SCALAR)
+    given = {n: s for n, s in order if n not in statement.exists}
+    sought = {n: s for n, s in order if n in statement.exists}
     text = _implications(hypotheses, _quantified("exists", sought, conclusion))
     if given:
         text = f"forall {_binders(given)},\n  {text}"
@@ -78,7 +82,7 @@ def _theorem(
 
     def finish(facts: Facts) -> Lines:
         for name, x in found.items():
-            terms.names[name] = Term(x.inner, x.value, x.size, atomic=True)
+            terms.names[name] = Term(x.inner, x.value, x.size)
         shown = [f"exists {x.inner}." for x in found.values()]
         goal = formula_of(terms, statement.conclusion)
         return [*shown, *proof.prove(goal, facts)]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
 
 from hfield import structure
 from hfield.ledger.facts import hamilton, texts
@@ -23,6 +25,11 @@ class Centre:
         """The claim in words."""
         return f"the centre of H(F) is H(F) if char F = {self.special}, and F·e if not"
 
+    @property
+    def statement(self) -> str:
+        """The claim in the vocabulary of certificates."""
+        return f"centre{{{self.special}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Solve q·i = i·q, q·j = j·q by linear algebra in the field; over ℤ, its Smith form."""
         if field is None:
@@ -36,21 +43,17 @@ class Centre:
         )
         witness = None if right else {f"c{n}": texts(field, q) for n, q in enumerate(basis, 1)}
         return Decision(
-            "proved" if right else "refuted", "linear algebra", witness=witness, steps=steps
+            "proved" if right else "refuted",
+            "linear algebra",
+            witness=witness,
+            steps=steps,
+            evidence=_minor(_equations()) if right else None,
         )
 
     def _everywhere(self) -> Decision:
         from flint import fmpz_mat
 
-        c = Constants(-1, 0, -1)
-        units: list[Coordinates] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
-        rows = []
-        for g in units[1:3]:
-            images = [
-                [x - y for x, y in zip(multiply(c, q, g), multiply(c, g, q), strict=True)]
-                for q in units
-            ]
-            rows += [list(column) for column in zip(*images, strict=True)]
+        rows = _equations()
         smith = fmpz_mat(rows).snf()
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
         special = sorted({p for d in divisors for p in _primes(abs(d))})
@@ -64,8 +67,39 @@ class Centre:
         )
         right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
         witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}
-        verdict = "proved" if right else "refuted"
-        return Decision(verdict, "Smith form", witness=witness, steps=steps, scope="fields")
+        return Decision(
+            "proved" if right else "refuted",
+            "Smith form",
+            witness=witness,
+            steps=steps,
+            scope="fields",
+            evidence=_minor(rows) if right else None,
+        )
+
+
+def _equations() -> list[list[int]]:
+    """Return the coefficients of q·i = i·q and q·j = j·q over ℤ: eight rows, a column a coordinate."""
+    c = Constants(-1, 0, -1)
+    units: list[Coordinates] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
+    rows = []
+    for g in units[1:3]:
+        images = [
+            [x - y for x, y in zip(multiply(c, q, g), multiply(c, g, q), strict=True)]
+            for q in units
+        ]
+        rows += [list(column) for column in zip(*images, strict=True)]
+    return rows
+
+
+def _minor(rows: list[list[int]]) -> dict[str, Any]:
+    """Return, as evidence, three rows whose minor with the columns of i, j, k is not 0."""
+    from flint import fmpz_mat
+
+    columns = [1, 2, 3]
+    for chosen in combinations(range(len(rows)), 3):
+        if fmpz_mat([[rows[r][c] for c in columns] for r in chosen]).det() != 0:
+            return {"kind": "minor", "rows": list(chosen), "columns": columns}
+    raise AssertionError("the equations for the centre have rank 3 over the rationals")
 
 
 def _primes(n: int) -> list[int]:

@@ -19,11 +19,15 @@ PANEL = (
 
 
 class Proposition(Protocol):
-    """Something true or false over each field; ``text`` says what."""
+    """Something true or false over each field; ``text`` says what, ``statement`` in formal terms."""
 
     @property
     def text(self) -> str:
         """The proposition in words or formulas."""
+
+    @property
+    def statement(self) -> str:
+        """The proposition as certificates state it (docs/certificates.md)."""
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""
@@ -76,8 +80,8 @@ class Row:
     as_printed: Decision
     as_corrected: Decision | None
 
-    def to_json(self) -> dict[str, object]:
-        """Return the row as fixed by the schema ``hfield-verify/1``."""
+    def to_json(self, certificate: str | None = None) -> dict[str, object]:
+        """Return the row as fixed by the schema ``hfield-verify/1``; ``certificate`` names a file."""
         return {
             "id": self.claim.id,
             "field": self.field,
@@ -86,7 +90,7 @@ class Row:
             "method": self.as_printed.method,
             "witness": self.as_printed.witness,
             "correction": self.correction,
-            "certificate": None,
+            "certificate": certificate,
         }
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from hfield import structure
 from hfield.ledger.propositions import search_panel
@@ -44,6 +45,11 @@ class LevelAbove:
         squares = "a square" if self.bound == 1 else f"a sum of {self.bound} squares"
         return f"−1 is not {squares} in F"
 
+    @property
+    def statement(self) -> str:
+        """The fact in the vocabulary of certificates."""
+        return "formally-real" if self.bound == INFINITY else f"level-above{{{int(self.bound)}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Compare with the level of the field; refuted by squares that add up to −1."""
         if field is None:
@@ -52,7 +58,9 @@ class LevelAbove:
         if level.value is None:
             return Decision("undecided", "level", tried=(level.reason,))
         if level.value > self.bound or level.value == INFINITY:
-            return Decision("proved", "level", steps=(f"The level is {level}.",))
+            return Decision(
+                "proved", "level", steps=(f"The level is {level}.",), evidence={"kind": "level"}
+            )
         roots = field.minus_one_as_squares()
         total = field.zero
         for x in roots:
@@ -61,7 +69,11 @@ class LevelAbove:
             return Decision("undecided", "level", tried=(f"squares adding up to −1 in {field}",))
         shown = " + ".join(f"({field.text(x)})²" for x in roots)
         witness = {f"x{n}": [field.text(x)] for n, x in enumerate(roots, 1)}
-        return Decision("refuted", "sum of squares", witness=witness, steps=(f"−1 = {shown}",))
+        evidence = {"kind": "squares", "values": [field.text(x) for x in roots]}
+        steps = (f"−1 = {shown}",)
+        return Decision(
+            "refuted", "sum of squares", witness=witness, steps=steps, evidence=evidence
+        )
 
 
 @dataclass(frozen=True)
@@ -69,6 +81,7 @@ class Division:
     """Every nonzero element of H(F) is invertible: no nonzero element has norm 0."""
 
     text: str = "every nonzero element of H(F) has an inverse"
+    statement = "division"
 
     def decide(self, field: Ring | None) -> Decision:
         """Find a nonzero element of norm 0, or the reason why there is none."""
@@ -76,12 +89,20 @@ class Division:
             return _no_single_field()
         found = structure.zero_norm(field, hamilton(field))
         if found.element is None:
-            return Decision(
-                "proved", "anisotropic norm", steps=(f"N(q) = 0 only for q = 0: {found.reason}",)
-            )
+            evidence: dict[str, Any] = {"kind": "anisotropic", "by": found.method}
+            if found.places:
+                evidence["places"] = [str(place) for place in found.places]
+            steps = (f"N(q) = 0 only for q = 0: {found.reason}",)
+            return Decision("proved", "anisotropic norm", steps=steps, evidence=evidence)
         q = found.element
         step = f"q = {element_text(field, q, 'unicode', 'e')} ≠ 0 has N(q) = 0."
-        return Decision("refuted", "zero norm", witness={"q": texts(field, q)}, steps=(step,))
+        return Decision(
+            "refuted",
+            "zero norm",
+            witness={"q": texts(field, q)},
+            steps=(step,),
+            evidence={"kind": "zero norm", "value": texts(field, q)},
+        )
 
 
 @dataclass(frozen=True)
@@ -94,6 +115,11 @@ class PositiveNorm:
     def text(self) -> str:
         """The criterion as printed."""
         return f"q has an inverse if and only if N(q) {'>' if self.sign > 0 else '<'} 0"
+
+    @property
+    def statement(self) -> str:
+        """The criterion in the vocabulary of certificates."""
+        return f"norm-criterion{{{'>' if self.sign > 0 else '<'}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Compare the criterion with N(q) ≠ 0 in the orders that the field has."""
@@ -108,7 +134,7 @@ class PositiveNorm:
                 f"{field} is formally real: {field.level.reason}.",
                 "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
             )
-            return Decision("proved", "ordering", steps=steps)
+            return Decision("proved", "ordering", steps=steps, evidence={"kind": "ordering"})
         generators = [field.gen] if field.gen_name else []
         for q in (one, *((x, *(field.zero,) * 3) for x in generators)):
             n = norm(hamilton(field), q)
@@ -116,5 +142,12 @@ class PositiveNorm:
             if value is not None and value * self.sign < 0:
                 shown = element_text(field, q, "unicode", "e")
                 step = f"q = {shown} has an inverse, though N(q) = {value}."
-                return Decision("refuted", "witness", witness={"q": texts(field, q)}, steps=(step,))
+                value_of_q = texts(field, q)
+                return Decision(
+                    "refuted",
+                    "witness",
+                    witness={"q": value_of_q},
+                    steps=(step,),
+                    evidence={"kind": "witness", "value": value_of_q, "norm": value},
+                )
         return Decision("undecided", "ordering", tried=("multiples of e with a rational norm",))

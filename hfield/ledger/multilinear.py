@@ -41,6 +41,23 @@ def spoilt_tuples(k: int) -> tuple[Tuple, ...]:
     return all_tuples(k)[:-1]
 
 
+_NAMES: dict[Any, str] = {
+    all_tuples: "all",
+    constant_tuples: "constant",
+    short_tuples: "short",
+    spoilt_tuples: "all-but-one",
+}
+BY_EXPANDING = {"kind": "identity"}
+
+
+def _numbers(numbers: tuple[int, ...]) -> str:
+    return ",".join(map(str, numbers))
+
+
+def _word(t: Tuple) -> str:
+    return "".join(BASIS[n] for n in t)
+
+
 class Form:
     """The general k-linear form: unknown entries ``h_t`` and arguments ``a1 … ak``, as polynomials.
 
@@ -97,6 +114,11 @@ class DeterminedBy:
         """The claim in words."""
         return f"k-linear f, g: Vᵏ → V are equal if and only if they agree on {self.words}"
 
+    @property
+    def statement(self) -> str:
+        """The claim for these numbers of arguments, in the vocabulary of certificates."""
+        return f"determined-by{{{_NAMES[self.choice]}; {_numbers(self.arities)}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Set the entries h_t of f − g to 0 on the tuples given, and see what is left of f − g."""
         steps: list[str] = []
@@ -118,7 +140,13 @@ class DeterminedBy:
                     f"a{m}": [str(int(n == r)) for r in range(N)] for m, n in enumerate(t, 1)
                 }
                 witness |= {"f": ["1", "0", "0", "0"], "g": ["0", "0", "0", "0"]}
-                return Decision("refuted", "basis tuples", witness=witness, steps=tuple(steps))
+                return Decision(
+                    "refuted",
+                    "basis tuples",
+                    witness=witness,
+                    steps=tuple(steps),
+                    evidence={"kind": "left out", "tuple": _word(t)},
+                )
             steps.append(
                 f"k = {k}: f − g = Σ h_t·a₁[t₁]⋯aₖ[tₖ] over {len(given)} tuples t, all h_t = 0."
             )
@@ -128,6 +156,10 @@ class DeterminedBy:
             steps=tuple(steps),
             scope="commutative rings",
             assumes=self.assumes,
+            evidence={
+                "kind": "basis tuples",
+                "tuples": [[_word(t) for t in self.choice(k)] for k in self.arities],
+            },
         )
 
 
@@ -153,6 +185,11 @@ class CurriedIsLinear:
             f"f̃(…, s·a + y·b, …) = s{square}·f̃(…, a, …) + y·f̃(…, b, …)"
         )
 
+    @property
+    def statement(self) -> str:
+        """The claim in the vocabulary of certificates."""
+        return f"curried-linear{{{self.power}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Expand both sides for m = 1, 2, each slot and each e₀."""
         for m in (1, 2):
@@ -167,9 +204,18 @@ class CurriedIsLinear:
                     refuted = Decision("refuted", "identity", witness=witness, steps=(step,))
                     return _over_all(field, refuted)
         step = "Both sides expand to the same polynomial for m = 1, 2, each slot, each basis vector e₀."
-        return Decision(
-            "proved", "identity", steps=(step,), scope="commutative rings", assumes=(INDUCTION,)
-        )
+        return _expanded(step)
+
+
+def _expanded(step: str) -> Decision:
+    return Decision(
+        "proved",
+        "identity",
+        steps=(step,),
+        scope="commutative rings",
+        assumes=(INDUCTION,),
+        evidence=BY_EXPANDING,
+    )
 
 
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
@@ -192,6 +238,11 @@ class LastArgument:
         bound = {N: "n", N + 1: "n+1", N - 1: "n−1"}[self.upper]
         return f"Σ_{{i=1}}^n α_i g(a₁,…,aₘ,e_i) = g(a₁,…,aₘ, Σ_{{i=1}}^{{{bound}}} α_i e_i)"
 
+    @property
+    def statement(self) -> str:
+        """The chain for these numbers of arguments, in the vocabulary of certificates."""
+        return f"last-argument{{{self.upper}; {_numbers(self.arities)}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Expand both sides; a summand beyond the basis is any vector b at all."""
         for k in self.arities:
@@ -212,11 +263,11 @@ class LastArgument:
                     f"V has {N} basis vectors, and the sum on the right runs to {self.upper}."
                 )
                 witness = {f"x{m + 1}": [str(int(m == n))] for m in range(N + 1)}
-                return Decision("refuted", "identity", witness=witness, steps=(step,))
+                return Decision(
+                    "refuted", "identity", witness=witness, steps=(step,), evidence=BY_EXPANDING
+                )
         step = f"Both sides expand to the same polynomial in {', '.join(map(str, self.arities))} arguments."
-        return Decision(
-            "proved", "identity", steps=(step,), scope="commutative rings", assumes=(INDUCTION,)
-        )
+        return _expanded(step)
 
 
 @dataclass(frozen=True)
@@ -232,6 +283,11 @@ class IsBasis:
         """The claim in words."""
         return f"{self.words} is a basis"
 
+    @property
+    def statement(self) -> str:
+        """The claim in the vocabulary of certificates."""
+        return f"basis{{{'; '.join((str(self.dimension), *map(_numbers, self.vectors)))}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Count the vectors and their coordinates, then take the determinant over ℤ."""
         lengths = {len(v) for v in self.vectors}
@@ -241,10 +297,21 @@ class IsBasis:
                 f"cannot be a basis of a space of dimension {self.dimension}."
             )
             last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
-            return Decision("refuted", "count", witness={"missing": last}, steps=(step,))
+            return Decision(
+                "refuted",
+                "count",
+                witness={"missing": last},
+                steps=(step,),
+                evidence={"kind": "count"},
+            )
         from flint import fmpz_mat
 
         det = int(fmpz_mat([list(v) for v in self.vectors]).det())
         unit = abs(det) == 1 if field is None else field.is_unit(field(det))
         step = f"The determinant is {det}, {'a unit' if unit else 'not a unit'}."
-        return Decision("proved" if unit else "refuted", "determinant", steps=(step,))
+        return Decision(
+            "proved" if unit else "refuted",
+            "determinant",
+            steps=(step,),
+            evidence={"kind": "determinant"},
+        )

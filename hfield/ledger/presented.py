@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from hfield.proving.decision import Decision
-from hfield.proving.presentation import decide_presentation
+from hfield.proving.presentation import decide_presentation, presentation_text
 from hfield.rings.base import Ring
 
 RELATIONS = ("i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e")
@@ -27,6 +27,11 @@ class Presented:
         unit = "with identity e" if self.identity else "with basis (e,i,j,k)"
         goals = ", ".join(self.goals).replace("*", "").replace("==", "=").replace("-", "−")
         return f"in an associative algebra {unit}, i² = j² = k² = ijk = −e ⇒ {goals}"
+
+    @property
+    def statement(self) -> str:
+        """The same as certificates state it."""
+        return presentation_text(RELATIONS, self.goals, self.identity)
 
     def decide(self, field: Ring | None) -> Decision:
         """Rewrite each goal by the relations in ℤ⟨e,i,j,k⟩, or find an algebra where one fails."""

@@ -32,6 +32,12 @@ class Statement:
         """The statement with its hypotheses in front."""
         return " => ".join((*self.given, self.formula))
 
+    @property
+    def statement(self) -> str:
+        """The same, as the prover puts the hypotheses in front."""
+        parts = (*self.given, self.formula)
+        return " => ".join(f"({part})" for part in parts) if self.given else self.formula
+
     def decide(self, field: Ring | None) -> Decision:
         """Decide it by the prover."""
         return decide(self.formula, field, given=self.given)
@@ -49,17 +55,33 @@ class Every:
         """The parts, joined."""
         return self.words or " and ".join(part.text for part in self.parts)
 
+    @property
+    def statement(self) -> str:
+        """The parts, in the vocabulary of certificates."""
+        return f"every{{{'; '.join(part.statement for part in self.parts)}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Decide every part; what stops the proof decides the whole."""
         steps: list[str] = []
         methods: list[str] = []
-        for part in self.parts:
+        proofs: list[dict[str, Any]] = []
+        for n, part in enumerate(self.parts):
             decision = part.decide(field)
             if decision.verdict not in TRUE:
-                return replace(decision, steps=(*steps, part.text, *decision.steps))
+                evidence = {"kind": "part", "part": n, "evidence": decision.evidence}
+                return replace(
+                    decision, steps=(*steps, part.text, *decision.steps), evidence=evidence
+                )
+            proofs.append(judged(decision))
             steps += [part.text, *(f"  {step}" for step in decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
-        return Decision("proved", "; ".join(methods), steps=tuple(steps))
+        evidence = {"kind": "parts", "parts": proofs}
+        return Decision("proved", "; ".join(methods), steps=tuple(steps), evidence=evidence)
+
+
+def judged(decision: Decision) -> dict[str, Any]:
+    """Return the evidence for a part of a proposition with its verdict."""
+    return {"verdict": decision.verdict, "evidence": decision.evidence}
 
 
 @dataclass(frozen=True)
@@ -79,18 +101,27 @@ class Implication:
         """The two sides in words."""
         return f"if {self.hypothesis.text}, then {self.conclusion.text}"
 
+    @property
+    def statement(self) -> str:
+        """The two sides, in the vocabulary of certificates."""
+        return f"implies{{{self.hypothesis.statement}; {self.conclusion.statement}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Decide both sides over ``field``; vacuous where the hypothesis is refuted."""
         if field is None:
-            return self.everywhere.decide(None) if self.everywhere else search_panel(self)
+            return by_lemmas(self.everywhere) if self.everywhere else search_panel(self)
         first = self.hypothesis.decide(field)
         if first.verdict == "refuted":
             steps = (f"The hypothesis fails over {field}:", *first.steps)
-            return Decision("vacuous", first.method, witness=first.witness, steps=steps)
+            evidence: dict[str, Any] = {"kind": "hypothesis", "evidence": first.evidence}
+            return replace(first, verdict="vacuous", steps=steps, evidence=evidence)
         if first.verdict not in TRUE:
             return first
         second = self.conclusion.decide(field)
-        return replace(second, steps=(*first.steps, *second.steps))
+        evidence = {"kind": "conclusion", "evidence": second.evidence}
+        if second.verdict == "refuted":
+            evidence = {"kind": "both", "left": judged(first), "right": judged(second)}
+        return replace(second, steps=(*first.steps, *second.steps), evidence=evidence)
 
 
 @dataclass(frozen=True)
@@ -106,10 +137,15 @@ class Equivalence:
         """The two sides in words."""
         return f"{self.left.text} if and only if {self.right.text}"
 
+    @property
+    def statement(self) -> str:
+        """The two sides, in the vocabulary of certificates."""
+        return f"iff{{{self.left.statement}; {self.right.statement}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Decide both sides over ``field`` and compare."""
         if field is None:
-            return self.everywhere.decide(None) if self.everywhere else search_panel(self)
+            return by_lemmas(self.everywhere) if self.everywhere else search_panel(self)
         sides = (self.left.decide(field), self.right.decide(field))
         unsettled = [d for d in sides if d.verdict not in ("proved", "refuted")]
         if unsettled:
@@ -124,7 +160,8 @@ class Equivalence:
         verdict = "proved" if a.verdict == b.verdict else "refuted"
         method = a.method if a.method == b.method else f"{a.method}; {b.method}"
         witness = (a.witness or b.witness) if verdict == "refuted" else None
-        return Decision(verdict, method, witness=witness, steps=steps)
+        evidence = {"kind": "both", "left": judged(a), "right": judged(b)}
+        return Decision(verdict, method, witness=witness, steps=steps, evidence=evidence)
 
 
 @dataclass(frozen=True)
@@ -137,6 +174,11 @@ class Negation:
     def text(self) -> str:
         """The denial in words."""
         return f"not in every field: {self.proposition.text}"
+
+    @property
+    def statement(self) -> str:
+        """The denial, in the vocabulary of certificates."""
+        return f"not-everywhere{{{self.proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Go through the panel (or look at the one field given) and show what was found in each."""
@@ -152,7 +194,10 @@ class Negation:
         if fails:
             name, first = next(iter(fails.items()))
             witness = {"F": [name], **(first.witness or {})}
-            return Decision("proved", "witness", witness=witness, steps=tuple(steps))
+            evidence = {"kind": "over", "field": name, "evidence": first.evidence}
+            return Decision(
+                "proved", "witness", witness=witness, steps=tuple(steps), evidence=evidence
+            )
         settled = all(d.verdict in TRUE for d in found.values())
         return Decision("refuted" if settled else "undecided", "panel", steps=tuple(steps))
 
@@ -171,12 +216,26 @@ class Only:
         """The proposition itself."""
         return self.proposition.text
 
+    @property
+    def statement(self) -> str:
+        """The proposition, marked as one about angles."""
+        return f"angles{{{self.proposition.statement}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Decide it where it means something."""
         if field is None or field.name not in self.fits:
             return Decision("not-applicable", "no meaning here", steps=(self.reason,))
         decision = self.proposition.decide(field)
         return replace(decision, assumes=(*decision.assumes, *self.assumes))
+
+
+def by_lemmas(everywhere: Proposition) -> Decision:
+    """Decide over all fields by what shows it there; the lemmas' proofs become the evidence."""
+    decision = everywhere.decide(None)
+    if decision.verdict != "proved" or decision.evidence is None:
+        return decision
+    proofs = [part["evidence"] for part in decision.evidence.get("parts", ())]
+    return replace(decision, evidence={"kind": "lemmas", "proofs": proofs})
 
 
 def search_panel(proposition: Proposition) -> Decision:
@@ -188,7 +247,8 @@ def search_panel(proposition: Proposition) -> Decision:
         if decision.verdict == "refuted":
             witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
             steps = (f"It fails over {name}:", *decision.steps)
-            return replace(decision, witness=witness, steps=steps)
+            evidence = {"kind": "over", "field": name, "evidence": decision.evidence}
+            return replace(decision, witness=witness, steps=steps, evidence=evidence)
     return Decision("undecided", "panel", tried=("a counterexample in each field of the panel",))
 
 

@@ -25,6 +25,7 @@ class ModulusDefined:
     """The modulus |q| = √N(q) exists in F for each q."""
 
     text = "N(q) is a square in F for each q, so that |q| = √N(q) exists"
+    statement = "modulus-exists"
 
     def decide(self, field: Ring | None) -> Decision:
         """Look for a small q whose norm is no square; else say why every norm is one."""
@@ -34,13 +35,24 @@ class ModulusDefined:
             n = norm(hamilton(field), q)
             if field.sqrt(n) is None:
                 step = f"N(q) = {field.text(n)} is not a square in {field}."
-                return Decision("refuted", "witness", witness={"q": texts(field, q)}, steps=(step,))
+                value = texts(field, q)
+                return Decision(
+                    "refuted",
+                    "witness",
+                    witness={"q": value},
+                    steps=(step,),
+                    evidence={"kind": "no root", "value": value},
+                )
         if field.characteristic == 2:
             return replace(SUM_OF_ALL.decide(field), method="identity")
         if field.closure:
             step = f"{field} is {field.closure}, so every norm is a square."
             return Decision(
-                "proved", "closed field", steps=(step,), assumes=(f"{field} is {field.closure}",)
+                "proved",
+                "closed field",
+                steps=(step,),
+                assumes=(f"{field} is {field.closure}",),
+                evidence={"kind": "closed"},
             )
         return Decision("undecided", "search", tried=("norms of small elements",))
 
@@ -78,6 +90,11 @@ class ModulusLaw:
         """The law as printed, or its twin."""
         return "|pq| = |p||q|" if self.operation == "*" else "|pq| = |p| + |q|"
 
+    @property
+    def statement(self) -> str:
+        """The law in the vocabulary of certificates."""
+        return f"modulus-law{{{self.operation}}}"
+
     def decide(self, field: Ring | None) -> Decision:
         """Refute it on a few elements under every choice of their roots, or give the choice."""
         if field is None:
@@ -93,20 +110,36 @@ class ModulusLaw:
                 f"√1 = √1·√1 forces √1 = 1; then p, q break the law for each choice of the roots; "
                 f"all {2 ** len(sample)} choices were tried.",
             )
-            return Decision("refuted", "all choices of roots", witness=bad, steps=steps)
+            evidence = {
+                "kind": "all choices",
+                "elements": [texts(field, q) for q in sample],
+                "roots": [field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
+            }
+            return Decision(
+                "refuted", "all choices of roots", witness=bad, steps=steps, evidence=evidence
+            )
         if self.operation != "*":
             return Decision("undecided", "all choices of roots", tried=("roots of small norms",))
         if field.characteristic == 2:
             step = "In characteristic 2 a square has one root, for y² = z² means (y − z)² = 0."
-            return Decision("proved", "unique roots", steps=(step,))
+            return Decision(
+                "proved", "unique roots", steps=(step,), evidence={"kind": "unique roots"}
+            )
         if field.level.value == INFINITY:
             step = "Take the root ≥ 0 in an order of F: products of such roots are such roots."
-            return Decision("proved", "ordering", steps=(f"{field}: {field.level.reason}.", step))
+            lines = (f"{field}: {field.level.reason}.", step)
+            return Decision("proved", "ordering", steps=lines, evidence={"kind": "ordering"})
         if field.order is not None:
             return self._finite(field)
         step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
         theorem = "Kulikov: a bounded pure subgroup of an abelian group is a direct summand"
-        return Decision("proved", "choice of roots", steps=(step,), assumes=(theorem,))
+        return Decision(
+            "proved",
+            "choice of roots",
+            steps=(step,),
+            assumes=(theorem,),
+            evidence={"kind": "pure subgroup"},
+        )
 
     def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, Any] | None:
         """Return None if some choice satisfies the law, else p, q that break the choice √1 = 1."""
@@ -141,9 +174,12 @@ class ModulusLaw:
             "F* is cyclic and −1 is no square, so of the two roots r, −r exactly one is a square.",
             "Take that one: products of squares are squares.",
         )
+        evidence = {"kind": "square roots"}
         if F.order is None or F.order > CHECKED_BELOW:
             cyclic = "the multiplicative group of a finite field is cyclic"
-            return Decision("proved", "choice of roots", steps=steps, assumes=(cyclic,))
+            return Decision(
+                "proved", "choice of roots", steps=steps, assumes=(cyclic,), evidence=evidence
+            )
         squares = {F.key(x * x) for x in F.elements()}
         root = {F.key(x * x): x for x in F.elements() if F.key(x) in squares}
         pairs = tuples(root.values(), repeat=2)
@@ -151,6 +187,5 @@ class ModulusLaw:
             F.equal(root[F.key(x * x * (y * y))], x * y) for x, y in pairs
         ):
             return Decision("undecided", "exhaustion", tried=steps)
-        return Decision(
-            "proved", "exhaustion", steps=(*steps, f"Checked on all {len(root)}² pairs.")
-        )
+        checked = (*steps, f"Checked on all {len(root)}² pairs.")
+        return Decision("proved", "exhaustion", steps=checked, evidence=evidence)

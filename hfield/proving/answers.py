@@ -63,13 +63,21 @@ def _listed_characteristics(scope: str) -> list[int]:
     return [int(n) for n in inside.split(",") if n.strip()]
 
 
-def refuted(method: str, field: Ring, found: Assignment, scope: str | None = None) -> Decision:
-    """Return the refutation by the values found."""
+def refuted(
+    method: str,
+    field: Ring,
+    found: Assignment,
+    scope: str | None = None,
+    exactly: bool = False,
+) -> Decision:
+    """Return the refutation by the values found; ``exactly`` where the scope is known to be all."""
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
     steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
     if scope is not None and scope.startswith("char"):
-        steps.append(f"as a polynomial identity it holds exactly in {scope}")
+        primes = _listed_characteristics(scope)
+        shown = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
+        steps.append(f"it holds {'exactly ' if exactly else ''}in {shown}")
     return Decision(
         REFUTED,
         method,

@@ -13,7 +13,7 @@ from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
 from hfield.proving.search import by_weight, small_scalars, witness_texts
 from hfield.proving.setting import Setting, put_letters
-from hfield.proving.terms import Decide, about, by_terms, matrix, true_place
+from hfield.proving.terms import Decide, about, by_terms, constants_in, matrix, true_place
 from hfield.proving.trees import quaternion_node, substitute
 from hfield.rings import ring
 from hfield.syntax import Logic, Negate, Not, Number, parse
@@ -135,7 +135,9 @@ def _at_zero(
     values = {name: Number(0) for name in free}
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
     node = substitute(matrix(statement), values)
-    one = _exists(about(statement, node, statement.exists), there, deadline, decide_one)
+    one = _exists(
+        about(statement, node, statement.exists, setting.field), there, deadline, decide_one
+    )
     if one.verdict != PROVED or one.witness is None:
         return None
     return tuple(to_text(quaternion_node(one.witness[name])) for name in statement.exists)
@@ -161,10 +163,13 @@ def _by_places(
             else parse(field.text(x))
             for name, x in place.items()
         }
-        instance = about(statement, substitute(node, values), statement.exists)
+        instance = about(statement, substitute(node, values), statement.exists, field)
         there = put_letters(setting, values)
+        new = (c for text in there.constants for c in constants_in(parse(text), field))
+        constants = tuple(dict.fromkeys((*instance.constants, *new)))
+        instance = replace(instance, divides=True, constants=constants)
         try:
-            one = _exists(replace(instance, divides=True), there, deadline, decide_one)
+            one = _exists(instance, there, deadline, decide_one)
         except HFieldError:
             return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
         if one.verdict == REFUTED:

@@ -62,7 +62,7 @@ def rules(setting: Setting) -> tuple[Rule, ...]:
         return ()
     out = []
     if not setting.letters:
-        found = _norm_rule(field, structure_constants(setting))
+        found = _norm_rule(setting, field, structure_constants(setting))
         if found is not None:
             out.append(found)
     roots = _roots_rule(field)
@@ -95,7 +95,7 @@ def _roots_rule(field: Ring) -> Rule | None:
     return Rule(ROOTS, reason, most=2, by="squares")
 
 
-def _norm_rule(field: Ring, c: Constants) -> Rule | None:
+def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
     from hfield.structure.zero import zero_norm
 
     if field.order is not None:  # over a finite field every norm form has zeros
@@ -107,7 +107,20 @@ def _norm_rule(field: Ring, c: Constants) -> Rule | None:
     if answer.element is not None:
         return None
     places = tuple(map(str, answer.places))
-    return Rule(NORM, answer.reason, assumes=answer.assumes, by=answer.method, places=places)
+    assumes = _cited(setting, answer.method, places)
+    return Rule(NORM, answer.reason, assumes=assumes, by=answer.method, places=places)
+
+
+def _cited(setting: Setting, by: str, places: tuple[str, ...]) -> tuple[str, ...]:
+    """Return what has to be cited: nothing where the checker of certificates verifies the reason."""
+    from hfield.certificates.places import cited_for_norm
+    from hfield.certificates.rejection import Rejected
+
+    assert setting.field is not None
+    try:
+        return cited_for_norm(setting.algebra, setting.field.name, by, list(places))
+    except Rejected:
+        return (f"the norm form of {setting.algebra} is 0 only at 0 ({by})",)
 
 
 @lru_cache(maxsize=256)

@@ -84,6 +84,7 @@ class Statement:
         return dict(self.unknowns)
 
 
+@lru_cache(maxsize=4096)
 def read_statement(
     text: str,
     field: Ring | None = None,

@@ -107,7 +107,8 @@ def _refuted_identity(
         return Decision(
             UNDECIDED, "identity", tried=("the identity fails, but no place was found",)
         )
-    return refuted("identity", field, found, scope)
+    exactly = all(len(c.goals) == 1 and not c.zeros for c in x.clauses)
+    return refuted("identity", field, found, scope, exactly)
 
 
 def _tried(deadline: float, field: Ring) -> tuple[str, ...]:

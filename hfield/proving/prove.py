@@ -18,6 +18,7 @@ from hfield.proving.printing import to_latex, to_unicode
 from hfield.proving.setting import Setting
 from hfield.rings.base import Ring
 
+MAX_STEPS = 12  # shown to people; the decision has them all
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
 _SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APPLICABLE: "–"}
 
@@ -101,12 +102,14 @@ class Answer:
         elif d.verdict == PROVED:
             where = f" over every {(d.scope or '').removesuffix('s')}" + where
         lines = [f"{_SIGNS[d.verdict]} {to_unicode(self.statement.node)}"]
-        lines.append(f"  {d.verdict}{where} ({d.method})")
         if d.witness:
-            shown = (f"{name} = {_value(v)}" for name, v in d.witness.items() if name != "F")
+            shown = ", ".join(f"{n} = {_value(v)}" for n, v in d.witness.items() if n != "F")
             over = f" over {d.witness['F'][0]}" if "F" in d.witness else ""
-            lines.append(f"  {', '.join(shown)}{over}".rstrip())
-        lines.extend(f"  · {step}" for step in d.steps)
+            where += over + (f" by {shown}" if shown else "")
+        lines.append(f"  {d.verdict}{where} ({d.method})")
+        lines.extend(f"  · {step}" for step in d.steps[:MAX_STEPS])
+        if len(d.steps) > MAX_STEPS:
+            lines.append(f"  · … and {len(d.steps) - MAX_STEPS} steps more")
         lines.extend(f"  cites {theorem}" for theorem in d.assumes)
         lines.extend(f"  tried: {t}" for t in d.tried)
         return "\n".join(lines)

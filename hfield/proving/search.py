@@ -212,9 +212,35 @@ def prime_search(
     deadline: float,
     wanted: bool = False,
 ) -> Assignment | None:
-    """Search the prime field of characteristic p; a witness there is one over every extension."""
+    """Search the prime field of characteristic p; a witness there is one over every extension.
+
+    Fields of one characteristic share the answer, so it is kept unless the time ran out.
+    """
     if statement.constants:
         return None
+    key = (statement, constants, p, limit, wanted)
+    if key not in _kept:
+        found = _prime_search(statement, constants, p, limit, deadline, wanted)
+        if found is None and monotonic() > deadline:
+            return None
+        if len(_kept) >= MAX_KEPT:
+            _kept.clear()
+        _kept[key] = found
+    return _kept[key]
+
+
+_kept: dict[Any, Assignment | None] = {}
+MAX_KEPT = 8_192
+
+
+def _prime_search(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    p: int,
+    limit: int,
+    deadline: float,
+    wanted: bool,
+) -> Assignment | None:
     scalars = prime_scalars(p)
     if not p and too_heavy(statement, MAX_FAST):
         scalars = scalars[:3]

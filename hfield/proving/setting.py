@@ -5,14 +5,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from hfield.errors import NotationError
+from hfield.errors import CoercionError, NotationError, NotInvertibleError
 from hfield.notation import split_algebra
 from hfield.proving.language import BASIS, QUATERNIONS, generators
 from hfield.proving.printing import to_text
 from hfield.proving.trees import substitute, walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
-from hfield.syntax import Name, Node, parse, weight
+from hfield.syntax import Binary, Name, Node, Number, parse, weight
 
 HAMILTON = ("-1", "0", "-1")
 UNNAMED = "F"
@@ -68,6 +68,21 @@ def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
     return Setting(setting.field, (a, t, b), left)
 
 
+def has_constants(field: Ring, setting: Setting) -> bool:
+    """Tell whether the structure constants exist in the field: ``(-1/2,-3|F)`` has none over GF(2)."""
+    for node in (n for text in setting.constants for n in walk(parse(text))):
+        if _letters(to_text(node), field):
+            divisor = node.right if isinstance(node, Binary) and node.op == "/" else Number(1)
+            if not _letters(to_text(divisor), field) and field.is_zero(field(to_text(divisor))):
+                return False
+            continue
+        try:
+            field(to_text(node))
+        except (CoercionError, NotInvertibleError):
+            return False
+    return True
+
+
 @lru_cache(maxsize=256)
 def _read(field: Ring | None, algebra: str) -> Setting:
     a, t, b, inside = split_algebra(algebra)
@@ -89,7 +104,10 @@ def _read(field: Ring | None, algebra: str) -> Setting:
 def _plain(text: str, field: Ring | None) -> str:
     """Return the text of a constant without blanks, in the field's own spelling where it reads it."""
     if field is not None and not _letters(text, field):
-        value = field(text)
+        try:
+            value = field(text)
+        except (CoercionError, NotInvertibleError) as error:
+            raise NotationError(f"the structure constant {text!r}: {error}") from error
         return (
             "-1"
             if field.equal(value, field(-1)) and field.characteristic != 2

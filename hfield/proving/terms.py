@@ -1,6 +1,6 @@
 """Proving that something exists by naming it: a term in what is given, that serves everywhere."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import islice, product
 from time import monotonic
@@ -8,12 +8,13 @@ from typing import Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.decision import FIELD, FIELDS, PROVED, Decision
-from hfield.proving.language import BASIS, Sort, Statement
+from hfield.proving.language import BASIS, RESULT, Sort, Statement, generators
 from hfield.proving.printing import to_text
 from hfield.proving.search import prime_search, ring_search
 from hfield.proving.setting import Setting
-from hfield.proving.trees import substitute
-from hfield.syntax import Logic, Node, Not, parse
+from hfield.proving.trees import children, substitute
+from hfield.rings.base import Ring
+from hfield.syntax import Call, Logic, Name, Node, Not, parse
 
 Decide = Callable[[Statement, Setting, float], Decision]
 MAX_TERMS = 400
@@ -27,8 +28,16 @@ def matrix(statement: Statement) -> Node:
     return node
 
 
-def about(statement: Statement, node: Node, names: tuple[str, ...] | None = None) -> Statement:
-    """Return the statement ``node`` for all values of the unknowns of ``statement`` (or ``names``)."""
+def about(
+    statement: Statement,
+    node: Node,
+    names: tuple[str, ...] | None = None,
+    field: Ring | None = None,
+) -> Statement:
+    """Return the statement ``node`` for all values of the unknowns of ``statement`` (or ``names``).
+
+    With ``field``, values from it may have been put in, whose constants are then added.
+    """
     unknowns = statement.unknowns
     if names is not None:
         unknowns = tuple((name, sort) for name, sort in unknowns if name in names)
@@ -45,7 +54,22 @@ def about(statement: Statement, node: Node, names: tuple[str, ...] | None = None
         exists=(),
         hypotheses=tuple(hypotheses),
         conclusion=conclusion,
+        constants=tuple(dict.fromkeys((*statement.constants, *constants_in(node, field)))),
     )
+
+
+def constants_in(node: Node, field: Ring | None) -> Iterator[str]:
+    """Run through the texts of the field's constants in a tree."""
+    if field is None:
+        return
+    if isinstance(node, Name):
+        if node.name in generators(field):
+            yield node.name
+    elif isinstance(node, Call) and node.function not in RESULT:
+        yield to_text(node)
+    else:
+        for child in children(node):
+            yield from constants_in(child, field)
 
 
 def true_place(statement: Statement, setting: Setting, limit: int, deadline: float) -> Any:
@@ -78,7 +102,9 @@ def by_terms(
         if monotonic() > deadline:
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
-        instance = replace(about(statement, substitute(node, chosen), tuple(free)), divides=True)
+        instance = replace(
+            about(statement, substitute(node, chosen), tuple(free), setting.field), divides=True
+        )
         try:
             if true_place(about(instance, Not(instance.node)), setting, 30, deadline) is not None:
                 continue
@@ -122,4 +148,10 @@ def _terms(free: dict[str, Sort], sort: Sort) -> list[str]:
         for q in quaternions:
             if p != q:
                 out += [f"{p}*{q}", f"inv({p})*{q}", f"{q}*inv({p})", f"{p}+{q}", f"{p}-{q}"]
-    return out + scalars + [f"inv({s})" for s in scalars]
+    multiples = [
+        *scalars,
+        *(f"norm({q})" for q in quaternions),
+        *(f"trace({q})" for q in quaternions),
+    ]
+    out += [f"{s}*{unit}" for s in multiples for unit in BASIS]
+    return out + [f"inv({s})" for s in scalars]

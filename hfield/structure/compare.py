@@ -9,7 +9,7 @@ from hfield.structure.forms import NormalForm
 from hfield.structure.functionfield import same_residues
 from hfield.structure.hilbert import ramified_places_q
 from hfield.structure.integers import fraction
-from hfield.structure.places import ramification
+from hfield.structure.ramification import ramification
 
 
 def same_class(ring: Ring, form: NormalForm, other: NormalForm) -> bool | None:

@@ -10,7 +10,7 @@ from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring, power
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.centre import basis_of
+from hfield.structure.commutators import basis_of
 from hfield.structure.integers import factorise
 from hfield.structure.linear import kernel
 

@@ -16,7 +16,7 @@ from hfield.product import Constants, Coordinates, multiply, norm
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.centre import basis_of
+from hfield.structure.commutators import basis_of
 from hfield.structure.compare import same_class
 from hfield.structure.forms import normal_form
 from hfield.structure.integers import fraction

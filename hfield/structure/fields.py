@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from hfield.errors import UndecidedError
-from hfield.product import Constants
+from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
@@ -12,16 +12,31 @@ from hfield.structure.bundle import RamifiedError, solve_conic_functions
 from hfield.structure.conic import solve_conic
 from hfield.structure.evidence import ZeroNorm, found, none
 from hfield.structure.forms import NormalForm
-from hfield.structure.places import pair, ramification
+from hfield.structure.hilbert import hilbert_symbol_q
+from hfield.structure.integers import is_prime
 from hfield.structure.quadratic_split import zero_divisor_quadratic
+from hfield.structure.ramification import pair, ramification
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
+_LOCAL = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
 _CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and this is one"
 
 
 def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Decide by the ramified places; where there are none, solve the conic."""
-    places = ramification(ring, form)
+    try:
+        places = ramification(ring, form)
+    except UndecidedError:
+        partial = _at_small_primes(ring, form)
+        if not partial:
+            raise
+        shown = ", ".join(map(str, partial))
+        return none(
+            "ramified places",
+            f"the algebra is ramified at {shown}, maybe elsewhere too",
+            partial,
+            _LOCAL,
+        )
     if places is None:
         return None
     if places:
@@ -33,16 +48,34 @@ def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
             "ramified places",
             reason,
             places,
-            "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)",
+            _LOCAL,
         )
     if isinstance(ring, FunctionField):
         return _functions(ring, c)
     if isinstance(ring, QuadraticField):
-        a, b = (pair(ring, x) for x in form.constants)
-        w, x, y, z = (ring(u) + ring(v) * ring.gen for u, v in zero_divisor_quadratic(ring.d, a, b))
-        return found(ring, c, form.back((w, x, y, z)), "conic", _CONIC)
+        return found(ring, c, form.back(_quadratic(ring, form)), "conic", _CONIC)
     x, y, z = (ring(u) for u in solve_conic(form.a, form.b))
     return found(ring, c, form.back((z, x, y, ring.zero)), "conic", _CONIC)
+
+
+def _at_small_primes(ring: Ring, form: NormalForm) -> tuple[int, ...]:
+    """Return the primes below 200 where an algebra over ℚ ramifies; nothing is factored for that."""
+    if ring.name != "QQ":
+        return ()
+    primes = (p for p in range(2, 200) if is_prime(p))
+    return tuple(p for p in primes if hilbert_symbol_q(form.a, form.b, p) < 0)
+
+
+def _quadratic(ring: QuadraticField, form: NormalForm) -> Coordinates:
+    a, b = (pair(ring, x) for x in form.constants)
+    try:
+        w, x, y, z = (ring(u) + ring(v) * ring.gen for u, v in zero_divisor_quadratic(ring.d, a, b))
+    except UndecidedError as error:
+        raise UndecidedError(
+            "the algebra is ramified nowhere, so it has zero divisors, but to write one down a number would "
+            f"have to be factored: {str(error).partition(':')[0]}"
+        ) from error
+    return w, x, y, z
 
 
 def _functions(ring: FunctionField, c: Constants) -> ZeroNorm:
@@ -66,7 +99,7 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     a, _, b = c
     if isinstance(ring, FunctionField):
         # x = u² + g·v², g the variable: 1, a and b are dependent over the squares
-        (u, v), (s, t) = _square_parts(ring, a), _square_parts(ring, b)
+        (u, v), (s, t) = square_parts(ring, a), square_parts(ring, b)
         q = (u, one, zero, zero) if ring.is_zero(v) else (u * t + s * v, t, v, zero)
         return found(ring, c, q, "squares", "1, a and b are linearly dependent over the squares")
     for square, unit in (
@@ -83,7 +116,7 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     )
 
 
-def _square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
+def square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
     """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
     whole = x.num * x.den
     parts = []

@@ -1,6 +1,6 @@
 """Normal forms: (a, t, b) over a field becomes (a′, b′ | F), or [a′, b′ | F) in characteristic 2."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from hfield.product import Constants, Coordinates
@@ -59,3 +59,33 @@ def normal_form(ring: Ring, c: Constants) -> NormalForm:
         lambda q: (q[0] - h * q[1], q[1], q[2] - h * q[3], q[3]),
         lambda q: (q[0] + h * q[1], q[1], q[2] + h * q[3], q[3]),
     )
+
+
+def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Any]) -> Coordinates:
+    """Return the q with ``tr(q·conj(u)) =`` the given scalars for u = e, i, j, k; the algebra is simple.
+
+    On (e, i) the form has the matrix ``((2, t), (t, −2a))``, on (j, k) −b times that, and no more.
+    """
+    a, t, b = c
+    m, n, p, q = pairings
+    scale = ring.inverse(t * t + a + a + a + a)
+    other = ring.inverse(ring.zero - b) * scale
+    twice = a + a
+    return (
+        scale * (twice * m + t * n),
+        scale * (t * m - n - n),
+        other * (twice * p + t * q),
+        other * (t * p - q - q),
+    )
+
+
+def pairing_matrix(ring: Ring, c: Constants) -> list[list[Any]]:
+    """Return the matrix of ``tr(u·conj(v))`` on e, i, j, k; its determinant is ``((t² + 4a)·b)²``."""
+    a, t, b = c
+    o, two = ring.zero, ring(2)
+    return [
+        [two, t, o, o],
+        [t, o - a - a, o, o],
+        [o, o, o - b - b, o - b * t],
+        [o, o, o - b * t, b * (a + a)],
+    ]

@@ -63,7 +63,7 @@ def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
         u = -u * v if beta & 1 else v
     elif not beta & 1:
         return 1
-    return int(flint.fmpz(u % p).jacobi(p))
+    return int(flint.fmpz(u).jacobi(p))
 
 
 def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[Place, ...]:
@@ -74,20 +74,21 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     m, n = square_class(a), square_class(b)
     known = None if factors is None else list(factors)
     in_m, in_n = factorise(m, known), factorise(n, known)
-    places: list[Place] = []
-    if m < 0 and n < 0:
-        places.append(INFINITE)
-    for p in in_m.keys() | in_n.keys():
-        if p != 2:
-            alpha, beta = in_m.get(p, 0), in_n.get(p, 0)
-            if (alpha | beta) & 1:
-                u = m // p**alpha if alpha else m
-                v = n // p**beta if beta else n
-                if _symbol(p, alpha, u, beta, v) < 0:
-                    places.append(p)
-    if len(places) % 2:  # the number of ramified places is even: the law of reciprocity
+    places: list[Place] = [INFINITE] if m < 0 and n < 0 else []
+    for p, alpha in in_m.items():
+        beta = in_n.get(p, 0)
+        if p != 2 and (alpha | beta) & 1:
+            v = n // p**beta if beta else n
+            if _symbol(p, alpha, m // p**alpha if beta & 1 else 1, beta, v) < 0:
+                places.append(p)
+    for p, beta in in_n.items():
+        if p != 2 and beta & 1 and p not in in_m and flint.fmpz(m).jacobi(p) < 0:
+            places.append(p)
+    if len(places) & 1:  # the number of ramified places is even: the law of reciprocity
         places.append(2)
-    return tuple(sorted(places, key=lambda v: (v == INFINITE, v)))
+    if len(places) > 1:
+        places.sort(key=lambda v: math.inf if v == INFINITE else v)
+    return tuple(places)
 
 
 def discriminant_q(places: Iterable[Place]) -> int:

@@ -2,8 +2,8 @@
 
 Every rational quaternion lies within norm 1/2 of a Hurwitz quaternion, so the order is Euclidean on
 both sides (Conway and Smith, *On Quaternions and Octonions*, chapter 5). For odd n with
-``x² + y² + 1 ≡ 0 (mod n)`` the right common divisor of n and ``1 + x·i + y·j`` has norm n: Lagrange's theorem,
-made effective by taking x² + y² a prime (Rabin and Shallit, 1986).
+``x² + y² + 1 ≡ 0 (mod n)`` the right common divisor of n and ``1 + x·i + y·j`` has norm n: Lagrange's
+theorem, made effective by taking x² + y² a prime (Rabin and Shallit, 1986).
 """
 
 import itertools

@@ -17,6 +17,8 @@ from hfield.rings.rational import rational
 HARD_BITS = 190
 """Composite numbers up to this length are factored (a second or two for the worst of them)."""
 
+_WORD = 2**63
+
 Factors = Mapping[int, int] | Iterable[int]
 
 
@@ -71,6 +73,8 @@ def factorise(n: int, known: Factors | None = None) -> dict[int, int]:
     is left is too hard.
     """
     n = abs(n)
+    if known is None and n < _WORD:
+        return {int(p): e for p, e in flint.fmpz(n).factor()}
     found: dict[int, int] = {}
     for given in known or ():
         p = int(given)
@@ -86,23 +90,38 @@ def factorise(n: int, known: Factors | None = None) -> dict[int, int]:
 
 
 def _factor(n: int) -> dict[int, int]:
-    """Factor n > 1 without help."""
-    number = flint.fmpz(n)
-    if n.bit_length() <= HARD_BITS or number.is_probable_prime():
-        return {int(p): int(e) for p, e in number.factor()}
+    """Factor n > 1 without help.
+
+    Beyond a machine word the exponents are counted here: flint 3 loses some when a large prime comes
+    twice.
+    """
+    if n < _WORD:
+        return {int(p): int(e) for p, e in flint.fmpz(n).factor()}
     found: dict[int, int] = {}
-    for part, e in number.factor_smooth(48):
+    while n > 1:
+        for p in _prime_divisors(flint.fmpz(n)):
+            v, n = remove(n, p)
+            found[p] = found.get(p, 0) + v
+    return found
+
+
+def _prime_divisors(number: Any) -> list[int]:
+    """Return some primes that divide a number, at least one."""
+    if int(number).bit_length() <= HARD_BITS or number.is_probable_prime():
+        return [int(p) for p, _ in number.factor()]
+    primes: list[int] = []
+    bits = int(number).bit_length()
+    for part, _ in number.factor_smooth(48 if bits < 512 else 32 if bits < 1500 else 24):
         if part.is_probable_prime():
-            found[int(part)] = int(e)
+            primes.append(int(part))
         elif int(part).bit_length() <= HARD_BITS:
-            for p, f in part.factor():
-                found[int(p)] = found.get(int(p), 0) + int(e) * int(f)
+            primes += [int(p) for p, _ in part.factor()]
         else:
             raise UndecidedError(
                 f"{shorten(int(part))} has {len(str(int(part)))} digits, is composite and has no small "
                 "factor: give its primes with factors="
             )
-    return found
+    return sorted(set(primes))
 
 
 def squarefree(n: int, known: Factors | None = None) -> tuple[int, int, list[int]]:

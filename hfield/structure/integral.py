@@ -14,6 +14,7 @@ from hfield.structure.forms import discriminant
 from hfield.structure.integers import factorise, fraction
 
 Decide = Callable[[Ring, Constants], ZeroNorm]
+MAX_TERMS = 40
 POINTS = (1, 2, -1, 3, 0, -2, 5, -3)
 
 
@@ -169,6 +170,8 @@ def _roots(ring: PolynomialRing, c: Constants) -> ZeroNorm | None:
 
 def _monomials(ring: PolynomialRing, c: Constants) -> ZeroNorm | None:
     """Search among the elements with coordinates 0, ±1 and ± a variable."""
+    if sum(len(x) for x in c) > MAX_TERMS:
+        return None
     gens = [ring(v) for v in ring.variables][:3]
     values = [
         ring.zero,

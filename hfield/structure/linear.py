@@ -94,27 +94,6 @@ def _integer_kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
     return [[ring(x) for x in v] for v in basis]
 
 
-def inverse(ring: Ring, matrix: list[Row]) -> list[Row] | None:
-    """Return the inverse of a square matrix over a field, or None for a singular one."""
-    n = len(matrix)
-    rows = [
-        [*row, *(ring.one if i == j else ring.zero for j in range(n))]
-        for i, row in enumerate(matrix)
-    ]
-    for column in range(n):
-        pivot = next((i for i in range(column, n) if not ring.is_zero(rows[i][column])), None)
-        if pivot is None:
-            return None
-        rows[column], rows[pivot] = rows[pivot], rows[column]
-        scale = ring.inverse(rows[column][column])
-        rows[column] = [scale * x for x in rows[column]]
-        for i in range(n):
-            factor = rows[i][column]
-            if i != column and not ring.is_zero(factor):
-                rows[i] = [x - factor * y for x, y in zip(rows[i], rows[column], strict=True)]
-    return [row[n:] for row in rows]
-
-
 def apply(matrix: list[Row], v: Row) -> Row:
     """Return matrix·v."""
     return [

@@ -35,7 +35,7 @@ def rational_constants(c: Constants) -> Constants:
 
 @dataclass(frozen=True)
 class Order:
-    """An order: the integer combinations of ``basis``, four rational vectors in coordinates over e, i, j, k."""
+    """An order: the integer combinations of ``basis``, rational vectors over e, i, j, k."""
 
     constants: Constants
     basis: tuple[Vector, Vector, Vector, Vector]
@@ -93,7 +93,10 @@ class Order:
 
 
 def lipschitz_order(c: Constants) -> Order:
-    """Return the integer combinations of e, i, j, k. Raises :class:`CoercionError` unless a, t, b are integers."""
+    """Return the integer combinations of e, i, j, k.
+
+    Raises :class:`CoercionError` unless a, t and b are integers.
+    """
     constants = rational_constants(c)
     if any(x.denominator != 1 for x in constants):
         raise CoercionError(

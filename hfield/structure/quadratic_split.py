@@ -13,7 +13,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
+from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, multiply
+from hfield.structure.integers import squarefree
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic import Pair
 
@@ -44,9 +46,43 @@ class Quad:
 
 
 def zero_divisor_quadratic(d: int, a: Pair, b: Pair) -> tuple[Pair, Pair, Pair, Pair]:
-    """Return a nonzero element of norm 0 of ``(a, b | ℚ(√d))``, which must ramify nowhere."""
-    w, x, y, z = _search(d, Quad(*a, d), Quad(*b, d))
-    return (w.u, w.v), (x.u, x.v), (y.u, y.v), (z.u, z.v)
+    """Return a nonzero element of norm 0 of ``(a, b | ℚ(√d))``, which must ramify nowhere.
+
+    The presentations by two of i, j, k are tried in turn, rational squares removed. Raises
+    :class:`UndecidedError` when a number came up in each that is too hard to factor.
+    """
+    first, second = Quad(*a, d), Quad(*b, d)
+    zero, one = _number(0, d), _number(1, d)
+    # the squares of two generators, and what they and their product are over i, j, k
+    i, j, k = ((one, zero, zero), (zero, one, zero), (zero, zero, one))
+    presentations = [
+        (first, second, (i, j, k)),
+        (first, -(first * second), (i, k, (zero, first, zero))),
+        (second, -(first * second), (j, k, (-second, zero, zero))),
+    ]
+    for attempt, (p, q, units) in enumerate(presentations):
+        r, s = _square_content(p), _square_content(q)
+        try:
+            w, *vector = _search(d, _number(1 / r**2, d) * p, _number(1 / s**2, d) * q)
+        except UndecidedError:
+            if attempt == 2:
+                raise
+            continue
+        scales = (1 / r, 1 / s, 1 / (r * s))
+        terms = [
+            tuple(_number(scale, d) * x * u for u in unit)
+            for scale, x, unit in zip(scales, vector, units, strict=True)
+        ]
+        x, y, z = (column[0] + column[1] + column[2] for column in zip(*terms, strict=True))
+        return (w.u, w.v), (x.u, x.v), (y.u, y.v), (z.u, z.v)
+    raise AssertionError("the last attempt returned or raised")
+
+
+def _square_content(x: Quad) -> Fraction:
+    """Return the greatest rational r for which x/r² is integral in ℤ + ℤ√d."""
+    bottom = math.lcm(x.u.denominator, x.v.denominator)
+    whole = math.gcd(int(x.u * bottom * bottom), int(x.v * bottom * bottom))
+    return Fraction(squarefree(whole)[1], bottom)
 
 
 def _search(d: int, a: Quad, b: Quad) -> Coordinates:

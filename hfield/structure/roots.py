@@ -7,12 +7,12 @@ from typing import Any
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring
-from hfield.structure.centre import basis_of
+from hfield.structure.commutators import basis_of
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.integers import fraction
-from hfield.structure.isomorphism import is_isomorphic, isomorphism
+from hfield.structure.isomorphic import is_isomorphic, isomorphism
 from hfield.structure.qforms import isotropic_vector
-from hfield.structure.split import split
+from hfield.structure.splitting import split
 from hfield.structure.zero import zero_norm
 
 TRIALS = 200

@@ -26,6 +26,7 @@ def test_verdicts_agree_with_all_cases(seed):
             assert p == 0 or decision.verdict != "undecided", statement
             if decision.verdict == "undecided" or (p == 3 and cases(statement) > 8):
                 continue
+            assert decision.evidence is not None, statement
             positive = decision.verdict in POSITIVE
             if p:
                 assert positive == holds_everywhere(statement, p), (statement, field)

@@ -201,3 +201,33 @@ def test_given_hypotheses_are_put_in_front():
     assert decide("q*p == e", given=["p*q == e"]).verdict == "proved"
     assert decide("p == 0 or q == 0", "QQ", given=["p*q == 0"]).verdict == "proved"
     assert decide("exists r: q*r == e", "GF(5)", given=["norm(q) != 0"]).verdict == "proved"
+
+
+def test_existence_in_other_algebras():
+    assert decide("exists q: q**2 == a", algebra="(a,b|F)").verdict == "proved"
+    assert decide("exists q: q != 0 and norm(q) == 0", algebra="(a,b|F)").verdict == "refuted"
+    assert (
+        decide("exists q: q != 0 and norm(q) == 0", "GF(3)", algebra="(a,b|F)").verdict == "proved"
+    )
+    assert decide("exists q: q*p == a", "QQ", algebra="(a,b|F)").verdict == "refuted"
+    assert decide("exists r: r*q == e or norm(q) == 0", "GF(2)(t)").verdict == "proved"
+    over_ring = decide("exists u: k == 0 and t != scalar(i)", "QQ[x,y]", algebra="[a,b,t|F)")
+    assert over_ring.verdict in ("refuted", "undecided")
+
+
+def test_what_exists_may_depend_on_nothing_that_is_given():
+    decision = decide("exists q: comm(p, p) == 0 and trace(q) == 9", "QQ")
+    assert decision.verdict == "proved"
+    assert decide("exists q: q*p == p*q and q != 0", None).verdict == "proved"
+    assert decide("exists p: p[1] == norm(q)").verdict == "proved"
+    assert decide("exists q: q*q == p", "GF(3)").verdict == "refuted"
+    assert decide("exists s: s*s == y", "GF(4)").verdict == "proved"
+    assert decide("exists s: s*s == y", "QQ").verdict == "refuted"
+
+
+@pytest.mark.parametrize("algebra", ["(-1/2,-3|F)", "(a/2,-3|F)"])
+def test_no_counterexample_in_a_field_without_the_constants(algebra):
+    """1/2 does not exist in characteristic 2, so GF(2) refutes nothing here; in (a,-3|F) it does."""
+    assert decide("2*q != 0 or q == 0", algebra=algebra).verdict == "undecided"
+    assert decide("2*q != 0 or q == 0", algebra="(a,-3|F)").witness["F"] == ["GF(2)"]
+    assert decide("norm(q) == 0 => q == 0", algebra=algebra).witness["F"] != ["GF(2)"]

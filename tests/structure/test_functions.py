@@ -10,7 +10,7 @@ from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.bundle import RamifiedError, solve_conic_functions
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.functionfield import ramified_places_functions
-from hfield.structure.places import place, ramified_places, reduced_discriminant
+from hfield.structure.ramification import place, ramified_places, reduced_discriminant
 from hfield.structure.residue import ResidueField
 
 
@@ -103,8 +103,11 @@ def test_public_symbol():
         hilbert_symbol(F(2), F.gen, "t^2+1")
     with pytest.raises(RingError, match="nonzero"):
         hilbert_symbol(F(0), F.gen, "t")
-    with pytest.raises(RingError, match="characteristic 2"):
-        hilbert_symbol(ring("GF(2)(t)").gen, 1, "t")
+    K = ring("GF(2)(t)")
+    assert hilbert_symbol(K.one, K.gen, "t") == hilbert_symbol(K.one, K.gen, "inf") == -1
+    assert hilbert_symbol(K.zero, K.gen, "t") == hilbert_symbol(K.gen, K.gen, "t") == 1
+    with pytest.raises(RingError, match="nonzero"):
+        hilbert_symbol(K.gen, K.zero, "t")
     with pytest.raises(UndecidedError, match="not local fields"):
         hilbert_symbol(ring("QQ(x)").gen, 1, "x")
 

@@ -112,3 +112,12 @@ def test_arguments_that_are_none():
         hilbert_symbol_q(0, 3, 5)
     with pytest.raises(CoercionError, match="rational"):
         hilbert_symbol_q(0.5, 3, 5)
+
+
+def test_factorisations_multiply_out():
+    awkward = [9973635480343987958685905367476122579200, 9503871113452443690581764571495410503624]
+    p = 2**89 - 1
+    for n in (*awkward, awkward[0] * awkward[1] * p * p, 2**300 * 3**5, 360360**12, p**3):
+        found = factorise(n)
+        assert math.prod(q**e for q, e in found.items()) == n
+        assert factorise(-n, [2, p]) == found

@@ -8,8 +8,8 @@ from hfield.product import Constants, multiply, norm
 from hfield.rings import ring
 from hfield.structure.evidence import ZeroNorm
 from hfield.structure.forms import discriminant
-from hfield.structure.isomorphism import is_isomorphic, isomorphism, same_parent
-from hfield.structure.split import Splitting, division_or_splitting, product, split
+from hfield.structure.isomorphic import is_isomorphic, isomorphism, same_parent
+from hfield.structure.splitting import Splitting, division_or_splitting, product, split
 
 SPLIT = [
     ("QQ", 1, 0, 7),

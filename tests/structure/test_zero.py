@@ -165,7 +165,7 @@ def test_centres_agree_with_gap():
 )
 def test_the_centre_commutes_and_is_a_basis(name, a, t, b, size):
     from hfield.product import multiply
-    from hfield.structure.centre import basis_of
+    from hfield.structure.commutators import basis_of
 
     R, c = ring(name), constants(name, a, t, b)
     basis = centre(R, c)
@@ -180,3 +180,28 @@ def test_the_centre_commutes_and_is_a_basis(name, a, t, b, size):
 def test_a_centre_that_is_not_free():
     with pytest.raises(UndecidedError, match="basis"):
         centre(ring("ZZ/4"), constants("ZZ/4", -1, 0, -1))
+
+
+def test_division_without_factoring():
+    hard = (2**521 - 1) * (2**607 - 1)  # nobody factors this product here
+    F = ring("QQ")
+    for a, b in ((-hard, -hard), (3, -hard), (hard**2, 5)):
+        c = constants("QQ", a, 0, b)
+        answer = zero_norm(F, c)
+        assert is_division(F, c) == (answer.element is None)
+    undecided = constants("QQ", hard, 0, 4 - 9 * hard)  # split, for 9a + b = 2²
+    with pytest.raises(UndecidedError, match="factors="):
+        zero_norm(F, undecided)
+
+
+def test_a_split_quadratic_algebra_is_no_division_algebra_even_if_no_zero_divisor_is_found():
+    name = "QQ(sqrt(-14))"
+    c = constants(name, "-150-182*sqrt(-14)", 0, "19+183*sqrt(-14)")
+    F = ring(name)
+    assert not is_division(F, c)
+    try:
+        element = zero_norm(F, c).element
+    except UndecidedError as error:
+        assert "ramified nowhere" in str(error)  # noqa: PT017
+    else:
+        assert element is not None

@@ -4,24 +4,28 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import MixedParentsError, UndecidedError
-from hfield.product import Constants, Coordinates, multiply
+from hfield.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.rings.base import Ring
-from hfield.structure.centre import basis_of
+from hfield.structure.commutators import basis_of
 from hfield.structure.compare import same_class
 from hfield.structure.embed import embed_generator
-from hfield.structure.forms import discriminant, normal_form
-from hfield.structure.linear import Row, apply, inverse
-from hfield.structure.split import division_or_splitting, from_zero_divisor
+from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
+from hfield.structure.linear import apply
+from hfield.structure.splitting import division_or_splitting, from_zero_divisor
 from hfield.structure.zero import is_division, zero_norm
 
 
 @dataclass(frozen=True)
 class Isomorphism:
-    """An isomorphism of algebras over one field: ``images`` of e, i, j, k, in coordinates."""
+    """An isomorphism of the algebra with constants ``source`` onto the one with constants ``target``.
+
+    ``images`` are those of e, i, j, k, as coordinates.
+    """
 
     ring: Ring
+    source: Constants
+    target: Constants
     images: tuple[Coordinates, Coordinates, Coordinates, Coordinates]
-    inverse_rows: list[Row]
 
     def __call__(self, q: Coordinates) -> Coordinates:
         """Return the coordinates of the image of q."""
@@ -30,16 +34,26 @@ class Isomorphism:
 
     def inverse(self, q: Coordinates) -> Coordinates:
         """Return the coordinates of the element whose image is q."""
-        w, x, y, z = apply(self.inverse_rows, list(q))
-        return w, x, y, z
+        if self.images == basis_of(self.ring):
+            return q
+        pairings = [_pairing(self.target, q, image) for image in self.images]
+        return from_pairings(self.ring, self.source, pairings)
+
+
+def _pairing(c: Constants, p: Coordinates, q: Coordinates) -> Any:
+    return trace(c, multiply(c, p, conjugate(c, q)))
 
 
 def verified(
     ring: Ring, c: Constants, target: Constants, i: Coordinates, j: Coordinates
 ) -> Isomorphism:
-    """Return the isomorphism that sends i and j to the given elements, after checking the relations."""
+    """Return the isomorphism that sends i and j to the given elements, after checking it.
+
+    Checked are the relations, and independence: ``tr(p·conj(q))`` is as in the source on e, i, j, k.
+    """
     e = basis_of(ring)[0]
     k = multiply(target, i, j)
+    images = (e, i, j, k)
 
     def equal(p: Coordinates, *terms: tuple[Any, Coordinates]) -> bool:
         return all(
@@ -47,15 +61,19 @@ def verified(
             for n in range(4)
         )
 
-    back = inverse(ring, [list(row) for row in zip(e, i, j, k, strict=True)])
-    if (
-        back is None
-        or not equal(multiply(target, i, i), (c.a, e), (c.t, i))
-        or not equal(multiply(target, j, j), (c.b, e))
-        or not equal(multiply(target, j, i), (c.t, j), (ring.zero - ring.one, k))
+    gram = pairing_matrix(ring, c)
+    if not (
+        equal(multiply(target, i, i), (c.a, e), (c.t, i))
+        and equal(multiply(target, j, j), (c.b, e))
+        and equal(multiply(target, j, i), (c.t, j), (ring.zero - ring.one, k))
+        and all(
+            ring.equal(_pairing(target, p, q), gram[r][s])
+            for r, p in enumerate(images)
+            for s, q in enumerate(images)
+        )
     ):
         raise AssertionError("the map found is not an isomorphism")
-    return Isomorphism(ring, (e, i, j, k), back)
+    return Isomorphism(ring, c, target, images)
 
 
 def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:

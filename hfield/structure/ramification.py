@@ -26,11 +26,12 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     """Return the Hilbert symbol ``(a, b)`` at a place: 1 if ``(a, b | F)`` splits there, else −1.
 
     Over ℚ, a and b are nonzero ints, Fractions or elements of QQ, and the place is a prime or
-    ``"inf"``. Over a quadratic field or a field of rational functions (not of characteristic 2) they
-    are its elements, and the place is one of the field's or its text. ``factors`` may name primes
-    of the norms of a and b, which a quadratic field needs at a lone place above 2.
+    ``"inf"``. Over a quadratic field or GF(q)(t) they are its elements, and the place is one of the
+    field's or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0. ``factors``
+    may name primes of the norms of a and b, which a quadratic field needs at a lone place above 2.
 
-    Raises :class:`RingError` for a 0, for a place that is none, and in characteristic 2.
+    Raises :class:`RingError` for a 0 and for a place that is none, and :class:`UndecidedError` over
+    QQ(x), whose completions are not local fields.
 
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
@@ -60,11 +61,8 @@ def _field_of(a: Any, b: Any, place: Any) -> Ring | None:
 
 
 def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
-    if field.characteristic == 2:
-        raise RingError(
-            "in characteristic 2 the symbol is that of [a,b|F): ask the algebra for its ramified places"
-        )
-    if field.is_zero(a) or field.is_zero(b):
+    even = field.characteristic == 2
+    if field.is_zero(b) or (field.is_zero(a) and not even):
         raise RingError(
             "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
         )
@@ -73,7 +71,7 @@ def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
         raise UndecidedError(
             f"the completions of {field} are not local fields: the residue alone does not decide there"
         )
-    form = normal_form(field, Constants(a, field.zero, b))
+    form = normal_form(field, Constants(a, field.one if even else field.zero, b))
     return functionfield.symbol(field, form, v)
 
 

@@ -11,10 +11,9 @@ from typing import Any
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.base import Ring
-from hfield.structure.centre import basis_of
+from hfield.structure.commutators import basis_of
 from hfield.structure.evidence import ZeroNorm
-from hfield.structure.forms import discriminant
-from hfield.structure.linear import Row, apply, inverse
+from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
 from hfield.structure.zero import zero_norm
 
 Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
@@ -28,9 +27,9 @@ class Splitting:
     """
 
     ring: Ring
+    constants: Constants
     images: tuple[Matrix, Matrix, Matrix, Matrix]
     zero_divisor: Coordinates
-    inverse_rows: list[Row]
 
     @property
     def i(self) -> Matrix:
@@ -63,8 +62,9 @@ class Splitting:
         """
         if len(matrix) != 2 or any(len(row) != 2 for row in matrix):
             raise CoercionError("expected a 2 × 2 matrix, two rows of two entries")
-        w, x, y, z = apply(self.inverse_rows, [self.ring(x) for row in matrix for x in row])
-        return w, x, y, z
+        (a, b), (d, e) = ([self.ring(x) for x in row] for row in matrix)
+        pairings = [_pairing(((a, b), (d, e)), image) for image in self.images]
+        return from_pairings(self.ring, self.constants, pairings)
 
 
 def split(ring: Ring, c: Constants) -> Splitting | None:
@@ -85,8 +85,35 @@ def division_or_splitting(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
         raise CoercionError(
             "a degenerate algebra, (t² + 4a)·b = 0, is not simple, hence neither split nor a division algebra"
         )
+    return _from_square_root(ring, c) or _from_search(ring, c)
+
+
+def _from_search(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
     answer = zero_norm(ring, c)
     return answer if answer.element is None else from_zero_divisor(ring, c, answer.element)
+
+
+def _from_square_root(ring: Ring, c: Constants) -> Splitting | None:
+    """Use a root r of a (or b) in the normal form: i ↦ diag(r, −r), j ↦ ((0, b), (1, 0))."""
+    form = normal_form(ring, c)
+    if form.kind != "symbol":
+        return None
+    o, e = ring.zero, ring.one
+    for swapped, (a, b) in enumerate((form.constants, form.constants[::-1])):
+        try:
+            r = ring.sqrt(a)
+        except UndecidedError:
+            continue
+        if r is not None:
+            diagonal, other = ((r, o), (o, o - r)), ((o, b), (e, o))
+            i, j = (other, diagonal) if swapped else (diagonal, other)
+            q = form.back((r, o, e, o) if swapped else (r, e, o, o))
+            half = (
+                o if ring.is_zero(c.t) else ring.divide(c.t, ring(2))
+            )  # i is the normal one plus t/2
+            i = ((i[0][0] + half, i[0][1]), (i[1][0], i[1][1] + half))
+            return _checked(ring, c, q, (((e, o), (o, e)), i, j, product(i, j)))
+    return None
 
 
 def from_zero_divisor(ring: Ring, c: Constants, q: Coordinates) -> Splitting:
@@ -123,11 +150,29 @@ def _verified(
         (a, d), (e, f) = in_basis(multiply(c, b, u)), in_basis(multiply(c, b, v))
         matrices.append(((a, e), (d, f)))
     one, i, j, k = matrices
-    columns = [[m[0][0], m[0][1], m[1][0], m[1][1]] for m in matrices]
-    rows_of_inverse = inverse(ring, [list(row) for row in zip(*columns, strict=True)])
-    if rows_of_inverse is None or not _relations(ring, c, one, i, j, k):
+    return _checked(ring, c, q, (one, i, j, k))
+
+
+def _checked(
+    ring: Ring, c: Constants, q: Coordinates, images: tuple[Matrix, Matrix, Matrix, Matrix]
+) -> Splitting:
+    """Check the relations, and that tr(m·adj(n)) is as in the algebra, which makes the images independent."""
+    gram = pairing_matrix(ring, c)
+    independent = all(
+        ring.equal(_pairing(m, n), gram[r][s])
+        for r, m in enumerate(images)
+        for s, n in enumerate(images)
+    )
+    if not independent or not _relations(ring, c, *images):
         raise AssertionError("the action on the ideal is not an isomorphism")
-    return Splitting(ring, (one, i, j, k), q, rows_of_inverse)
+    return Splitting(ring, c, images, q)
+
+
+def _pairing(m: Matrix, n: Matrix) -> Any:
+    """Return the trace of m times the adjugate of n: tr(p·conj(q)) for the elements behind them."""
+    (a, b), (c, d) = m
+    (p, q), (r, s) = n
+    return a * s - b * r - c * q + d * p
 
 
 def product(m: Matrix, n: Matrix) -> Matrix:

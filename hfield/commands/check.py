@@ -1,0 +1,127 @@
+"""``hfield check``: re-check certificates, and say what each of them establishes."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from hfield.certificates.check import MAX_BYTES, Established, Pin, check_text
+from hfield.certificates.rejection import Rejected
+from hfield.commands.output import open_output
+from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.errors import HFieldError, shorten
+
+HELP = (
+    "Check certificates by a program that shares nothing with the prover, and say what each one "
+    "establishes. With --claim or --statement a certificate of anything else is rejected; a statement "
+    "without --field is one about all fields. Exit status: 0 all accepted, 1 some rejected, 2 bad "
+    "usage or a file that cannot be read."
+)
+UNIVERSAL = ("universal", "-")
+
+
+class UnreadableError(HFieldError, OSError):
+    """A file that cannot be read."""
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("files", nargs="+", metavar="FILE", help="certificates, hfield-cert/1")
+    parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
+    parser.add_argument("--statement", metavar="S", help="they must be of this statement")
+    parser.add_argument("--field", metavar="F", help="over this field (or `universal`)")
+    parser.add_argument("--algebra", metavar="A", help="in this algebra (default: H)")
+    add_format(parser, "plain", "json")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Check every file, report, and return the exit status."""
+    pin = _pin(args)
+    outcomes = [(name, _check(name, pin)) for name in args.files]
+    with open_output(args.output) as out:
+        if args.format == "json":
+            results = [_json(name, outcome) for name, outcome in outcomes]
+            out.write_json({"schema": "hfield-check/1", "results": results})
+        else:
+            out.write("\n".join(f"{name}: {_told(outcome)}" for name, outcome in outcomes))
+    if any(isinstance(outcome, UnreadableError) for _, outcome in outcomes):
+        return 2
+    return int(any(isinstance(outcome, Rejected) for _, outcome in outcomes))
+
+
+Outcome = Established | Rejected | UnreadableError
+
+
+def _check(name: str, pin: Pin | None) -> Outcome:
+    try:
+        return check_text(_read(name), pin)
+    except (Rejected, UnreadableError) as error:
+        return error
+
+
+def _read(name: str) -> str:
+    try:
+        with Path(name).open("rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise UnreadableError(f"cannot read {shorten(name)!r}: {reason}") from error
+    if len(content) > MAX_BYTES:
+        raise Rejected(f"the file is larger than {MAX_BYTES} bytes")
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError:
+        raise Rejected("the file is not text in UTF-8") from None
+
+
+def _pin(args: Namespace) -> Pin | None:
+    """Return what the certificates have to be about. Raises :class:`HFieldError` for bad usage."""
+    if args.claim is not None and (args.statement is not None or args.algebra is not None):
+        raise UsageError("--claim names the statement and the algebra; give one or the other")
+    everywhere = args.field is not None and args.field.strip().lower() in UNIVERSAL
+    if args.claim is not None:
+        from hfield.ledger.registry import find
+        from hfield.rings import ring
+
+        claim = find(args.claim)
+        propositions = [p for p in (claim.as_printed, claim.corrected) if p is not None]
+        if not propositions:
+            raise UsageError(f"{claim.id} is no claim that a program can check: {claim.note}")
+        field = None if args.field is None or everywhere else ring(args.field).name
+        statements = tuple(p.statement for p in propositions)
+        return Pin(statements, field, any_field=args.field is None)
+    if args.statement is None:
+        if args.field is not None or args.algebra is not None:
+            raise UsageError("--field and --algebra go with --statement, or --field with --claim")
+        return None
+    from hfield.proving.setting import read_setting
+
+    setting = read_setting(None if everywhere else args.field, args.algebra)
+    name = None if setting.field is None else setting.field.name
+    try:
+        return Pin((args.statement,), name, setting.algebra).readable()
+    except Rejected as error:
+        raise UsageError(f"--statement: {error}") from None
+
+
+def _told(outcome: Outcome) -> str:
+    if isinstance(outcome, Established):
+        return str(outcome)
+    word = "rejected: " if isinstance(outcome, Rejected) else ""
+    return word + " ".join(str(outcome).split())
+
+
+def _json(name: str, outcome: Outcome) -> dict[str, object]:
+    if not isinstance(outcome, Established):
+        return {"file": name, "accepted": False, "reason": str(outcome)}
+    return {
+        "file": name,
+        "accepted": True,
+        "statement": outcome.statement,
+        "algebra": outcome.algebra,
+        "field": outcome.field,
+        "verdict": outcome.verdict,
+        "scope": outcome.scope,
+        "assumes": list(outcome.assumes),
+    }

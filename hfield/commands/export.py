@@ -1,0 +1,66 @@
+"""``hfield export``: what is proved for all fields, as a file for the proof assistant Coq."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from hfield.commands.output import note, open_output
+from hfield.commands.parser import UsageError
+
+HELP = (
+    "Write a file for Coq with what is proved for all fields: the theorems of the ledger, and "
+    "statements of your own. Coq itself is not needed; `coqc FILE` checks the file. Exit status: "
+    "0 all that was named is in the file, 1 something is not, 2 bad usage."
+)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("--coq", metavar="FILE", help="the file to write, - for the terminal")
+    parser.add_argument(
+        "--statement",
+        action="append",
+        default=[],
+        metavar="S",
+        help="add a statement, if it is proved for all fields; may be repeated",
+    )
+    parser.add_argument(
+        "--algebra", metavar="A", help="the algebra of the statements, such as '(a,b|F)'"
+    )
+    parser.add_argument(
+        "--claim",
+        action="append",
+        default=[],
+        metavar="ID",
+        help="only this claim of the ledger, by id or name; may be repeated",
+    )
+
+
+def run(args: Namespace) -> int:
+    """Write the file, tell how many theorems it has and what was left out."""
+    from hfield.coq.export import export_statements
+    from hfield.coq.ledger import export_ledger
+    from hfield.ledger.registry import find
+
+    if not args.coq:
+        raise UsageError("expected --coq FILE, the file to write")
+    if args.algebra is not None and not args.statement:
+        raise UsageError("--algebra is about statements: add --statement S")
+    chosen = list(dict.fromkeys(find(name) for name in args.claim))
+    with open_output(args.coq) as out:
+        own = export_statements(args.statement, args.algebra)
+        whole = export_ledger(chosen) + own
+        out.write(whole.text)
+    named = own.left if not chosen else whole.left
+    for left in whole.left:
+        note(f"not exported: {left.name}, {left.text}: {left.reason}")
+    found, kept = len(whole.theorems), len(whole.names) - len(whole.theorems)
+    summary = (
+        f"{found} theorem{'s' * (found != 1)} exported and {kept} proved by hand, "
+        f"{len(whole.left)} not exported"
+    )
+    if args.coq == "-":
+        note(summary)
+    else:
+        print(f"{args.coq}: {summary}")
+    return int(bool(named))

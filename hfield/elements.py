@@ -1,0 +1,199 @@
+"""What an element is: the methods of :class:`hfield.Quaternion` that hand over to ``structure``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product as tuples
+from typing import Any, Generic, NamedTuple, TypeVar
+
+from hfield import product, structure
+from hfield.errors import CoercionError, MixedParentsError, shorten
+from hfield.product import Coordinates
+
+Q = TypeVar("Q")
+
+
+class Conjugacy(NamedTuple):
+    """Whether ``x·p·x⁻¹ = q`` is solvable: ``element`` is such an x or None, ``reason`` says why."""
+
+    element: Any
+    reason: str
+
+    def __bool__(self) -> bool:
+        """Tell whether there is one."""
+        return self.element is not None
+
+
+class SquareRoots(Generic[Q]):
+    """The square roots of ``element``: ``x in roots`` asks, iteration lists those that are known.
+
+    All are listed when they are finitely many. Over an infinite field a scalar may have a whole
+    quadric of roots, the elements of trace 0 and norm −s: then ``is_finite`` is False and of these
+    only one and its negative are listed.
+    """
+
+    def __init__(self, element: Any, found: Any) -> None:
+        A = element.algebra
+        self.element = element
+        self.isolated: tuple[Q, ...] = tuple(A(*x) for x in found.isolated)
+        self.quadric: Q | None = None if found.quadric is None else A(*found.quadric)
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether there are finitely many, and iteration lists all of them."""
+        return self.quadric is None or self.element.ring.order is not None
+
+    def __bool__(self) -> bool:
+        return bool(self.isolated) or self.quadric is not None
+
+    def __contains__(self, x: Any) -> bool:
+        return bool(x * x == self.element)
+
+    def __iter__(self) -> Iterator[Q]:
+        yield from self.isolated
+        if self.quadric is None:
+            return
+        if self.is_finite:
+            yield from self._quadric()
+        else:
+            root: Any = self.quadric
+            yield root
+            if root != -root:
+                yield -root
+
+    def _quadric(self) -> Iterator[Q]:
+        """Run through the elements of trace 0 and norm −s over a finite field."""
+        A, s = self.element.algebra, self.element.scalar_part
+        F, c = A.ring, A.constants
+        scalars = list(F.elements())
+        for x, y, z in tuples(scalars, repeat=3):
+            # trace 0 is 2w = −t·x: one w where 2 ≠ 0, else t·x = 0 and any w
+            if F.characteristic != 2:
+                choices = [F.divide(F.zero - c.t * x, F(2))]
+            else:
+                choices = scalars if F.is_zero(c.t * x) else []
+            for w in choices:
+                q = (w, x, y, z)
+                if F.is_zero(product.norm(c, q) + s) and A(*q) not in self.isolated:
+                    yield A(*q)
+
+    def __len__(self) -> int:
+        """Return how many there are. Raises OverflowError when they are infinitely many."""
+        if not self.is_finite:
+            raise OverflowError(f"{self.element} has infinitely many square roots")
+        return sum(1 for _ in self)
+
+    def __repr__(self) -> str:
+        shown = ", ".join(str(x) for _, x in zip(range(6), self, strict=False))
+        more = "" if self.is_finite else ", … (all elements of trace 0 and this norm)"
+        return f"SquareRoots({shown}{more})"
+
+
+class ElementFacts:
+    """The part of a single quaternion's methods that answer what it is. The shape is always ()."""
+
+    __slots__ = ()
+
+    algebra: Any
+    coordinates: Coordinates
+
+    def _single(self) -> tuple[Any, product.Constants, Coordinates]:
+        """Return the arguments that functions of ``structure`` take."""
+        if hasattr(self.coordinates[0], "dtype") and hasattr(self.coordinates[0], "ndim"):
+            raise CoercionError(
+                "this is asked of a single quaternion, not of an array: take one, q[n], or loop"
+            )
+        return self.algebra.ring, self.algebra.constants, self.coordinates
+
+    # --- units and zero divisors ---------------------------------------------------------------
+
+    def is_unit(self) -> bool:
+        """Tell whether q has an inverse: its norm is a unit of the base ring."""
+        return structure.is_unit(*self._single())
+
+    def is_zero_divisor(self) -> bool:
+        """Tell whether q·y = 0 for some y ≠ 0. By this definition 0 is a zero divisor."""
+        ring, c, q = self._single()
+        return ring.annihilator(product.norm(c, q)) is not None
+
+    def annihilator(self) -> Any:
+        """Return some nonzero y with ``q·y = 0``, or None if q is not a zero divisor.
+
+        q is one exactly when its norm is 0 or a zero divisor of the base ring: then ``conj(q)``
+        times an annihilator of the norm serves, and where that vanishes, an annihilator of all of
+        the coordinates of ``conj(q)``.
+        """
+        ring, c, q = self._single()
+        s = ring.annihilator(product.norm(c, q))
+        if s is None:
+            return None
+        y = self.algebra(*(s * x for x in product.conjugate(c, q)))
+        # If s·conj(q) = 0, then s·q = 0: the scalar s itself annihilates q.
+        return self.algebra.scalar(s) if y.is_zero() else y
+
+    def order(self) -> int | None:
+        """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
+
+        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is
+        not known (over RR and CC only orders up to 120 are recognised).
+        """
+        return structure.multiplicative_order(*self._single())
+
+    # --- polynomials and equations -------------------------------------------------------------
+
+    def minimal_polynomial(self) -> tuple[Any, ...]:
+        """Return the coefficients, low degree first, monic: ``(−w, 1)`` or ``(N(q), −tr(q), 1)``."""
+        ring, _, q = self._single()
+        if all(ring.is_zero(x) for x in q[1:]):
+            return (-q[0], ring.one)
+        return self.characteristic_polynomial()
+
+    def characteristic_polynomial(self) -> tuple[Any, Any, Any]:
+        """Return the reduced one, ``x² − tr(q)·x + N(q)``: its coefficients, low degree first."""
+        return structure.characteristic_polynomial(*self._single())
+
+    def is_nilpotent(self) -> bool:
+        """Tell whether some power of q is 0."""
+        return structure.is_nilpotent(*self._single())
+
+    def is_idempotent(self) -> bool:
+        """Tell whether ``q² = q``."""
+        return structure.is_idempotent(*self._single())
+
+    def square_roots(self) -> SquareRoots[Any]:
+        """Return the x with ``x² = q``, verified by squaring. The base ring must be a field.
+
+        Raises :class:`UndecidedError` where square roots of the base ring, or whether an element of
+        given trace and norm exists, are not decided.
+
+        >>> from hfield import H
+        >>> list(H("QQ").parse("2*i").square_roots())
+        [1 + i, −1 − i]
+        """
+        return SquareRoots(self, structure.square_roots(*self._single()))
+
+    def conjugacy(self, other: Any) -> Conjugacy:
+        """Return x with ``x·q·x⁻¹ = other``, or the reason why there is none, as evidence.
+
+        Raises :class:`MixedParentsError` for elements of two algebras, and :class:`UndecidedError`
+        over a ring that is not a field.
+        """
+        ring, c, q = self._single()
+        if not isinstance(other, ElementFacts):
+            other = self.algebra(other)
+        if other.algebra != self.algebra:
+            raise MixedParentsError(
+                f"{shorten(self)} is an element of {self.algebra} and {shorten(other)} one of "
+                f"{other.algebra}: only elements of one algebra can be conjugate"
+            )
+        found = structure.conjugator(ring, c, q, other._single()[2])
+        x = None if found.element is None else self.algebra(*found.element)
+        return Conjugacy(x, found.reason)
+
+    def conjugator(self, other: Any) -> Any:
+        """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` tells why.
+
+        In a central simple algebra there is one exactly when both have the same minimal polynomial
+        (Skolem and Noether).
+        """
+        return self.conjugacy(other).element

@@ -1,0 +1,80 @@
+"""From one base ring into another: what ``change_ring`` does to scalars.
+
+Scalars travel as texts, in which a generator must keep its meaning: the class of x in GF(4) is not
+the x of GF(16), and a residue modulo 7 is no rational number.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from hfield import syntax
+from hfield.errors import CoercionError, HFieldError, shorten
+from hfield.rings.base import Ring
+from hfield.rings.finite import ExtensionField
+from hfield.rings.functions import FunctionField
+
+
+def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
+    """Return the map of scalars of ``source`` into ``target``.
+
+    It is a homomorphism where both are fields of one characteristic. From characteristic 0 it may
+    reduce modulo p, and then fails at denominators that vanish. Of the embeddings of a finite field
+    it is the one of Conway polynomials where these are the moduli, else a fixed one.
+    Raises :class:`CoercionError` where there is no such map.
+    """
+    if source == target:
+        return target
+    p, q = source.characteristic, target.characteristic
+    if (p % q if q else p) != 0:
+        raise CoercionError(
+            f"{source} does not map into {target}: its characteristic is {p}, the other's {q}"
+        )
+    names = {**target.names(), **_generators(source, target)}
+    functions = {"/": target.divide, "**": target.power, **target.functions()}
+    reader = syntax.Reader(target, names, functions, target.name, target.parse_limit)
+
+    def embed(x: Any) -> Any:
+        text = source.text(x)
+        try:
+            return reader.read(text)
+        except HFieldError as error:
+            raise CoercionError(
+                f"{shorten(text)} of {source} has no image in {target}: {error}"
+            ) from error
+
+    return embed
+
+
+def _generators(source: Ring, target: Ring) -> dict[str, Any]:
+    """Return the images of the generators whose text alone would not tell them."""
+    if isinstance(source, ExtensionField):
+        return {str(source.gen_name): _image(source, target)}
+    if not isinstance(source, FunctionField):
+        return {}
+    if source.gen_name not in target.names() or (
+        isinstance(target, FunctionField) and source.gen_name != target.gen_name
+    ) or target.order is not None:
+        raise CoercionError(
+            f"{source} does not map into {target}, which has no variable {source.gen_name}"
+        )
+    return _generators(source.base, target)
+
+
+def _image(source: ExtensionField, target: Ring) -> Any:
+    """Return a root of the modulus of a finite field in the target."""
+    inner = target.base if isinstance(target, FunctionField) else target
+    if inner == source:
+        return target(source.text(source.gen))
+    if not isinstance(inner, ExtensionField) or inner.degree % source.degree:
+        raise CoercionError(f"{target} does not contain {source}")
+    exponent = (inner.order - 1) // (source.order - 1)
+    powers = (inner.power(inner.gen, n * exponent) for n in range(source.order))
+    root = next(y for y in powers if _is_root(source, inner, y))
+    return target(inner.text(root))
+
+
+def _is_root(source: ExtensionField, target: ExtensionField, y: Any) -> bool:
+    value = target.zero
+    for c in reversed(source.coefficients):
+        value = value * y + target(c)
+    return target.is_zero(value)

@@ -1,0 +1,247 @@
+"""What an algebra is: the methods of :class:`hfield.QuaternionAlgebra` that hand over to ``structure``."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from hfield import structure
+from hfield.errors import CoercionError, MixedParentsError, RingError, shorten
+from hfield.product import Constants
+from hfield.quaternion import Parent, Quaternion
+from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    from hfield.maps import Division, Isomorphism, LinearMap, Splitting
+    from hfield.orders import HurwitzOrder, Order
+
+
+# What may be counted, in singular and plural.
+_KINDS = {word: kind for kind in ("elements", "units") for word in (kind, kind[:-1])}
+_KINDS |= {kind + end: kind for kind in ("nilpotent", "idempotent") for end in ("", "s")}
+
+
+class Opposite(NamedTuple):
+    """The opposite algebra, in which p and q have the product q·p, and how it is isomorphic.
+
+    ``isomorphism`` maps the given algebra onto ``algebra`` and turns products round, φ(pq) = φ(q)·φ(p).
+    """
+
+    algebra: Any
+    isomorphism: Any
+
+
+class Invariants(Parent):
+    """The part of an algebra that answers what it is.
+
+    Every answer is exact. Where no procedure decides, :class:`UndecidedError` says what was tried.
+    """
+
+    def _here(self) -> tuple[Ring, Constants]:
+        return self.ring, self.constants
+
+    # --- linear algebra ------------------------------------------------------------------------
+
+    def center(self) -> tuple[Quaternion, ...]:
+        """Return a basis of the centre, found by linear algebra in the base ring (thesis 1.1.2)."""
+        return tuple(self(*c) for c in structure.centre(*self._here()))
+
+    def is_commutative(self) -> bool:
+        """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
+        return structure.is_commutative(*self._here())
+
+    def radical(self) -> tuple[Quaternion, ...]:
+        """Return a basis of the Jacobson radical, over a field: () where the algebra is semisimple."""
+        return tuple(self(*c) for c in structure.radical(*self._here()))
+
+    def is_central_simple(self) -> bool:
+        """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
+        return structure.is_central_simple(*self._here())
+
+    def derivations(self) -> tuple[LinearMap, ...]:
+        """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
+
+        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3.
+        """
+        from hfield.maps import LinearMap
+
+        matrices = structure.derivations(*self._here())
+        return tuple(LinearMap(self, self, list(zip(*m, strict=True))) for m in matrices)
+
+    def opposite(self) -> Opposite:
+        """Return the opposite algebra and an isomorphism with it.
+
+        It has the same constants, for the map that fixes i and j and sends k = ij to ji turns products
+        round. (The conjugate is another such map.)
+
+        >>> from hfield import H
+        >>> B, phi = H("QQ").opposite()
+        >>> e, i, j, k = B.basis
+        >>> phi(i*j) == phi(j)*phi(i)
+        True
+        """
+        from hfield.maps import Isomorphism
+
+        images = [structure.to_opposite(self.constants, q.coordinates) for q in self.basis]
+        return Opposite(self, Isomorphism(self, self, images, reverses=True))
+
+    # --- division or splitting -----------------------------------------------------------------
+
+    def zero_norm_element(self) -> Quaternion | None:
+        """Return a nonzero element of norm 0, or None if it is proved that there is none.
+
+        Raises :class:`UndecidedError` where neither is known; the message says what was tried.
+        """
+        found = structure.zero_norm(*self._here()).element
+        return None if found is None else self(*found)
+
+    def is_division_algebra(self) -> bool:
+        """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
+        return structure.is_division(*self._here())
+
+    def division_or_splitting(self) -> Splitting | Division:
+        """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
+
+        The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
+        algebra, which is neither, and :class:`UndecidedError`.
+        """
+        return self._split_or_not
+
+    @cached_property
+    def _split_or_not(self) -> Splitting | Division:
+        from hfield.maps import Division, Splitting
+        from hfield.structure.splitting import Splitting as Found
+
+        answer = structure.division_or_splitting(*self._here())
+        return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
+
+    def split(self) -> Splitting | None:
+        """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
+
+        >>> from hfield import H
+        >>> I, J = H("GF(3)").split()
+        """
+        answer = self._split_or_not
+        return answer if answer else None  # type: ignore[return-value]
+
+    def _splitting(self) -> Splitting:
+        answer = self.split()
+        if answer is None:
+            raise CoercionError(
+                f"{self} has no matrices over {self.ring}, for it is a division algebra: "
+                f"{self._split_or_not.reason}"
+            )
+        return answer
+
+    def to_matrix(self, q: Any) -> Any:
+        """Return the 2 × 2 matrix of q under :meth:`split`. Raises CoercionError if there is none."""
+        return self._splitting().to_matrix(q)
+
+    def from_matrix(self, matrix: Any) -> Quaternion:
+        """Return the element of a 2 × 2 matrix under :meth:`split`. Raises CoercionError if none."""
+        return self._splitting().from_matrix(matrix)
+
+    # --- ramification --------------------------------------------------------------------------
+
+    def ramified_places(self, factors: Any = None) -> tuple[Any, ...]:
+        """Return the places where the algebra stays a division algebra, finite ones first.
+
+        ``factors`` may name primes of a and b (over ℚ) or of their norms, to spare a factorisation.
+        Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
+        """
+        return structure.ramified_places(*self._here(), factors)
+
+    def discriminant(self, factors: Any = None) -> Any:
+        """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
+
+        Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
+        """
+        return structure.reduced_discriminant(*self._here(), factors)
+
+    # --- isomorphism ---------------------------------------------------------------------------
+
+    def _comparable(self, other: Any) -> Constants:
+        if not isinstance(other, Invariants):
+            raise CoercionError(
+                f"{shorten(repr(other))} is not a quaternion algebra to compare {self} with; "
+                "expected one, such as QuaternionAlgebra.from_text('(-1,-3|QQ)')"
+            )
+        if other.ring != self.ring:
+            raise MixedParentsError(
+                f"{self} is over {self.ring} and {other} over {other.ring}: algebras are compared over "
+                "one field; use A.change_ring(L) first"
+            )
+        return other.constants
+
+    def is_isomorphic(self, other: Any) -> bool:
+        """Tell whether two algebras over one field are isomorphic.
+
+        Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
+        """
+        return structure.is_isomorphic(*self._here(), self._comparable(other))
+
+    def isomorphism(self, other: Any) -> Isomorphism | None:
+        """Return an isomorphism onto ``other``, a callable, or None if there is none.
+
+        The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.
+        """
+        from hfield.maps import Isomorphism
+
+        found = structure.isomorphism(*self._here(), self._comparable(other))
+        return None if found is None else Isomorphism(self, other, found.images)
+
+    # --- finite fields and rational orders -----------------------------------------------------
+
+    def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
+        """Return how many elements there are, over a finite ring.
+
+        ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
+        of norm n, ``square=s`` for those with square s. Closed formulas answer over a field (see
+        :func:`hfield.structure.confirm` for their confirmation), exhaustion over ℤ/n.
+        Raises :class:`NotFiniteError`, and :class:`CoercionError` for a kind that does not exist.
+
+        >>> from hfield import H
+        >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
+        (801, 92, 92)
+        """
+        if sum((kind != "elements", norm is not None, square is not None)) > 1:
+            raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
+        ring, c = self._here()
+        kind, value = ("norm", norm) if norm is not None else (_KINDS.get(kind, kind), square)
+        if square is not None:
+            kind = "square roots"
+        elif kind in ("norm", "square roots"):
+            raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
+        if ring.order is not None and not ring.is_field:
+            found = structure.tally(ring, c)
+            tables = {"norm": found.norms, "square roots": found.roots}
+            if kind in tables:
+                return tables[kind][ring.text(ring(value))]
+            if kind in _KINDS.values():
+                return int(getattr(found, kind))
+        return structure.count(ring, c, kind, value).value
+
+    def maximal_order(self) -> Order:
+        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate."""
+        return self._order("maximal_order")
+
+    def lipschitz_order(self) -> Order:
+        """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
+        return self._order("lipschitz_order")
+
+    def hurwitz_order(self) -> HurwitzOrder:
+        """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
+        from hfield.orders import HurwitzOrder
+
+        if [str(c) for c in self.constants] != ["-1", "0", "-1"]:
+            raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {self}")
+        return HurwitzOrder(self, self._order("hurwitz_order")._found)
+
+    def _order(self, name: str) -> Order:
+        from hfield.orders import Order
+
+        if self.ring.name != "QQ":
+            raise RingError(
+                f"orders over ℤ belong to algebras over QQ, and {self} is over {self.ring}"
+            )
+        return Order(self, getattr(structure, name)(self.constants))

@@ -1,0 +1,176 @@
+"""Maps of algebras as callables: linear maps, isomorphisms, and splittings into 2 × 2 matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import permutations
+from typing import Any
+
+from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
+from hfield.product import Coordinates
+from hfield.quaternion import Parent, Quaternion
+from hfield.structure import splitting
+
+Matrix = splitting.Matrix
+
+
+class LinearMap:
+    """A linear map of algebras over one ring, known by the ``images`` of e, i, j, k; call it."""
+
+    def __init__(self, source: Parent, target: Parent, images: Sequence[Any]) -> None:
+        self.source, self.target = source, target
+        e, i, j, k = (target(*q) if isinstance(q, (tuple, list)) else target(q) for q in images)
+        self.images: tuple[Quaternion, Quaternion, Quaternion, Quaternion] = (e, i, j, k)
+
+    def __call__(self, q: Any) -> Quaternion:
+        """Return the image of q, an element of the source or what the source reads as one."""
+        if isinstance(q, Quaternion) and q.algebra != self.source:
+            raise MixedParentsError(
+                f"{shorten(q)} is an element of {q.algebra}, but the map is defined on {self.source}"
+            )
+        coordinates = (q if isinstance(q, Quaternion) else self.source(q)).coordinates
+        terms = [
+            x * q for x, q in zip(map(self.target.scalar, coordinates), self.images, strict=True)
+        ]
+        return terms[0] + terms[1] + terms[2] + terms[3]
+
+    def matrix(self) -> tuple[tuple[Any, ...], ...]:
+        """Return the 4 × 4 matrix: column n holds the coordinates of the image of basis element n."""
+        return tuple(zip(*(q.coordinates for q in self.images), strict=True))
+
+    @property
+    def determinant(self) -> Any:
+        """The determinant of the matrix, an element of the base ring."""
+        m, total = self.matrix(), self.target.ring.zero
+        for p in permutations(range(4)):
+            sign = (-1) ** sum(p[s] > p[r] for r in range(4) for s in range(r))
+            term = m[0][p[0]] * m[1][p[1]] * m[2][p[2]] * m[3][p[3]]
+            total = total + term if sign > 0 else total - term
+        return total
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, LinearMap)
+            and (self.source, self.target) == (other.source, other.target)
+            and self.images == other.images
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.source, self.target, self.images))
+
+    def __str__(self) -> str:
+        rows = (f"{x} ↦ {q}" for x, q in zip("eijk", self.images, strict=True))
+        return f"{self.source} → {self.target}: {', '.join(rows)}"
+
+    __repr__ = __str__
+
+
+class Isomorphism(LinearMap):
+    """An isomorphism of algebras; the relations and the determinant are checked when it is made.
+
+    ``reverses`` says that it is one onto the opposite algebra: φ(pq) = φ(q)·φ(p).
+    """
+
+    def __init__(
+        self, source: Parent, target: Parent, images: Sequence[Any], reverses: bool = False
+    ) -> None:
+        super().__init__(source, target, images)
+        self.reverses = reverses
+        self._check()
+
+    def _check(self) -> None:
+        """Multiply out all 16 products of the basis."""
+        basis = list(zip(self.source.basis, self.images, strict=True))
+        for p, p_image in basis:
+            for q, q_image in basis:
+                product = q_image * p_image if self.reverses else p_image * q_image
+                if self(p * q) != product:
+                    raise CoercionError(
+                        f"{self} is no homomorphism: see the product of {p} and {q}"
+                    )
+        if not self.target.ring.is_unit(self.determinant):
+            raise NotInvertibleError(f"{self} is not bijective: its determinant is no unit")
+
+    def inverse(self) -> Isomorphism:
+        """Return the inverse isomorphism, checked in its turn."""
+        ring, m = self.target.ring, self.matrix()
+        scale = ring.inverse(self.determinant)
+        columns = []
+        for n in range(4):  # Cramer's rule: the adjugate
+            column = []
+            for r in range(4):
+                minor = _minor([[m[s][t] for t in range(4) if t != r] for s in range(4) if s != n])
+                column.append(scale * minor if (n + r) % 2 == 0 else ring.zero - scale * minor)
+            columns.append(tuple(column))
+        return Isomorphism(self.target, self.source, columns, self.reverses)
+
+
+def _minor(m: list[list[Any]]) -> Any:
+    """Return the determinant of a 3 × 3 matrix."""
+    (a, b, c), (d, e, f), (g, h, i) = m
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+
+
+class Splitting:
+    """An isomorphism of ``algebra`` with the 2 × 2 matrices over its field, checked when found.
+
+    ``i`` and ``j`` are the matrices of i and j (``I, J = A.split()`` unpacks them), ``images`` those
+    of e, i, j, k; ``zero_divisor`` is an element of norm 0.
+    """
+
+    def __init__(self, algebra: Parent, found: splitting.Splitting, reason: str = "") -> None:
+        self.algebra, self.reason, self._found = algebra, reason, found
+        self.images = found.images
+        self.i, self.j = found.i, found.j
+        self.zero_divisor: Quaternion = algebra(*found.zero_divisor)
+
+    def __bool__(self) -> bool:
+        """Return True: in ``A.division_or_splitting()`` it tells a splitting from a division algebra."""
+        return True
+
+    def __iter__(self) -> Iterator[Matrix]:
+        return iter((self.i, self.j))
+
+    def to_matrix(self, q: Any) -> Matrix:
+        """Return the matrix of q."""
+        coordinates: Coordinates = self.algebra(q).coordinates
+        return self._found.to_matrix(coordinates)
+
+    def from_matrix(self, matrix: Sequence[Sequence[Any]]) -> Quaternion:
+        """Return the element whose matrix is given, two rows of two entries.
+
+        Raises :class:`CoercionError` for another shape or for entries that are not in the field.
+        """
+        return self.algebra(*self._found.from_matrix(matrix))
+
+    def __repr__(self) -> str:
+        F = self.algebra.ring
+        shown = (matrix_text(F, m) for m in (self.i, self.j))
+        i, j = shown
+        return f"{self.algebra} ≅ M₂({F}): i ↦ {i}, j ↦ {j}"
+
+
+class Division:
+    """Why ``algebra`` is a division algebra: only 0 has norm 0, by ``method``, for the ``reason`` given.
+
+    ``places`` are the ramified places where they were computed; ``assumes`` the theorems cited.
+    """
+
+    def __init__(self, algebra: Parent, found: Any) -> None:
+        self.algebra = algebra
+        self.method: str = found.method
+        self.reason: str = found.reason
+        self.places: tuple[Any, ...] = found.places
+        self.assumes: tuple[str, ...] = found.assumes
+
+    def __bool__(self) -> bool:
+        """Return False: it is no splitting."""
+        return False
+
+    def __repr__(self) -> str:
+        return f"{self.algebra} is a division algebra: {self.reason}"
+
+
+def matrix_text(F: Any, m: Sequence[Sequence[Any]], style: str = "plain") -> str:
+    """Write a matrix in one line, ``[1, 0; 0, -1]``."""
+    return "[" + "; ".join(", ".join(F.text(x, style) for x in row) for row in m) + "]"
