@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from hfield.algebra import H, QuaternionAlgebra
+    from hfield.elements import conjugator
     from hfield.proving.prove import prove
-    from hfield.quaternion import Quaternion, conjugator
+    from hfield.quaternion import Quaternion
     from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
     from hfield.structure import four_squares, hilbert_symbol, places
 
@@ -21,8 +22,9 @@ __version__ = "0.1.0"
 # Where the public names live. They are imported on first use: `hfield --version` needs none.
 _HOMES = {
     "algebra": ["H", "QuaternionAlgebra"],
+    "elements": ["conjugator"],
     "proving.prove": ["prove"],
-    "quaternion": ["Quaternion", "conjugator"],
+    "quaternion": ["Quaternion"],
     "rings": ["CC", "GF", "QQ", "RDF", "RR", "ZZ", "Zmod", "ring"],
     "structure": ["four_squares", "hilbert_symbol", "places"],
 }

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from hfield import notation, structure, syntax
+from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, RingError, shorten
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
@@ -208,9 +209,16 @@ class QuaternionAlgebra(Invariants):
         return tuple(tuple(p * q for q in self.basis) for p in self.basis)
 
     def change_ring(self, ring: Ring | str) -> QuaternionAlgebra:
-        """Return the algebra with the same constants over another ring."""
-        a, t, b = (self.ring.text(c) for c in self.constants)
-        return QuaternionAlgebra(ring, a, b, t)
+        """Return the algebra with the same constants over another ring, which must contain them.
+
+        Raises :class:`CoercionError` where the base ring does not map into the other one.
+
+        >>> H("QQ").change_ring("GF(7)")
+        (-1,-1|GF(7))
+        """
+        L = read_ring(ring)
+        a, t, b = map(embedding(self.ring, L), self.constants)
+        return QuaternionAlgebra(L, a, b, t)
 
     # --- identity and text ---------------------------------------------------------------------
 

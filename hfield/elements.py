@@ -197,3 +197,8 @@ class ElementFacts:
         (Skolem and Noether).
         """
         return self.conjugacy(other).element
+
+
+def conjugator(p: Any, q: Any) -> Any:
+    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none."""
+    return p.conjugator(q)

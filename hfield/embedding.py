@@ -7,6 +7,8 @@ the x of GF(16), and a residue modulo 7 is no rational number.
 from collections.abc import Callable
 from typing import Any
 
+import flint
+
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
 from hfield.rings.base import Ring
@@ -51,9 +53,11 @@ def _generators(source: Ring, target: Ring) -> dict[str, Any]:
         return {str(source.gen_name): _image(source, target)}
     if not isinstance(source, FunctionField):
         return {}
-    if source.gen_name not in target.names() or (
-        isinstance(target, FunctionField) and source.gen_name != target.gen_name
-    ) or target.order is not None:
+    if (
+        source.gen_name not in target.names()
+        or (isinstance(target, FunctionField) and source.gen_name != target.gen_name)
+        or target.order is not None
+    ):
         raise CoercionError(
             f"{source} does not map into {target}, which has no variable {source.gen_name}"
         )
@@ -67,14 +71,16 @@ def _image(source: ExtensionField, target: Ring) -> Any:
         return target(source.text(source.gen))
     if not isinstance(inner, ExtensionField) or inner.degree % source.degree:
         raise CoercionError(f"{target} does not contain {source}")
-    exponent = (inner.order - 1) // (source.order - 1)
-    powers = (inner.power(inner.gen, n * exponent) for n in range(source.order))
-    root = next(y for y in powers if _is_root(source, inner, y))
+    root = inner.power(inner.gen, (inner.order - 1) // (source.order - 1))
+    if not inner.is_zero(_modulus_at(source, inner, root)):
+        polynomials = flint.fq_default_poly_ctx(inner.context)
+        modulus = polynomials([inner(c) for c in source.coefficients])
+        root = min((y for y, _ in modulus.roots()), key=inner.label)
     return target(inner.text(root))
 
 
-def _is_root(source: ExtensionField, target: ExtensionField, y: Any) -> bool:
+def _modulus_at(source: ExtensionField, target: ExtensionField, y: Any) -> Any:
     value = target.zero
     for c in reversed(source.coefficients):
         value = value * y + target(c)
-    return target.is_zero(value)
+    return value

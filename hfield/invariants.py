@@ -121,8 +121,10 @@ class Invariants(Parent):
         >>> from hfield import H
         >>> I, J = H("GF(3)").split()
         """
+        from hfield.maps import Splitting
+
         answer = self._split_or_not
-        return answer if answer else None  # type: ignore[return-value]
+        return answer if isinstance(answer, Splitting) else None
 
     def _splitting(self) -> Splitting:
         answer = self.split()
@@ -207,11 +209,12 @@ class Invariants(Parent):
         if sum((kind != "elements", norm is not None, square is not None)) > 1:
             raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
         ring, c = self._here()
-        kind, value = ("norm", norm) if norm is not None else (_KINDS.get(kind, kind), square)
-        if square is not None:
-            kind = "square roots"
+        value = square if norm is None else norm
+        if value is not None:
+            kind = "norm" if square is None else "square roots"
         elif kind in ("norm", "square roots"):
             raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
+        kind = _KINDS.get(kind, kind)
         if ring.order is not None and not ring.is_field:
             found = structure.tally(ring, c)
             tables = {"norm": found.norms, "square roots": found.roots}

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 from hfield import product
 from hfield.elements import ElementFacts
+from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.notation import element_text
 from hfield.product import Coordinates
@@ -251,7 +252,7 @@ class Quaternion(ElementFacts):
         )
 
     def is_zero(self) -> bool:
-        """Tell whether all coordinates are 0 (of a single quaternion)."""
+        """Tell whether a single quaternion is 0."""
         return all(self.ring.is_zero(x) for x in self.coordinates)
 
     def matrix(self) -> tuple[tuple[Any, ...], ...]:
@@ -261,7 +262,8 @@ class Quaternion(ElementFacts):
 
     def change_ring(self, ring: Ring | str) -> Quaternion:
         """Return q in the algebra with the same constants over ``ring``, which must contain them."""
-        return self.algebra.change_ring(ring)(*(self.ring.text(x) for x in self.coordinates))
+        A = self.algebra.change_ring(ring)
+        return A(*map(embedding(self.ring, A.ring), self.coordinates))
 
     # --- text ----------------------------------------------------------------------------------
 
@@ -293,9 +295,3 @@ class Quaternion(ElementFacts):
 def is_array(x: object) -> bool:
     """Tell whether a coordinate is an array; a 0-dimensional one counts."""
     return hasattr(x, "dtype") and hasattr(x, "ndim")
-
-
-def conjugator(p: Quaternion, q: Quaternion) -> Quaternion | None:
-    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none."""
-    x: Quaternion | None = p.conjugator(q)
-    return x

@@ -11,7 +11,7 @@ FLOORS = [
     {"hfield.errors", "hfield.product", "hfield.certificates"},
     {"hfield.syntax", "hfield.executors"},
     {"hfield.rings"},
-    {"hfield.notation"},
+    {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},
     {"hfield.elements"},
     {"hfield.quaternion"},

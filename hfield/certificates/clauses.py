@@ -62,13 +62,13 @@ class Fractions:
 
     def __init__(self) -> None:
         self.factors = list[Poly]()
-        self.zero: Any = ((), ())
+        self.zero: Any = ({}, ())
         self.one: Any = self.polynomial({0: 1})
 
     @staticmethod
     def polynomial(f: Poly) -> Any:
         """Return a polynomial as a scalar."""
-        return (tuple(sorted(f.items())), ())
+        return (f, ())
 
     def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
         """Return a literal."""
@@ -82,7 +82,7 @@ class Fractions:
         if not x[0] or not y[0]:
             return y if not x[0] else x
         if x[1] == y[1]:
-            return self._made(add(dict(x[0]), dict(y[0])), x[1])
+            return self._made(add(x[0], y[0]), x[1])
         common = dict(x[1])
         for piece, n in y[1]:
             common[piece] = max(common.get(piece, 0), n)
@@ -91,19 +91,19 @@ class Fractions:
 
     def neg(self, x: Any) -> Any:
         """Return −x."""
-        return tuple((m, -c) for m, c in x[0]), x[1]
+        return {m: -c for m, c in x[0].items()}, x[1]
 
     def mul(self, x: Any, y: Any) -> Any:
         """Return x·y."""
         pieces = dict(x[1])
         for piece, n in y[1]:
             pieces[piece] = pieces.get(piece, 0) + n
-        top = multiply(dict(x[0]), dict(y[0]))
+        top = multiply(x[0], y[0])
         return self._made(top, tuple(sorted(pieces.items())))
 
     def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
         """Return 1/x on the condition that its numerator is not 0."""
-        top = dict(x[0])
+        top = x[0]
         if not top:
             return self.zero, (self.polynomial({}),)
         below = constant(1)
@@ -118,9 +118,9 @@ class Fractions:
 
     def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> Formula:
         """Return "defined, and, being defined, (not) all numerators are 0"."""
-        tops = [dict(d[0]) for d in differences]
+        tops = [d[0] for d in differences]
         literal = _literal(tops, equal)
-        parts = [_literal([dict(c[0])], False) for c in conditions]
+        parts = [_literal([c[0]], False) for c in conditions]
         return ("and", (*parts, ("or", (literal, *(deny(part) for part in parts)))))
 
     def join(self, kind: str, x: Formula, y: Formula) -> Formula:
@@ -132,14 +132,14 @@ class Fractions:
         return deny(x)
 
     def _over(self, x: Any, common: dict[int, int]) -> Poly:
-        top, own = dict(x[0]), dict(x[1])
+        top, own = x[0], dict(x[1])
         for piece, n in common.items():
             for _ in range(n - own.get(piece, 0)):
                 top = multiply(top, self.factors[piece])
         return top
 
     def _made(self, top: Poly, pieces: Pieces) -> Any:
-        return (tuple(sorted(top.items())), pieces) if top else self.zero
+        return (top, pieces) if top else self.zero
 
 
 def deny(f: Formula) -> Formula:
@@ -177,7 +177,7 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
     evaluator = Evaluator(scalars, setting.constants, values)
     formula = evaluator.truth(statement.matrix)
     # The algebra exists only where its structure constants are defined.
-    undefined = [_literal([dict(c[0])], True) for c in evaluator.conditions]
+    undefined = [_literal([c[0]], True) for c in evaluator.conditions]
     clauses = tuple(_clause(c) for c in _conjunction(("or", (*undefined, formula))))
     return Expansion(names, len(variables), clauses, tuple(scalars.factors), evaluator)
 

@@ -267,7 +267,8 @@ class Context:
 
         evaluator = self.expansion.evaluator
         lifted = [evaluator.s.polynomial(f) for f in terms]  # type: ignore[attr-defined]
-        return dict(evaluator.norm(Quaternion(lifted))[0])
+        found: Poly = evaluator.norm(Quaternion(lifted))[0]
+        return found
 
     def vanishes_by_constants(self, f: Poly) -> bool:
         """Tell whether a polynomial in the constants of the field is 0."""

@@ -32,6 +32,7 @@ def constant(c: int) -> Poly:
 
 def add(f: Poly, g: Poly, scale: int = 1) -> Poly:
     """Return f + scale·g."""
+    charge(len(f) // 8 + len(g))
     out = dict(f)
     for m, c in g.items():
         total = out.get(m, 0) + scale * c

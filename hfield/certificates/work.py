@@ -9,7 +9,7 @@ from contextvars import ContextVar
 
 from hfield.certificates.rejection import reject
 
-MAX_WORK = 60_000_000
+MAX_WORK = 20_000_000
 
 
 class Work:

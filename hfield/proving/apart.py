@@ -8,7 +8,6 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterable
-from dataclasses import asdict
 from typing import Any
 
 from hfield.errors import HFieldError
@@ -59,7 +58,7 @@ def decide_apart(
     }
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "hfield.proving.apart"],
+            [sys.executable, "-m", "hfield.proving.worker", str(MEMORY)],
             input=json.dumps(request),
             capture_output=True,
             text=True,
@@ -90,21 +89,3 @@ def from_json(data: dict[str, Any]) -> Decision:
     """Return a decision from what :func:`dataclasses.asdict` made of it."""
     tuples = {name: tuple(data[name]) for name in ("steps", "assumes", "tried")}
     return Decision(**{**data, **tuples})
-
-
-def main() -> None:
-    """Answer the request on standard input."""
-    try:
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    except (ImportError, ValueError, OSError):  # not a Unix, or a lower limit holds already
-        pass
-    from hfield.proving.decide import decide_here
-
-    request = json.loads(sys.stdin.read())
-    json.dump(asdict(decide_here(**request)), sys.stdout)
-
-
-if __name__ == "__main__":
-    main()

@@ -50,21 +50,6 @@ def read_and_decide(
     return read, setting, decide_statement(read, setting, timeout)
 
 
-def decide_here(
-    statement: str,
-    field: str | None,
-    given: Iterable[str],
-    algebra: str | None,
-    timeout: float,
-) -> Decision:
-    """Decide in this process, whatever the risk."""
-    setting = read_setting(field, algebra)
-    read = read_statement(
-        statement, setting.field, tuple(given), setting.letters, setting.constants
-    )
-    return decide_statement(read, setting, timeout)
-
-
 @lru_cache(maxsize=8192)
 def decide_statement(statement: Statement, setting: Setting, timeout: float = TIMEOUT) -> Decision:
     """Decide a statement that has been read."""

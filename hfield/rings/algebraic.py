@@ -14,6 +14,7 @@ from hfield import syntax
 from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.printing import from_unicode
+from hfield.rings.radicals import FUNCTIONS
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.surds import Surd, from_rational
 
@@ -57,7 +58,7 @@ class AlgebraicNumbers(Ring):
             "sqrt": self._sqrt_here,
             "cbrt": lambda x: self._root(x, 3),
             "root": self._root,
-            **{name: closed.function(name) for name in closed.FUNCTIONS},
+            **{name: closed.function(name) for name in FUNCTIONS},
         }
 
     def parse(self, text: str) -> Any:

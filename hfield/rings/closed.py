@@ -12,10 +12,9 @@ import flint
 
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint
-from hfield.rings.radicals import check_size, surd_of, sympy_of, times
+from hfield.rings.radicals import FUNCTIONS, check_size, surd_of, sympy_of, times
 from hfield.rings.surds import ONE, Surd, as_surd, from_rational
 
-FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
 LARGEST_EXPONENT = 10**6
 SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
 TRANSCENDENTAL_BITS = 1_000  # a transcendental number that small must simplify to 0, or is refused

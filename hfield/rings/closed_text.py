@@ -4,8 +4,8 @@ from typing import Any
 
 import sympy
 
-from hfield.rings.closed import FUNCTIONS
 from hfield.rings.printing import is_sum, number_text, parentheses, power_text
+from hfield.rings.radicals import FUNCTIONS
 
 _FUNCTIONS = tuple(getattr(sympy, name) for name in FUNCTIONS)
 

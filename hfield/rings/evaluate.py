@@ -5,7 +5,7 @@ from typing import Any
 import flint
 import sympy
 
-from hfield.rings.closed import FUNCTIONS
+from hfield.rings.radicals import FUNCTIONS
 
 _FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
 

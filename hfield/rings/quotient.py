@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hfield.errors import CoercionError
 from hfield.rings.rational import rational
-
-if TYPE_CHECKING:
-    from hfield.rings.functions import FunctionField
 
 
 class Quotient:
@@ -16,11 +13,11 @@ class Quotient:
 
     __slots__ = ("den", "field", "num")
 
-    field: FunctionField
+    field: Any  # the FunctionField, which stands above this room
     num: Any
     den: Any
 
-    def __init__(self, field: FunctionField, num: Any, den: Any) -> None:
+    def __init__(self, field: Any, num: Any, den: Any) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "num", num)
         object.__setattr__(self, "den", den)
@@ -97,7 +94,7 @@ class Quotient:
         return hash(self.field.key(self))
 
     def __repr__(self) -> str:
-        return self.field.text(self)
+        return str(self.field.text(self))
 
     def __reduce__(self) -> Any:
         return self.field, (self.field.text(self),)

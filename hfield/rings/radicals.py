@@ -8,6 +8,8 @@ import flint
 from hfield.errors import TooLargeError
 from hfield.rings.surds import Surd, from_rational, sqrt_rational
 
+# What closed forms are made of beside roots: the names that sympy, flint and texts share.
+FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
 MAX_OPERATIONS = 3_000
 
 
