@@ -1,6 +1,7 @@
 """Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
 
 import random
+from collections import Counter
 from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
 from math import gcd, isqrt
@@ -211,14 +212,13 @@ def prime_power(q: int) -> tuple[int, int] | None:
 def factored(n: int, limit: int = 10**40) -> list[tuple[int, int]] | None:
     """Return the prime factors of n with exponents, or None when they are out of quick reach."""
     parts = flint.fmpz(n).factor() if n < limit else flint.fmpz(n).factor_smooth(40)
-    pairs = [(int(p), int(e)) for p, e in parts]
-    done: list[tuple[int, int]] = []
-    for p, e in pairs:
+    found: Counter[int] = Counter()  # flint may list a prime twice
+    for p, e in ((int(p), int(e)) for p, e in parts):
         if p < limit or (p.bit_length() <= 1024 and is_prime(p)):
-            done.append((p, e))
+            found[p] += e
             continue
         root = isqrt(p)
         if root * root != p or (more := factored(root, limit)) is None:
             return None
-        done.extend((r, 2 * e * m) for r, m in more)
-    return sorted(done)
+        found.update({r: 2 * e * m for r, m in more})
+    return sorted(found.items())
