@@ -51,12 +51,15 @@ def parse_algebra(text: str) -> tuple[Ring, Constants]:
 def algebra_text(F: Ring, c: Constants) -> str:
     """Write an algebra so that :func:`parse_algebra` reads it back."""
     minus_one = F(-1)
-    a, t, b = ("-1" if F.equal(x, minus_one) and x is not c.t else F.text(x) for x in c)
+    # In characteristic 2 −1 is 1, and only Hamilton's algebra is written with it there.
+    hamilton = F.is_zero(c.t) and F.equal(c.a, minus_one) and F.equal(c.b, minus_one)
+    signed = hamilton or F.characteristic != 2
+    a, b = ("-1" if signed and F.equal(x, minus_one) else F.text(x) for x in (c.a, c.b))
     if F.is_zero(c.t):
         return f"({a},{b}|{F.name})"
     if F.equal(c.t, F.one):
         return f"[{a},{b}|{F.name})"
-    return f"[{a},{b},{t}|{F.name})"
+    return f"[{a},{b},{F.text(c.t)}|{F.name})"
 
 
 def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = "") -> str:
