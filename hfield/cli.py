@@ -24,6 +24,10 @@ COMMANDS = {
     "explain": "show one decision in full",
     "prove": "prove or refute a statement of your own",
     "check": "re-check certificates, independently",
+    "export": "write what is proved for all fields as theorems for Coq",
+    "info": "tell what an algebra is",
+    "count": "count elements of an algebra over a finite field",
+    "four-squares": "write an integer as a sum of four squares",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
     "repl": "an interactive session with e, i, j, k at hand",
@@ -88,7 +92,7 @@ def _dispatch(words: list[str]) -> int:
 
 def _load(name: str) -> Any:
     if name in COMMANDS:
-        return import_module(f"hfield.commands.{name}")
+        return import_module(f"hfield.commands.{name.replace('-', '_')}")
     foreign = _foreign()
     if name in foreign:
         return foreign[name].load()
@@ -113,8 +117,8 @@ def _help() -> str:
         "",
         "Quaternion algebras over arbitrary fields, with statements about them decided.",
         "",
-        *(f"  {name:<9} {text}" for name, text in COMMANDS.items()),
-        *(f"  {name:<9} (see `hfield {name} --help`)" for name in _foreign()),
+        *(f"  {name:<12} {text}" for name, text in COMMANDS.items()),
+        *(f"  {name:<12} (see `hfield {name} --help`)" for name in _foreign()),
         "",
         "`hfield COMMAND --help` tells more; `hfield --version` prints the version.",
         "Try: hfield verify",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from code import InteractiveConsole
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import hfield
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.ledger.blackboard import Explanation
     from hfield.ledger.notebook import Report
+    from hfield.proving.prove import Answer
 
 
 def explain(claim: str, field: str = "QQ") -> Explanation:
@@ -39,12 +40,23 @@ def verify(*claims: str, field: str | Sequence[str] = ()) -> Report:
     return verify(claims, [field] if isinstance(field, str) else field)
 
 
+def export_session(answers: Iterable[Answer]) -> str:
+    """Return a Coq file of the ledger's theorems and of the answers of ``prove`` that hold everywhere.
+
+    ``Path("mine.v").write_text(export_session([prove("trace(p*q) == trace(q*p)")]))``
+    """
+    from hfield.coq.export import export_session
+
+    return export_session(answers).text
+
+
 def namespace(A: QuaternionAlgebra) -> dict[str, Any]:
     """Return the names of a session: the public ones, ``A``, ``F``, its generators, ``e i j k``."""
     from fractions import Fraction
 
     names = {name: getattr(hfield, name) for name in hfield.__all__}
     names |= {"Fraction": Fraction, "explain": explain, "verify": verify}
+    names["export_session"] = export_session
     names |= {name: x for name, x in A.ring.names().items() if name not in names}
     return {**names, "A": A, "F": A.ring, **dict(zip(BASIS, A.basis, strict=True))}
 

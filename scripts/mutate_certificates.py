@@ -4,7 +4,7 @@
 
 Certificates come from the ledger and from the prover. Each mutant changes a number, a sign, a word, a
 field, an entry of a list, the verdict or the target of one of them, and is checked with the
-statement and the field of the original pinned. What passes is judged by other means (see ``judge``).
+statement and the field of the original pinned. What passes is judged by other means (judge_certificates.py).
 """
 
 import argparse
@@ -18,17 +18,15 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+from judge_certificates import judge
+
 from hfield.certificates.check import Pin, check_text
 from hfield.certificates.rejection import Rejected
 from hfield.errors import HFieldError
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import decide
 from hfield.ledger.registry import claims
-from hfield.proving.interpret import RingInterpretation, bind
-from hfield.proving.language import read_statement
 from hfield.proving.prove import prove
-from hfield.proving.setting import read_setting
-from hfield.rings import ring
 
 FIELDS = (None, "QQ", "GF(2)", "GF(3)", "GF(4)", "GF(9)", "QQ(sqrt(-7))", "QQ(x)", "GF(2)(t)", "RR")
 STATEMENTS = (
@@ -131,7 +129,9 @@ def _text(text: str, rng: random.Random) -> str:
     if choice == 0:
         return text[: rng.randrange(len(text) + 1)]
     if choice == 1:
-        return rng.choice(("QQ", "GF(2)", "GF(3)", "GF(9)", "", "0", "1", "-1", "p", "proved", "refuted"))
+        return rng.choice(
+            ("QQ", "GF(2)", "GF(3)", "GF(9)", "", "0", "1", "-1", "p", "proved", "refuted")
+        )
     numbers = list(re.finditer(r"\d+", text))
     if choice in (2, 3) and numbers:
         m = rng.choice(numbers)
@@ -144,41 +144,6 @@ def _text(text: str, rng: random.Random) -> str:
         return "0"
     at = rng.randrange(len(text))
     return text[:at] + rng.choice("pqrsijke0123()[]*+-=!,; ") + text[at + rng.randrange(2) :]
-
-
-def judge(mutant: Certificate, original: Certificate) -> str:
-    """Say why a mutant that passed may pass: '' if no reason is found.
-
-    Its statement, algebra, field and verdict are those of the original, whose verdict the prover
-    decided. A witness is evaluated with the base rings of the package, which the checker does not use.
-    """
-    same = all(
-        "".join(str(mutant[key]).split()) == "".join(str(original[key]).split())
-        for key in ("algebra", "field", "verdict", "assumes")
-    )
-    if not same:
-        return ""
-    if mutant["evidence"] == original["evidence"]:
-        return "same evidence"
-    kind = mutant["evidence"].get("kind")
-    if kind == "witness" and "values" in mutant["evidence"]:
-        return "another witness" if _evaluates(mutant) else ""
-    return f"other evidence of the same verdict ({kind})"
-
-
-def _evaluates(data: Certificate) -> bool:
-    """Tell whether a witness does what it should, by the package's own evaluation."""
-    setting = read_setting(data["field"], data["algebra"])
-    F = ring(data["evidence"]["field"])
-    statement = read_statement(data["statement"], setting.field, (), setting.letters)
-    values: dict[str, Any] = {text: F(text) for text in statement.constants}
-    for name, _ in statement.unknowns:
-        read = tuple(F(text) for text in data["evidence"]["values"][name])
-        values[name] = read if len(read) == 4 else read[0]
-    world = RingInterpretation(F)
-    bind(world, setting.constants, values)
-    truth = bool(world.truth(statement.conclusion)) or not all(map(world.truth, statement.hypotheses))
-    return truth == (data["verdict"] == "proved")
 
 
 def survey(count: int, seed: int, number_of_claims: int) -> tuple[Counter[str], list[Any], float]:
@@ -208,7 +173,7 @@ def survey(count: int, seed: int, number_of_claims: int) -> tuple[Counter[str], 
         slowest = max(slowest, time.monotonic() - start)
         try:
             reason = judge(mutant, original)
-        except (HFieldError, KeyError):
+        except (HFieldError, KeyError, ValueError, IndexError, TypeError):
             reason = ""
         outcomes[f"accepted: {reason}"] += 1
         if reason != "same evidence":

@@ -18,6 +18,7 @@ FLOORS = [
     {"hfield.maps", "hfield.orders"},
     {"hfield.invariants"},
     {"hfield.algebra"},
+    {"hfield.description"},
     {"hfield.proving"},
     {"hfield.ledger"},
     {"hfield.coq"},

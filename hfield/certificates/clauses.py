@@ -132,7 +132,8 @@ class Fractions:
         return deny(x)
 
     def _over(self, x: Any, common: dict[int, int]) -> Poly:
-        top, own = x[0], dict(x[1])
+        top: Poly = x[0]
+        own = dict(x[1])
         for piece, n in common.items():
             for _ in range(n - own.get(piece, 0)):
                 top = multiply(top, self.factors[piece])

@@ -83,7 +83,8 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
         [an_integer(n, "a row or column", 0) for n in a_list(data[key], key)]
         for key in ("rows", "columns")
     )
-    if len(rows) != 3 or len(columns) != 3 or max(rows) >= len(matrix) or max(columns) >= N:
+    chosen = ((rows, len(matrix)), (columns, N))
+    if any(len(set(x)) != 3 or len(x) != 3 or max(x) >= most for x, most in chosen):
         reject("expected three rows of the eight and three columns of the four")
     minor = _determinant([[matrix[r][c] for c in columns] for r in rows])
     if any(row[0] for row in matrix):

@@ -1,5 +1,6 @@
 """When an integer polynomial is 0 over a field: its constants put in, exponents reduced by x^q = x."""
 
+from math import gcd
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, Frozen
@@ -67,8 +68,6 @@ class Place:
             scale = pow(lead, -1, self.p)
             return frozenset((m, c * scale % self.p) for m, c in f.items())
         if self.ring is not None and self.ring.is_field:
-            from math import gcd
-
             scale = gcd(*f.values()) * (1 if lead > 0 else -1)
             return frozenset((m, c // scale) for m, c in f.items())
         opposite = modulo({m: -c for m, c in f.items()}, self.p)

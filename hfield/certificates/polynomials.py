@@ -14,7 +14,7 @@ from hfield.certificates.work import charge
 BITS = 24
 MASK = (1 << BITS) - 1
 MAX_EXPONENT = 1 << 16
-MAX_PRODUCTS = 2_000_000  # of terms in one multiplication: they bound the memory
+MAX_PRODUCTS = 1_000_000  # of terms in one multiplication: they bound the memory
 MAX_TEXT = 4_000_000
 
 Poly = dict[int, int]

@@ -1,6 +1,6 @@
 """A bound on the work for one file: whatever may take long is charged for before it is begun.
 
-One unit is about a fifth of a microsecond.
+One unit is about a microsecond at worst.
 """
 
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ from contextvars import ContextVar
 
 from hfield.certificates.rejection import reject
 
-MAX_WORK = 20_000_000
+MAX_WORK = 10_000_000
 
 
 class Work:

@@ -55,7 +55,19 @@ Proof.
 Qed.
 Ltac decided := repeat first
   [ apply decidable_scalars | apply decidable_quaternions
-  | apply dec_and | apply dec_or | apply dec_imp | apply dec_iff | apply dec_not ].
+  | apply dec_and | apply dec_or | apply dec_iff | apply dec_not | apply dec_imp ].
+(* The laws of logic that need a decision, which [decided] finds once the formula is known. *)
+Lemma not_both : forall P Q : Prop, ~ (P /\ Q) -> decidable P -> ~ P \/ ~ Q.
+Proof. intros P Q N D. exact (not_and P Q D N). Qed.
+Lemma twice_not : forall P : Prop, ~ ~ P -> decidable P -> P.
+Proof. intros P N D. exact (not_not P D N). Qed.
+Lemma either : forall P Q : Prop, (P -> Q) -> decidable P -> ~ P \/ Q.
+Proof. intros P Q N D. exact (imp_simp P Q D N). Qed.
+Lemma not_implied : forall P Q : Prop, ~ (P -> Q) -> decidable P -> P /\ ~ Q.
+Proof. intros P Q N D. exact (Decidable.not_imp P Q D N). Qed.
+Lemma not_equivalent : forall P Q : Prop, ~ (P <-> Q) -> decidable P -> decidable Q ->
+  (P /\ ~ Q) \/ (~ P /\ Q).
+Proof. intros P Q N D E. exact (Decidable.not_iff P Q D E N). Qed.
 
 Theorem inverse_of_quaternion : forall A q, norm A q <> 0 ->
   q [*A] qinv A q = e /\ qinv A q [*A] q = e.

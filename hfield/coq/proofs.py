@@ -64,7 +64,7 @@ class Proof:
                 )
             case Junction("=>", left, right):
                 self.need_field()
-                how = f"destruct (imp_simp _ _ {DECIDED} {name})"
+                how = f"destruct (either _ _ {name} {DECIDED})"
                 return self._cases(how, (self.deny, left), (self.assume, right), facts, rest)
         parts = (
             Junction("=>", formula.left, formula.right),
@@ -80,19 +80,19 @@ class Proof:
                 return rest(facts.with_difference(self.terms, name, left, right))
             case Negation(inner):
                 new = self.fresh()
-                line = f"pose proof (not_not _ {DECIDED} {name}) as {new}."
+                line = f"pose proof (twice_not _ {name} {DECIDED}) as {new}."
                 return [line, *self.assume(new, inner, facts, rest)]
             case Junction("and", left, right):
-                how = f"destruct (not_and _ _ {DECIDED} {name})"
+                how = f"destruct (not_both _ _ {name} {DECIDED})"
                 return self._cases(how, (self.deny, left), (self.deny, right), facts, rest)
             case Junction("or", left, right):
                 return self._both(
                     f"destruct (not_or _ _ {name})", left, right, facts, rest, self.deny
                 )
             case Junction("=>", left, right):
-                how = f"destruct (not_imp _ _ {DECIDED} {name})"
+                how = f"destruct (not_implied _ _ {name} {DECIDED})"
                 return self._both(how, left, Negation(right), facts, rest, self.assume)
-        how = f"destruct (not_iff _ _ {DECIDED} {DECIDED} {name})"
+        how = f"destruct (not_equivalent _ _ {name} {DECIDED} {DECIDED})"
         first, second = formula.left, formula.right
         choices = [
             Junction("and", first, Negation(second)),

@@ -19,6 +19,8 @@ from hfield.proving.trees import walk
 from hfield.syntax import Binary, Call, Compare, Index, Name, Negate, Node, Number, Power, parse
 
 MAX_SIZE = 50_000  # leaves of a coordinate once everything is unfolded, as Coq has to read it
+MAX_EXPONENT = 500
+MAX_BITS = 2_000  # of a number
 MAX_TERMS = 200_000  # of the polynomials multiplied here
 SPARE = 12  # inverses beyond those of divisors: of what the proof finds not to be 0
 COORDINATES = ("re", "im", "jm", "km")
@@ -153,6 +155,8 @@ class Terms:
         if isinstance(value, Fraction) and value.denominator != 1:
             return self.binary("/", self.number(value.numerator), self.number(value.denominator))
         n = int(value)
+        if n.bit_length() > MAX_BITS:
+            raise TooLargeError(f"a number has more than {MAX_BITS} bits")
         text = str(n) if n in (0, 1) else f"num {n}" if n > 0 else f"num ({n})"
         level = ATOM if n in (0, 1) else APPLICATION
         return Term(text, self.integer(n), max(2 * n.bit_length(), 1), level=level)
@@ -188,11 +192,12 @@ class Terms:
 
     def power(self, x: Term, n: int) -> Term:
         """Return a power; the zeroth is 1."""
+        if abs(n) > MAX_EXPONENT:
+            raise TooLargeError(f"the exponent {n} is larger than {MAX_EXPONENT}")
         if n < 0:
             x, n = self.inverse(x), -n
-        out = Term("1" if x.is_scalar else "e", self.integer(1), conditions=x.conditions)
-        if not x.is_scalar:
-            out = Term("e", self.names["e"].value, conditions=x.conditions)
+        one = self.number(1) if x.is_scalar else self.names["e"]
+        out = Term(one.text, one.value, conditions=x.conditions)
         for m in range(n):
             out = x if m == 0 else self.binary("*", x, out)
             if out.size > MAX_SIZE:

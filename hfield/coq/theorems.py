@@ -16,6 +16,7 @@ from hfield.syntax import Node, parse
 
 RINGS, FIELDS, ASSOCIATIVE = "commutative rings", "fields", "associative rings"
 TIME = 20.0  # seconds for finding one proof
+MAX_PROOF = 100_000
 EQUATIONS = "Proof. equations. Qed."
 
 
@@ -59,6 +60,42 @@ def theorem(
     raise AssertionError(name)
 
 
+def proposition(statement: Statement, setting: Setting) -> str:
+    """Return what a statement says in Coq's notation, whether it is true or not."""
+    return _read(statement, setting).text
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A statement translated; ``given`` and ``sought`` are the unknowns before and after "exists"."""
+
+    terms: Terms
+    hypotheses: list[Formula]
+    conclusion: Formula
+    given: Mapping[str, Sort]
+    sought: Mapping[str, Sort]
+
+    @property
+    def text(self) -> str:
+        shown = self.conclusion.text
+        if self.sought:
+            shown = f"exists {_binders(self.sought)}, {shown}"
+        body = " ->\n  ".join([*(grouped(h) for h in self.hypotheses), shown])
+        return f"forall {_binders(self.given)},\n  {body}" if self.given else body
+
+
+def _read(statement: Statement, setting: Setting) -> _Read:
+    terms = Terms(statement, setting.constants)
+    order = sorted(statement.unknowns, key=lambda unknown: unknown[1] is Sort.SCALAR)
+    return _Read(
+        terms,
+        [formula_of(terms, h) for h in statement.hypotheses],
+        formula_of(terms, statement.conclusion),
+        {n: s for n, s in order if n not in statement.exists},
+        {n: s for n, s in order if n in statement.exists},
+    )
+
+
 def _theorem(
     statement: Statement,
     setting: Setting,
@@ -66,19 +103,12 @@ def _theorem(
     room: str,
     deadline: float,
 ) -> tuple[str, str]:
-    terms = Terms(statement, setting.constants)
-    hypotheses = [formula_of(terms, h) for h in statement.hypotheses]
-    conclusion = formula_of(terms, statement.conclusion)
-    order = sorted(statement.unknowns, key=lambda unknown: unknown[1] is Sort.SCALAR)
-    given = {n: s for n, s in order if n not in statement.exists}
-    sought = {n: s for n, s in order if n in statement.exists}
-    text = _implications(hypotheses, _quantified("exists", sought, conclusion))
-    if given:
-        text = f"forall {_binders(given)},\n  {text}"
-    if not sought and _is_identity(conclusion):
+    read = _read(statement, setting)
+    terms, text = read.terms, read.text
+    if not read.sought and _is_identity(read.conclusion):
         return text, EQUATIONS
     proof = Proof(terms, room == FIELDS, deadline)
-    found = {name: _instance(terms, witnesses[name], sort) for name, sort in sought.items()}
+    found = {name: _instance(terms, witnesses[name], sort) for name, sort in read.sought.items()}
 
     def finish(facts: Facts) -> Lines:
         for name, x in found.items():
@@ -102,8 +132,10 @@ def _theorem(
         lines = proof.assume(name, left[0], facts, lambda known: rest(known, left[1:]))
         return [f"intro {name}.", *lines]
 
-    introduced = [f"intros {' '.join(given)}."] if given else []
-    lines = [*introduced, *rest(Facts(), hypotheses)]
+    introduced = [f"intros {' '.join(read.given)}."] if read.given else []
+    lines = [*introduced, *rest(Facts(), read.hypotheses)]
+    if sum(map(len, lines)) > MAX_PROOF:
+        raise TooLargeError(f"the proof is longer than {MAX_PROOF} characters")
     return text, "\n".join(["Proof.", *(f"  {line}" for line in lines), "Qed."])
 
 
@@ -139,11 +171,3 @@ def _binders(unknowns: Mapping[str, Sort]) -> str:
         if names:
             groups.append(f"({' '.join(names)} : {kind})")
     return " ".join(groups)
-
-
-def _quantified(quantifier: str, unknowns: Mapping[str, Sort], body: Formula) -> str:
-    return f"{quantifier} {_binders(unknowns)}, {body.text}" if unknowns else body.text
-
-
-def _implications(hypotheses: list[Formula], conclusion: str) -> str:
-    return " ->\n  ".join([*(grouped(h) for h in hypotheses), conclusion])

@@ -160,6 +160,20 @@ class Ring(ABC):
         """Turn an entry of ``array`` back into an element."""
         return x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
 
+    def places(self) -> Iterator[Any]:
+        """Run through the places of a global field without end, infinite ones first; texts read back.
+
+        Raises :class:`UndecidedError` for any other ring.
+
+        >>> from itertools import islice
+        >>> from hfield import ring
+        >>> list(islice(ring("QQ(I)").places(), 4))
+        [inf, 2, 3, (5, I-2)]
+        """
+        from hfield import places  # through the face: a ring knows of no room above it
+
+        return places(self)
+
     # --- what follows --------------------------------------------------------------------------
 
     @property

@@ -78,18 +78,36 @@ class Order:
         return tuple(sorted(self._of_norm(Fraction(1)), reverse=True))
 
     def _of_norm(self, n: Fraction) -> Iterator[Vector]:
-        c = self.constants
-        gram = [
-            [trace(c, multiply(c, u, conjugate(c, v))) / 2 for v in self.basis] for u in self.basis
-        ]
+        basis, gram = _short(self.constants, self.basis)
         for found, coefficients in enumerate(_vectors_of_length(gram, n)):
             if found >= MAX_UNITS:
                 raise TooLargeError(f"more than {MAX_UNITS} elements of norm {n}")
             w, x, y, z = (
-                sum((k * u[i] for k, u in zip(coefficients, self.basis, strict=True)), Fraction(0))
+                sum((k * u[i] for k, u in zip(coefficients, basis, strict=True)), Fraction(0))
                 for i in range(4)
             )
             yield w, x, y, z
+
+
+def _short(c: Constants, basis: Sequence[Vector]) -> tuple[list[Vector], list[list[Fraction]]]:
+    """Return a reduced basis of a definite lattice, and its Gram matrix with the norms on the diagonal.
+
+    Without it the search for short vectors is as long as the coefficients are large.
+    """
+    import flint
+
+    gram = [[trace(c, multiply(c, u, conjugate(c, v))) / 2 for v in basis] for u in basis]
+    m = math.lcm(*(x.denominator for row in gram for x in row))
+    scaled = flint.fmpz_mat([[int(x * m) for x in row] for row in gram])
+    _, steps = scaled.lll(transform=True, rep="gram", gram="exact")
+    short = []
+    for row in steps.tolist():
+        w, x, y, z = (
+            sum((int(k) * u[i] for k, u in zip(row, basis, strict=True)), Fraction(0))
+            for i in range(4)
+        )
+        short.append((w, x, y, z))
+    return short, [[trace(c, multiply(c, u, conjugate(c, v))) / 2 for v in short] for u in short]
 
 
 def lipschitz_order(c: Constants) -> Order:

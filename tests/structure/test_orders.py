@@ -64,6 +64,13 @@ def test_units_of_definite_maximal_orders(a, b, units):
     assert (a, b) not in {(-1, -1), (-1, -3)} or len(found) == units  # class number one
 
 
+def test_units_where_the_coefficients_are_large():
+    start = time.perf_counter()
+    order = maximal_order(Constants(-(2**521 - 1), 0, -3))
+    assert len(order.units()) == 12
+    assert time.perf_counter() - start < 5
+
+
 def test_what_has_no_orders_or_infinitely_many_units():
     with pytest.raises(NotFiniteError, match="indefinite"):
         maximal_order(Constants(2, 0, 3)).units()

@@ -1,0 +1,142 @@
+"""``hfield count``: how many elements have norm 0, are nilpotent, idempotent, units, roots of ±1."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from hfield.commands.output import open_output
+from hfield.commands.parser import add_algebra, add_format, add_output, algebra_of
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+
+HELP = (
+    "Count the elements of an algebra over a finite ring by norm and by what they are: the closed "
+    "formula in q, and its confirmation by going through all q^4 elements where they are not too many."
+)
+QUICK = 13**4  # elements that the page of `hfield info` goes through
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_algebra(parser)
+    parser.add_argument(
+        "--formulas", action="store_true", help="do not go through the elements, however few"
+    )
+    add_format(parser, "plain", "json")
+    add_output(parser)
+
+
+@dataclass
+class Counts:
+    """One line a count: what, how many, the formula (or None); and how many were gone through."""
+
+    algebra: QuaternionAlgebra
+    lines: list[tuple[str, int, str | None]]
+    exhausted: int | None = None
+
+    def to_json(self) -> dict[str, object]:
+        """Return the counts as JSON."""
+        rows = [
+            {"what": w.replace("−", "-").replace("≠", "!="), "count": n, "formula": formula}
+            for w, n, formula in self.lines
+        ]
+        return {"counts": rows, "confirmed_on": self.exhausted}
+
+
+def run(args: Namespace) -> int:
+    """Count and print."""
+    A = algebra_of(args)
+    with open_output(args.output) as out:
+        result = counts(A, formulas=args.formulas)
+        if args.format == "json":
+            head = {"schema": "hfield-count/1", "algebra": A.name, "field": A.ring.name}
+            out.write_json({**head, "q": A.ring.order, **result.to_json()})
+        else:
+            title = f"{A.name}, q = {A.ring.order}"
+            out.write("\n".join([title, "", *count_lines(result)]))
+    return 0
+
+
+def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) -> Counts:
+    """Count, and confirm unless ``formulas``. Raises :class:`NotFiniteError` over an infinite ring.
+
+    Over ℤ/n there are no formulas, and only the exhaustive count answers.
+    """
+    from hfield import structure
+    from hfield.structure.exhaust import LIMIT
+
+    F, c = A.ring, A.constants
+    if F.order is not None and not F.is_field:
+        return _exhausted(A)
+    lines: list[tuple[str, int, str | None]] = []
+
+    def add(label: str, kind: str, value: object = None) -> None:
+        lines.append((label, *structure.count(F, c, kind, value)))
+
+    add("elements", "elements")
+    add("units", "units")
+    add("norm 0", "norm", 0)
+    classes = _classes(A)
+    results = [structure.count(F, c, "norm", value) for _, value in classes]
+    if len(set(results)) == 1:
+        lines.append(("each norm n ≠ 0", *results[0]))
+    else:
+        lines += [(label, *found) for (label, _), found in zip(classes, results, strict=True)]
+    add("nilpotent", "nilpotent")
+    add("idempotent", "idempotent")
+    add("square roots of 1", "square roots", 1)
+    if F.characteristic != 2:
+        add("square roots of −1", "square roots", -1)
+    result = Counts(A, lines)
+    assert F.order is not None
+    if not formulas and F.order**4 <= (QUICK if quick else LIMIT):
+        result.exhausted = structure.confirm(F, c).elements
+    return result
+
+
+def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
+    """Return one nonzero scalar of each square class, with how to call the norms in it."""
+    F = A.ring
+    classes: list[tuple[str, object]] = [("each norm n a square ≠ 0", F.one)]
+    if F.characteristic != 2:
+        from random import Random
+
+        rng = Random(0)
+        while F.sqrt(x := F.random(rng)) is not None:
+            pass
+        classes.append(("each norm n not a square", x))
+    return classes
+
+
+def _exhausted(A: QuaternionAlgebra) -> Counts:
+    """Count over a finite ring that is no field by going through all elements."""
+    from hfield import structure
+
+    found = structure.tally(A.ring, A.constants)
+    lines: list[tuple[str, int, str | None]] = [
+        ("elements", found.elements, None),
+        ("units", found.units, None),
+        *((f"norm {n}", number, None) for n, number in list(found.norms.items())[:32]),
+        ("nilpotent", found.nilpotent, None),
+        ("idempotent", found.idempotent, None),
+        ("square roots of 1", found.roots[A.ring.text(A.ring.one)], None),
+        ("square roots of −1", found.roots[A.ring.text(A.ring(-1))], None),
+    ]
+    return Counts(A, lines, found.elements)
+
+
+def count_lines(result: Counts) -> list[str]:
+    """Lay out the counts in columns."""
+    rows = [(label, str(n), formula or "") for label, n, formula in result.lines]
+    wide = [max(len(row[n]) for row in rows) for n in (0, 1)]
+    lines = [f"  {w:<{wide[0]}}  {n:>{wide[1]}}  {formula}".rstrip() for w, n, formula in rows]
+    if result.exhausted is None:
+        note = "by the formulas; there are too many elements to go through them all here"
+    elif all(formula is None for _, _, formula in result.lines):
+        note = f"counted by going through all {result.exhausted} elements"
+    else:
+        note = f"confirmed by going through all {result.exhausted} elements"
+    return [*lines, "", f"  {note}"]

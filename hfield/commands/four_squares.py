@@ -1,0 +1,38 @@
+"""``hfield four-squares``: Lagrange's theorem by greatest common divisors of Hurwitz quaternions."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from hfield.commands.output import open_output
+from hfield.commands.parser import add_format, add_output
+from hfield.errors import TooLargeError
+
+HELP = "Write an integer as a sum of four squares, by a gcd in the Hurwitz order."
+DIGITS = 500
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("n", metavar="N", help="an integer ≥ 0, such as 2026 or 10**60+7")
+    add_format(parser, "plain", "unicode", "json")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Compute, and print the squares in descending order."""
+    from hfield.rings import ring
+    from hfield.structure import four_squares
+
+    n = int(ring("ZZ")(args.n))
+    if abs(n) >= 10**DIGITS:
+        raise TooLargeError(f"four-squares takes numbers of at most {DIGITS} digits")
+    with open_output(args.output) as out:
+        squares = four_squares(n)
+        if args.format == "json":
+            out.write_json({"schema": "hfield-four-squares/1", "n": n, "squares": squares})
+        elif args.format == "unicode":
+            out.write(f"{n} = {' + '.join(f'{x}²' for x in squares)}")
+        else:
+            out.write(f"{n} = {' + '.join(f'{x}^2' for x in squares)}")
+    return 0

@@ -1,0 +1,195 @@
+"""All that is known of an algebra, asked once: what ``hfield info`` shows and writes as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from hfield import structure
+from hfield.algebra import QuaternionAlgebra
+from hfield.errors import TooLargeError, UndecidedError
+from hfield.maps import Division, Splitting
+from hfield.notation import element_text
+from hfield.orders import Order
+from hfield.quaternion import Quaternion
+from hfield.rings.base import INFINITY
+
+SCHEMA = "hfield-info/1"
+
+
+@dataclass
+class Description:
+    """The answers about ``algebra``; one that is None was not decided, or has no meaning here.
+
+    ``undecided`` tells by name which were tried in vain, and why.
+    """
+
+    algebra: QuaternionAlgebra
+    relations: tuple[str, ...] = ()
+    normal_form: str | None = None
+    substitution: str = ""
+    commutative: bool | None = None
+    center: tuple[Quaternion, ...] | None = None
+    radical: tuple[Quaternion, ...] | None = None
+    central_simple: bool | None = None
+    derivations: int | None = None
+    division: bool | None = None
+    reason: str = ""
+    assumes: tuple[str, ...] = ()
+    zero_norm: Quaternion | None = None
+    splitting: Splitting | None = None
+    ramified: tuple[Any, ...] | None = None
+    discriminant: Any = None
+    order: Order | None = None
+    units: int | None = None
+    undecided: dict[str, str] = field(default_factory=dict)
+
+    def ask(self, name: str, question: Callable[[], Any]) -> Any:
+        """Return the answer, or None after noting why the question was not decided."""
+        try:
+            return question()
+        except (UndecidedError, TooLargeError) as error:
+            self.undecided[name] = str(error)
+        return None
+
+    def to_json(self) -> dict[str, object]:
+        """Return what programs read: scalars as texts, elements as four of them."""
+        A, F = self.algebra, self.algebra.ring
+        a, t, b = (F.text(c) for c in A.constants)
+        level = "inf" if F.level.value == INFINITY else F.level.value
+        return {
+            "schema": SCHEMA,
+            "algebra": A.name,
+            "field": F.name,
+            "characteristic": F.characteristic,
+            "order_of_field": F.order,
+            "level": level,
+            "level_reason": F.level.reason,
+            "constants": {"a": a, "t": t, "b": b},
+            "relations": list(self.relations),
+            "normal_form": self.normal_form,
+            "table": [
+                [element_text(F, q.coordinates, "plain", "e") for q in row]
+                for row in A.multiplication_table()
+            ],
+            "commutative": self.commutative,
+            "center": self._elements(self.center),
+            "radical": self._elements(self.radical),
+            "central_simple": self.central_simple,
+            "derivations": self.derivations,
+            "division": self.division,
+            "reason": self.reason or None,
+            "assumes": list(self.assumes),
+            "zero_norm_element": None if self.zero_norm is None else self._texts(self.zero_norm),
+            "splitting": self.splitting
+            and {
+                name: [[F.text(x) for x in row] for row in matrix]
+                for name, matrix in (("i", self.splitting.i), ("j", self.splitting.j))
+            },
+            "ramified_places": None
+            if self.ramified is None
+            else [place_json(v) for v in self.ramified],
+            "discriminant": self.discriminant_json(),
+            "maximal_order": self.order
+            and {
+                "basis": [self._texts(q) for q in self.order.basis],
+                "discriminant": self.order.discriminant(),
+                "units": self.units,
+            },
+            "undecided": self.undecided,
+        }
+
+    def discriminant_json(self) -> object:
+        """Return an int over ℚ, the text of a polynomial, or the texts of prime ideals."""
+        if self.discriminant is None or isinstance(self.discriminant, int):
+            return self.discriminant
+        if isinstance(self.discriminant, tuple):
+            return [str(v) for v in self.discriminant]
+        return self.algebra.ring.text(self.discriminant)
+
+    def _texts(self, q: Quaternion) -> list[str]:
+        return [self.algebra.ring.text(x) for x in q.coordinates]
+
+    def _elements(self, elements: tuple[Quaternion, ...] | None) -> list[list[str]] | None:
+        return None if elements is None else [self._texts(q) for q in elements]
+
+
+def place_json(place: Any) -> object:
+    """Return a prime as a number, and any other place as the text that reads back."""
+    return place if isinstance(place, int) else str(place)
+
+
+def describe(A: QuaternionAlgebra) -> Description:
+    """Ask all that is asked of an algebra. Nothing raises where something is merely undecided."""
+    F, c = A.ring, A.constants
+    d = Description(A, relations(A))
+    d.commutative = A.is_commutative()
+    d.center = d.ask("center", A.center)
+    if F.is_field and F.is_exact:
+        d.radical = d.ask("radical", A.radical)
+        d.central_simple = A.is_central_simple()
+    d.normal_form, d.substitution = _normal_form(A)
+    derivations = d.ask("derivations", A.derivations)
+    d.derivations = None if derivations is None else len(derivations)
+    if d.central_simple:
+        _divide_or_split(d)
+        _ramify(d)
+    else:
+        d.division = d.ask("division", A.is_division_algebra)
+        found = d.ask("zero_norm_element", lambda: structure.zero_norm(F, c))
+        if found is not None:
+            d.zero_norm = None if found.element is None else A(*found.element)
+            d.reason = "" if found.method == "search" else found.reason
+            d.assumes = found.assumes
+    return d
+
+
+def _normal_form(A: QuaternionAlgebra) -> tuple[str | None, str]:
+    """Return the name of the algebra as (t² + 4a, b) or [a/t², b), and what takes the place of i."""
+    F, (a, t, b) = A.ring, A.constants
+    if not (F.is_field and F.is_exact) or F.is_zero(t):
+        return None, ""
+    if F.characteristic != 2:
+        i = A(-t, 2, 0, 0)
+        return QuaternionAlgebra(F, t * t + 4 * a, b).name, f"with {i.text('unicode')} for i"
+    if F.is_zero(t - F.one):
+        return None, ""
+    s = F.inverse(t)
+    i = A(0, s, 0, 0)
+    return QuaternionAlgebra(F, a * s * s, b, 1).name, f"with {i.text('unicode')} for i"
+
+
+def _divide_or_split(d: Description) -> None:
+    answer = d.ask("division", d.algebra.division_or_splitting)
+    if isinstance(answer, Division):
+        d.division, d.reason, d.assumes = True, answer.reason, answer.assumes
+    elif answer is not None:
+        d.division, d.splitting, d.zero_norm = False, answer, answer.zero_divisor
+    elif (known := d.ask("division", d.algebra.is_division_algebra)) is not None:
+        d.division = known
+        d.undecided["splitting"] = d.undecided.pop("division")
+
+
+def _ramify(d: Description) -> None:
+    A, F = d.algebra, d.algebra.ring
+    if F.order is not None or F.closure is not None:  # no places there
+        return
+    d.ramified = d.ask("ramified_places", A.ramified_places)
+    if d.ramified is None:
+        return
+    d.discriminant = A.discriminant()
+    if F.name == "QQ":
+        d.order = d.ask("maximal_order", A.maximal_order)
+        if d.order is not None and "inf" in d.ramified:
+            d.units = d.ask("units", lambda: len(d.order.units()) if d.order else None)
+
+
+def relations(A: QuaternionAlgebra) -> tuple[str, ...]:
+    """Return the relations that define the product, in unicode: ``i² = −1`` and so on."""
+    _, i, j, _ = A.basis
+
+    def text(q: Quaternion, unit: str = "") -> str:
+        return element_text(A.ring, q.coordinates, "unicode", unit)
+
+    return f"i² = {text(i * i)}", f"j² = {text(j * j)}", "ij = k", f"ji = {text(j * i, 'e')}"

@@ -1,0 +1,391 @@
+"""Whether evidence that differs from the original is valid all the same, by other means than the checker's.
+
+Witnesses are evaluated in the package's own rings, cofactors multiplied out by flint, words by the
+prover's rewriting; for the rest the prover is asked again. Nothing of hfield.certificates is used.
+"""
+
+import re
+from collections.abc import Callable, Mapping
+from itertools import product
+from typing import Any
+
+from flint import Ordering, fmpz_mat, fmpz_mpoly_ctx
+
+from hfield.errors import HFieldError
+from hfield.ledger.centre import _equations
+from hfield.product import Constants, multiply, norm
+from hfield.proving.interpret import RingInterpretation, bind
+from hfield.proving.language import read_statement
+from hfield.proving.noncommutative import multiply_out
+from hfield.proving.prove import prove
+from hfield.proving.setting import read_setting
+from hfield.rings import ring
+from hfield.syntax import Reader
+
+Certificate = dict[str, Any]
+ATOM = re.compile(r"[A-Za-z]\w*(?:\[\d\]|\([^()]*\))?")
+
+
+def judge(mutant: Certificate, original: Certificate) -> str:
+    """Return why a mutant that passed is valid, '' if no reason is found.
+
+    Its target has to be the original's, whose verdict the prover decided.
+    """
+    same = all(mutant[key] == original[key] for key in ("verdict", "assumes"))
+    if not same or _where(mutant) != _where(original):
+        return ""
+    return _evidence(mutant["evidence"], original["evidence"], mutant)
+
+
+def _where(data: Certificate) -> Any:
+    field = None if data["field"] is None else data["field"].replace(" ", "")
+    return read_setting(field, data["algebra"])
+
+
+def _evidence(new: Any, old: Any, data: Certificate) -> str:
+    if new == old:
+        return "same evidence"
+    kind = new.get("kind")
+    empty = {"kind": "implication", "facts": [], "items": []}
+    if kind == "identity":  # that is an implication without items
+        return _evidence(empty, old, data)
+    if old.get("kind") == "identity":
+        return _evidence(new, empty, data)
+    if kind != old.get("kind"):
+        return ""
+    if _spelt(new, data) == _spelt(old, data):
+        return "other spelling"
+    nested = [key for key in ("proof", "evidence") if isinstance(new.get(key), dict)]
+    if nested and all(new[key] == old[key] for key in new if key not in nested):
+        inside = {**data, **_inside(kind, new, data)}
+        return _evidence(new[nested[0]], old[nested[0]], inside)
+    if kind == "lemmas" and len(new["proofs"]) == len(old["proofs"]):
+        proofs = zip(new["proofs"], old["proofs"], strict=True)
+        reasons = [_evidence(x, y, data) for x, y in proofs]
+        return "valid lemmas" if all(reasons) else ""
+    if kind in ("parts", "both"):
+        found = []
+        for n, (x, y) in enumerate(zip(_parts(new), _parts(old), strict=True)):
+            part = {**data, "statement": _texts(data)[n], "verdict": x["verdict"]}
+            found.append(
+                x["verdict"] == y["verdict"] and _evidence(x["evidence"], y["evidence"], part)
+            )
+        return str(found[0]) if all(found) else ""
+    checks: dict[Any, Callable[[Any, Any, Certificate], bool]] = {
+        "witness": lambda a, b, d: _witness(a, d),
+        "implication": _implication,
+        "presentation": _presentation,
+        "minor": lambda a, b, d: _minor(a, d),
+        "no root": lambda a, b, d: ring(d["field"]).sqrt(_norm(a, d)) is None,
+        "zero norm": lambda a, b, d: _zero_norm(a, d),
+        "squares": lambda a, b, d: _squares(a, d),
+        "place": lambda a, b, d: _place(a, d),
+        "terms": lambda a, b, d: _terms(a, d),
+        "left out": lambda a, b, d: _left_out(a, d),
+        "all choices": _choices,
+        "algebra": lambda a, b, d: _reduced(a) == _reduced(b),
+    }
+    return f"valid {kind}" if kind in checks and checks[kind](new, old, data) else ""
+
+
+def _inside(kind: Any, evidence: Any, data: Certificate) -> Certificate:
+    """Return what evidence inside of evidence is about."""
+    if kind in ("over", "none exists") and "field" in evidence:
+        over = data["statement"].startswith("not-everywhere")
+        inner = {"statement": _texts(data)[0]} if over else {}
+        field = evidence["field"]
+        return {"field": field, "algebra": f"(-1,-1|{field})", "verdict": "refuted", **inner}
+    places = {"part": evidence.get("part", 0), "hypothesis": 0, "conclusion": 1}
+    if kind not in places:
+        return {}
+    verdict = "refuted" if kind == "hypothesis" else data["verdict"]
+    return {"statement": _texts(data)[places[kind]], "verdict": verdict}
+
+
+def _texts(data: Certificate) -> list[str]:
+    """Return the parts of ``word{P; Q}``."""
+    parts, depth = [""], 0
+    for char in data["statement"].partition("{")[2].rpartition("}")[0]:
+        depth += (char == "{") - (char == "}")
+        if char == ";" and not depth:
+            parts.append("")
+        else:
+            parts[-1] += char
+    return [part.strip() for part in parts]
+
+
+def _parts(evidence: Any) -> list[Any]:
+    return evidence["parts"] if "parts" in evidence else [evidence["left"], evidence["right"]]
+
+
+def _spelt(value: Any, data: Certificate) -> Any:
+    """Replace texts by the elements of the field, and numbers by themselves, as far as they are read."""
+    if isinstance(value, dict):
+        return {
+            k: _spelt(v, {**data, "field": value.get("field", data["field"])})
+            for k, v in value.items()
+        }
+    if isinstance(value, list):
+        return [_spelt(v, data) for v in value]
+    if isinstance(value, str):
+        try:
+            F = ring(data["field"] or "QQ")
+            return F.key(F(value))
+        except (HFieldError, ValueError):
+            return "".join(value.split())
+    return value
+
+
+def _norm(evidence: Any, data: Certificate) -> Any:
+    F = ring(data["field"])
+    w, x, y, z = map(F, evidence["value"])
+    return norm(Constants(F(-1), F(0), F(-1)), (w, x, y, z))
+
+
+def _zero_norm(evidence: Any, data: Certificate) -> bool:
+    F = ring(data["field"])
+    return F.is_zero(_norm(evidence, data)) and any(not F.is_zero(F(x)) for x in evidence["value"])
+
+
+def _squares(evidence: Any, data: Certificate) -> bool:
+    F = ring(data["field"])
+    total = F.zero
+    for text in evidence["values"]:
+        total = total + F(text) * F(text)
+    bound = re.search(r"level-above\{(\d+)\}", data["statement"])
+    few = bound is None or len(evidence["values"]) <= int(bound[1])
+    return few and F.equal(total, F(-1))
+
+
+def _witness(evidence: Any, data: Certificate) -> bool:
+    if "norm" in evidence:
+        F = ring(data["field"])
+        sign = 1 if ">" in data["statement"] else -1
+        return F.equal(_norm(evidence, data), F(evidence["norm"])) and evidence["norm"] * sign < 0
+    setting = read_setting(data["field"], data["algebra"])
+    F = ring(evidence["field"])
+    statement = read_statement(data["statement"], setting.field, (), setting.letters)
+    values: dict[str, Any] = {text: F(text) for text in statement.constants}
+    for name, _ in statement.unknowns:
+        read = tuple(F(text) for text in evidence["values"][name])
+        values[name] = read if len(read) == 4 else read[0]
+    world = RingInterpretation(F)
+    bind(world, setting.constants, values)
+    given = all(map(world.truth, statement.hypotheses))
+    return (not given or bool(world.truth(statement.conclusion))) == (data["verdict"] == "proved")
+
+
+def _place(evidence: Any, data: Certificate) -> bool:
+    field = evidence.get("field", data["field"])
+    given = []
+    for name, texts in evidence["values"].items():
+        units = "eijk" if len(texts) == 4 else "1"
+        given.append(
+            f"{name} == " + " + ".join(f"({c})*{u}" for c, u in zip(texts, units, strict=True))
+        )
+    return (
+        prove(data["statement"], field, given, data["algebra"].replace("F)", f"{field})")).verdict
+        == "refuted"
+    )
+
+
+def _terms(evidence: Any, data: Certificate) -> bool:
+    given = [f"{name} == {term}" for name, term in evidence["terms"].items()]
+    body = data["statement"].split("exists", 1)
+    inside = body[1].split(":", 1)[1]
+    return prove(f"{body[0]}({inside}", data["field"], given, data["algebra"]).verdict == "proved"
+
+
+def _left_out(evidence: Any, data: Certificate) -> bool:
+    word, (choice, arities) = evidence["tuple"], _texts(data)
+    if str(len(word)) not in arities.split(","):
+        return False
+    if choice == "constant":
+        return len(set(word)) > 1
+    return word[-1] != "e" if choice == "short" else choice == "all-but-one" and set(word) == {"k"}
+
+
+def _choices(new: Any, old: Any, data: Certificate) -> bool:
+    """Every choice of roots for the norms breaks the law for two of the elements."""
+    F = ring(data["field"])
+    c = Constants(F(-1), F(0), F(-1))
+    elements = [tuple(map(F, q)) for q in new["elements"]]
+    roots = {F.key(norm(c, q)): F(r) for q, r in zip(elements, new["roots"], strict=True)}
+    if any(
+        not F.equal(roots[F.key(norm(c, q))] * roots[F.key(norm(c, q))], norm(c, q))
+        for q in elements
+    ):
+        return False
+    for signs in product((F(1), F(-1)), repeat=len(roots)):
+        chosen = {n: s * r for s, (n, r) in zip(signs, roots.items(), strict=True)}
+        pairs = [(multiply(c, p, q), p, q) for p, q in product(elements, repeat=2)]
+        values = [[chosen.get(F.key(norm(c, x))) for x in triple] for triple in pairs]
+        if all(x is None or F.equal(x, y * z) for x, y, z in values):
+            return False
+    return True
+
+
+def _reduced(evidence: Any) -> Any:
+    """Return a table with its entries modulo the characteristic."""
+    p = evidence["characteristic"]
+    table = {xy: [c % p if p else c for c in v] for xy, v in evidence["table"].items()}
+    value = [c % p if p else c for c in evidence["value"]]
+    words = {key: [sorted(f, key=str) for f in evidence[key]] for key in ("relations", "goals")}
+    return {**evidence, **words, "table": table, "value": value}
+
+
+def _minor(evidence: Any, data: Certificate) -> bool:
+    p = 0 if data["field"] is None else ring(data["field"]).characteristic
+    rows = [[_equations()[r][c] for c in evidence["columns"]] for r in evidence["rows"]]
+    return p == 2 or abs(int(fmpz_mat(rows).det())) in (2, 4, 8)
+
+
+def _presentation(new: Any, old: Any, data: Certificate) -> bool:
+    if any(new[key] != old[key] for key in ("characteristic", "identity")):
+        return False
+    listed = [
+        [{w: c for c, w in f} for f in e[key]] for e in (new, old) for key in ("relations", "goals")
+    ]
+    relations, goals, *target = listed
+    if [relations, goals] != target or len(new["proofs"]) != len(goals):
+        return False
+    p = new["characteristic"]
+    for goal, proof in zip(goals, new["proofs"], strict=True):
+        total = {word: -c * proof["denominator"] for word, c in goal.items()}
+        for c, left, n, right in proof["cofactors"]:
+            for word, d in multiply_out({(left, n, right): c}, relations).items():
+                total[word] = total.get(word, 0) + d
+        if any(c % p if p else c for c in total.values()) or not proof["denominator"]:
+            return False
+    return True
+
+
+class _Polynomials:
+    """Reads the polynomials of an implication with flint."""
+
+    def __init__(self, evidence: Any, characteristic: int) -> None:
+        text = str(evidence["items"])
+        atoms = sorted({m[0] for m in ATOM.finditer(text)} | {"T1"})
+        context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(atoms))], Ordering.degrevlex)
+        self.gens = dict(zip(atoms, context.gens(), strict=True))
+        self.constant, self.p = context.constant, characteristic
+        self.rootless = set(re.findall(r"'polynomial': '([^']*)'", str(evidence.get("old"))))
+
+    def read(self, text: str) -> Any:
+        """Return a polynomial."""
+        names: dict[str, Any] = {name: name for name in "pqruvw"}
+        for n, atom in enumerate(a for a in self.gens if "(" in a):
+            text = text.replace(atom, f"c{n}_")
+            names[f"c{n}_"] = self.gens[atom]
+        names |= {
+            name: g for name, g in self.gens.items() if name.isidentifier() and name not in names
+        }
+        functions: Mapping[str, Any] = {
+            "**": lambda x, n: x**n,
+            "[]": lambda q, n: self.gens[f"{q}[{n}]"],
+        }
+        return Reader(self.constant, names, functions, "polynomials", 10**9).read(
+            text
+        ) + self.constant(0)
+
+    def zero(self, f: Any) -> bool:
+        """Tell whether f is 0 modulo the characteristic."""
+        return bool(f == 0) or bool(self.p and int(f.content()) % self.p == 0)
+
+
+def _implication(new: Any, old: Any, data: Certificate) -> bool:
+    """The new items are valid, and there is one for each of the old."""
+    if new["facts"] != old["facts"]:
+        return False
+    field = None if data["field"] is None else ring(data["field"])
+    p = 0 if field is None else field.characteristic
+    for item in new["items"]:
+        P = _Polynomials(
+            {"items": [*new["items"], *old["items"]], "old": old}, item["characteristic"] or p
+        )
+        if item not in old["items"] and not _item(item, P, data):
+            return False
+    for item in old["items"]:
+        P = _Polynomials(
+            {"items": [*new["items"], *old["items"]], "old": old}, item["characteristic"] or p
+        )
+        trivial = "member" in item and _among(item["member"], item["zero"], P)
+        if not trivial and not any(_serves(mine, item, P) for mine in new["items"]):
+            return False
+    return True
+
+
+def _among(f: str, texts: list[str], P: _Polynomials) -> bool:
+    """Tell whether f or −f is among some polynomials."""
+    x = P.read(f)
+    return any(P.zero(x - P.read(t)) or P.zero(x + P.read(t)) for t in texts)
+
+
+def _serves(mine: Any, item: Any, P: _Polynomials) -> bool:
+    if mine["characteristic"] not in (0, item["characteristic"]):
+        return False
+    if not all(_among(z, [*item["zero"], "0"], P) for z in mine["zero"]):
+        return False
+    if "member" in mine:
+        known = [item["member"]] if "member" in item else item["nonzero"]
+        return _among(mine["member"], known, P)
+    return "nonzero" in item and all(_among(g, item["nonzero"], P) for g in mine["nonzero"])
+
+
+def _item(item: Any, P: _Polynomials, data: Certificate) -> bool:
+    known = [P.read(z) for z in (*item["zero"], *item["relations"])]
+    if "member" in item:
+        return _sum(item, known, P.read(item["member"]), P)
+    for n, g in enumerate(item["nonzero"], 1):
+        known.append(1 - P.gens.setdefault(f"T{n}", P.constant(0)) * P.read(g))
+    return _steps(item["steps"], known, P, data)
+
+
+def _sum(step: Any, known: list[Any], target: Any, P: _Polynomials) -> bool:
+    if len(step["cofactors"]) != len(known) or P.zero(P.constant(step["denominator"])):
+        return False
+    total = -step["denominator"] * target
+    for text, f in zip(step["cofactors"], known, strict=True):
+        total = total + P.read(text) * f
+    return P.zero(total)
+
+
+def _proportional(step: Any, known: list[Any], form: Any, P: _Polynomials) -> bool:
+    """Tell whether the sum of cofactors is the form times a number that is not 0."""
+    total = P.constant(0)
+    for text, f in zip(step["cofactors"], known, strict=True):
+        total = total + P.read(text) * f
+    for monomial, d in form.terms():
+        if d % P.p if P.p else d:
+            c = dict(total.terms()).get(monomial, 0)
+            return bool(c % P.p if P.p else c) and P.zero(total * d - form * c)
+    return P.zero(total)
+
+
+def _steps(steps: list[Any], known: list[Any], P: _Polynomials, data: Certificate) -> bool:
+    for step in steps:
+        if step["step"] == "contradiction":
+            return _sum(step, known, P.constant(1), P)
+        if step["step"] == "no root":  # that it has none is as in the original
+            target = P.read(step["polynomial"])
+            return step["polynomial"] in P.rootless and _sum(step, known, target, P)
+        if step["step"] == "cases":
+            target = P.constant(1)
+            for f, n in zip(step["factors"], step["powers"], strict=True):
+                target = target * P.read(f) ** n
+            branches = zip(step["factors"], step["branches"], strict=True)
+            return _sum(step, known, target, P) and all(
+                _steps(branch, [*known, P.read(f)], P, data) for f, branch in branches
+            )
+        terms = [P.read(t) for t in step["terms"]]
+        if step["step"] == "norm":
+            constants = Constants(*(int(c) for c in _where(data).constants))
+            w, x, y, z = terms
+            form = norm(constants, (w, x, y, z))
+        else:
+            pairs = zip(step["coefficients"], terms, strict=True)
+            form = sum((c * f * f for c, f in pairs), P.constant(0))
+        if not _proportional(step, known, form, P):
+            return False
+        known = [*known, *terms]
+    return False

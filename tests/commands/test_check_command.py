@@ -1,0 +1,79 @@
+"""``hfield check`` and ``hfield verify --certificates``."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from hfield.cli import main
+
+
+def written(tmp_path: Path, statement: str, *options: str) -> str:
+    path = str(tmp_path / "one.json")
+    main(["prove", statement, "--certificate", path, *options])
+    return path
+
+
+def test_accepted_and_rejected(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path, "p*q == q*p", "--field", "GF(9)")
+    capsys.readouterr()
+    assert main(["check", path]) == 0
+    assert "refuted over GF(9)" in capsys.readouterr().out
+    assert main(["check", path, "--statement", "(p*q) == (q*p)", "--field", "GF9"]) == 0
+    assert main(["check", path, "--statement", "p*q == q*p", "--field", "GF(3)"]) == 1
+    assert main(["check", path, "--statement", "p*q == q*p"]) == 1
+    assert "rejected" in capsys.readouterr().out
+    bad = tmp_path / "bad.json"
+    bad.write_bytes(b"\xff\xfe")
+    assert main(["check", path, str(bad)]) == 1
+    assert main(["check", path, str(tmp_path / "missing.json")]) == 2
+    assert main(["check", str(tmp_path)]) == 2
+
+
+def test_bad_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path, "p*q == q*p", "--field", "QQ")
+    for options in (
+        ["--field", "QQ"],
+        ["--claim", "C9.9-z"],
+        ["--claim", "C1-a", "--statement", "q == q"],
+        ["--statement", "q =="],
+        ["--statement", "q == q", "--field", "GF(6)"],
+        ["--claim", "impression"],
+    ):
+        assert main(["check", path, *options]) == 2, options
+    assert main(["check"]) == 2
+
+
+def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path, "(p*q)*r == p*(q*r)")
+    capsys.readouterr()
+    assert main(["check", path, "--format", "json"]) == 0
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert result["accepted"]
+    assert result["scope"] == "commutative rings"
+    assert result["field"] is None
+
+
+def test_verify_writes_certificates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    directory = tmp_path / "certificates"
+    options = ["--field", "QQ,GF(4),QQ(sqrt(-7)),universal", "--certificates", str(directory)]
+    assert main(["verify", "C1.1.2-b", "C1.2-a", "C1.3.1-y", *options, "--format", "json"]) == 0
+    rows = json.loads(capsys.readouterr().out)["results"]
+    paths = [row["certificate"] for row in rows if row["as_printed"] != "not-applicable"]
+    assert all(Path(path).parent == directory for path in paths)
+    files = [str(path) for path in directory.glob("*.json")]
+    assert len(files) > len(paths)
+    assert main(["check", *files]) == 0
+    for row in rows:
+        pin = ["--claim", row["id"], "--field", row["field"]]
+        assert main(["check", row["certificate"], *pin]) == 0
+        assert main(["check", row["certificate"], "--claim", "C1-a", "--field", row["field"]]) == 1
+
+
+def test_a_directory_that_cannot_be_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("")
+    options = ["--field", "QQ", "--certificates", str(tmp_path / "file")]
+    assert main(["verify", "C1-a", *options]) == 2
+    assert "choose another directory" in capsys.readouterr().err
