@@ -41,7 +41,7 @@ def verify(*claims: str, field: str | Sequence[str] = ()) -> Report:
 
 
 def export_session(answers: Iterable[Answer]) -> str:
-    """Return a Coq file of the ledger's theorems and of the answers of ``prove`` that hold everywhere.
+    """Return a Coq file of the answers of ``prove`` that hold over all fields.
 
     ``Path("mine.v").write_text(export_session([prove("trace(p*q) == trace(q*p)")]))``
     """

@@ -104,6 +104,8 @@ class Rationals(_Ordered):
 
     def __call__(self, x: Any) -> Any:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
+        if type(x) is int:
+            return flint.fmpq(x)
         x = unwrap(x)
         if isinstance(x, flint.fmpq):
             return x

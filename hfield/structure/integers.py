@@ -37,6 +37,8 @@ def square_class(x: Any) -> int:
     """Return a nonzero integer equal to the rational x up to a square: numerator · denominator."""
     if type(x) is int:
         n = x
+    elif type(x) is flint.fmpq:
+        n = int(x.p) * int(x.q)
     else:
         f = fraction(x)
         n = f.numerator * f.denominator
