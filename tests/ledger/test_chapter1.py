@@ -1,12 +1,15 @@
 """Chapter 1, decided: every row has a verdict, every twin changes one, every correction holds."""
 
+import pkgutil
 import re
 import sys
 from collections import Counter
+from importlib import import_module
 from typing import Any
 
 import pytest
 
+import hfield
 from hfield import product
 from hfield.errors import HFieldError
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, decide
@@ -106,6 +109,9 @@ def test_a_broken_product_turns_rows_red(monkeypatch: Any) -> None:
         w, x, y, z = true(c, p, q)
         return w, x, y, z - p[1] * q[2] - p[1] * q[2]
 
+    for info in pkgutil.walk_packages(hfield.__path__, "hfield."):
+        if not info.name.endswith("__main__"):
+            import_module(info.name)  # now, or it would keep the broken product it found
     green = [c for c in CHECKABLE if verdict(c) == "proved"]
     for name, module in list(sys.modules.items()):
         if name.startswith("hfield") and getattr(module, "multiply", None) is true:
@@ -130,9 +136,11 @@ def forget() -> None:
     """Empty every cache of the package, which remembers what the true product decided."""
     for name, module in list(sys.modules.items()):
         if name.startswith("hfield"):
-            for value in vars(module).values():
+            for key, value in vars(module).items():
                 if hasattr(value, "cache_clear") and value is not claims:
                     value.cache_clear()
+                elif key in ("_kept", "_proofs") and isinstance(value, dict):  # the prover's memory
+                    value.clear()
 
 
 def test_fieldless_claims_have_one_row() -> None:
