@@ -102,7 +102,7 @@ class QuadraticField(Ring):
 
     @property
     def level(self) -> Known:
-        """∞ for d > 0; else 1 for d = −1, 4 where −d = 7 mod 8, and 2 for all others."""
+        """∞ for d > 0; else 1 for d = −1, 4 where −d ≡ 7 mod 8, and 2 for all others."""
         if self.d > 0:
             return Known(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
         squares = self.minus_one_as_squares()
@@ -110,7 +110,7 @@ class QuadraticField(Ring):
         why = {
             1: "",
             2: ", and −1 itself is no square",
-            4: f", and fewer squares do not do, for {-self.d} = 7 mod 8",
+            4: f", and fewer squares do not do, for {-self.d} ≡ 7 mod 8",
         }[len(squares)]
         return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
 
@@ -118,7 +118,7 @@ class QuadraticField(Ring):
         """Return as few elements as possible whose squares add up to −1.
 
         With w² = −m and m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is
-        no sum of three squares, m = 7 mod 8, four squares of m, each over w, are needed.
+        no sum of three squares, m ≡ 7 mod 8, four squares of m, each over w, are needed.
         """
         m, w = -self.d, self.gen
         if m < 0:
