@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from hfield import structure
@@ -11,6 +12,8 @@ from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, norm
 from hfield.proving.decision import Decision
 from hfield.rings.base import INFINITY, Ring
+
+COUNTED_BELOW = 16  # the largest field over which all elements are gone through
 
 
 def hamilton(F: Ring) -> Constants:
@@ -100,9 +103,22 @@ class Division:
             "refuted",
             "zero norm",
             witness={"q": texts(field, q)},
-            steps=(step,),
+            steps=(step, *_counted(field)),
             evidence={"kind": "zero norm", "value": texts(field, q)},
         )
+
+
+@lru_cache(maxsize=64)
+def _counted(F: Ring) -> tuple[str, ...]:
+    """Say how many elements of H(F) have norm 0: by formula, and one by one over a small field."""
+    if F.order is None:
+        return ()
+    formula = structure.count(F, hamilton(F), "norm", F.zero)
+    if F.order > COUNTED_BELOW:
+        return (f"{formula.value} elements have norm 0: {formula.formula}.",)
+    found = structure.confirm(F, hamilton(F))  # raises where formula and count differ
+    zeros = found.norms[F.text(F.zero)]
+    return (f"{zeros} of all {found.elements} elements have norm 0, counted: {formula.formula}.",)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,40 @@
+"""The ledger's statements over GF(2) and GF(3), case by case, by an evaluator that is not the prover."""
+
+import pytest
+
+from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.registry import claims
+from hfield.rings import GF
+from tests.proving.oracle import QUATERNIONS, holds_everywhere, unknowns
+
+CASES = 10**6
+
+
+def statements(proposition):
+    """The statements that a proposition is made of."""
+    if isinstance(proposition, Statement):
+        return [proposition.text]
+    parts = proposition.parts if isinstance(proposition, Every) else ()
+    return [text for part in parts for text in statements(part)]
+
+
+TEXTS = sorted(
+    {
+        text
+        for claim in claims()
+        for proposition in (claim.as_printed, claim.corrected, claim.spoilt)
+        for text in statements(proposition)
+    }
+)
+
+
+@pytest.mark.parametrize("p", [2, 3])
+def test_every_case_agrees_with_the_verdict(p):
+    tried = 0
+    for text in TEXTS:
+        if p ** sum(4 if name in QUATERNIONS else 1 for name in unknowns(text)) > CASES:
+            continue
+        verdict = Statement(text).decide(GF(p)).verdict
+        assert (verdict in ("proved", "vacuous")) == holds_everywhere(text, p), text
+        tried += 1
+    assert tried > 100
