@@ -31,12 +31,8 @@ class QuaternionAlgebra(Invariants):
     """
 
     def __init__(self, ring: Ring | str, a: Any, b: Any, t: Any = 0) -> None:
-        self.ring = read_ring(ring) if isinstance(ring, str) else ring
-        if not isinstance(self.ring, Ring):
-            raise CoercionError(
-                f"{shorten(repr(ring))} is not a base ring; expected one such as QQ, GF(9) or its text"
-            )
-        self.constants = Constants(self.ring(a), self.ring(t), self.ring(b))
+        self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)
+        self.constants = Constants(F(a), F(t), F(b))
 
     @classmethod
     def from_text(cls, text: str) -> QuaternionAlgebra:

@@ -94,8 +94,7 @@ def factorise(n: int, known: Factors | None = None) -> dict[int, int]:
 def _factor(n: int) -> dict[int, int]:
     """Factor n > 1 without help.
 
-    Beyond a machine word the exponents are counted here: flint 3 loses some when a large prime comes
-    twice.
+    Beyond a machine word the exponents are counted here: flint may list a large prime twice.
     """
     if n < _WORD:
         return {int(p): int(e) for p, e in flint.fmpz(n).factor()}
