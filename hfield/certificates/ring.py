@@ -1,5 +1,6 @@
 """What the checker asks of a ring: a dozen operations on plain, hashable values."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
@@ -10,7 +11,7 @@ from hfield.certificates.rejection import reject, shown
 MAX_EXPONENT = 10_000
 
 
-class Ring:
+class Ring(ABC):
     """A commutative ring. ``order`` is None if it is infinite."""
 
     name: str
@@ -20,25 +21,25 @@ class Ring:
     zero: Any
     one: Any
 
+    @abstractmethod
     def number(self, n: int) -> Any:
         """Return n·1."""
-        raise NotImplementedError
 
+    @abstractmethod
     def add(self, x: Any, y: Any) -> Any:
         """Return x + y."""
-        raise NotImplementedError
 
+    @abstractmethod
     def neg(self, x: Any) -> Any:
         """Return −x."""
-        raise NotImplementedError
 
+    @abstractmethod
     def mul(self, x: Any, y: Any) -> Any:
         """Return x·y."""
-        raise NotImplementedError
 
+    @abstractmethod
     def inverse(self, x: Any) -> Any:
         """Return 1/x, None for what is no unit."""
-        raise NotImplementedError
 
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""
