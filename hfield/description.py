@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -120,8 +120,11 @@ def place_json(place: Any) -> object:
     return place if isinstance(place, int) else str(place)
 
 
-def describe(A: QuaternionAlgebra) -> Description:
-    """Ask all that is asked of an algebra. Nothing raises where something is merely undecided."""
+def describe(A: QuaternionAlgebra, factors: Sequence[int] | None = None) -> Description:
+    """Ask all that is asked of an algebra. Nothing raises where something is merely undecided.
+
+    ``factors`` may name primes of a and b, which spares their factorisation where it is too hard.
+    """
     F, c = A.ring, A.constants
     d = Description(A, relations(A))
     d.commutative = A.is_commutative()
@@ -133,8 +136,8 @@ def describe(A: QuaternionAlgebra) -> Description:
     derivations = d.ask("derivations", A.derivations)
     d.derivations = None if derivations is None else len(derivations)
     if d.central_simple:
+        _ramify(d, factors)
         _divide_or_split(d)
-        _ramify(d)
     else:
         d.division = d.ask("division", A.is_division_algebra)
         found = d.ask("zero_norm_element", lambda: structure.zero_norm(F, c))
@@ -166,19 +169,29 @@ def _divide_or_split(d: Description) -> None:
         d.division, d.reason, d.assumes = True, answer.reason, answer.assumes
     elif answer is not None:
         d.division, d.splitting, d.zero_norm = False, answer, answer.zero_divisor
-    elif (known := d.ask("division", d.algebra.is_division_algebra)) is not None:
+    elif d.ramified:
+        d.division, d.reason = True, f"it ramifies at {', '.join(map(str, d.ramified))}"
+        del d.undecided["division"]
+    elif (known := _known_division(d)) is not None:
         d.division = known
         d.undecided["splitting"] = d.undecided.pop("division")
 
 
-def _ramify(d: Description) -> None:
+def _known_division(d: Description) -> bool | None:
+    """Return whether the algebra is a division algebra, where no splitting was found."""
+    if d.ramified is not None and d.algebra.ring.name == "QQ":  # without ramification it splits
+        return False
+    return d.ask("division", d.algebra.is_division_algebra)  # type: ignore[no-any-return]
+
+
+def _ramify(d: Description, factors: Sequence[int] | None) -> None:
     A, F = d.algebra, d.algebra.ring
     if F.order is not None or F.closure is not None:  # no places there
         return
-    d.ramified = d.ask("ramified_places", A.ramified_places)
+    d.ramified = d.ask("ramified_places", lambda: A.ramified_places(factors))
     if d.ramified is None:
         return
-    d.discriminant = A.discriminant()
+    d.discriminant = A.discriminant(factors)
     if F.name == "QQ":
         d.order = d.ask("maximal_order", A.maximal_order)
         if d.order is not None and "inf" in d.ramified:

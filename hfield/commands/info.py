@@ -7,7 +7,8 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import open_output
-from hfield.commands.parser import add_format, add_output
+from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.description import Description
@@ -24,6 +25,11 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "algebra", metavar="ALGEBRA", help="such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
     )
+    parser.add_argument(
+        "--factors",
+        metavar="P,…",
+        help="primes of a and b (or of their norms) that you know, separated by commas",
+    )
     add_format(parser, "plain", "json")
     add_output(parser)
 
@@ -36,7 +42,7 @@ def run(args: Namespace) -> int:
 
     A = QuaternionAlgebra.from_text(args.algebra)
     with open_output(args.output) as out:
-        description = describe(A)
+        description = describe(A, _primes(args.factors))
         counted = counts(A, quick=True) if A.ring.order is not None else None
         if args.format == "json":
             data = description.to_json()
@@ -48,6 +54,16 @@ def run(args: Namespace) -> int:
                 lines += ["", "Counts", *count_lines(counted)]
             out.write("\n".join(lines))
     return 0
+
+
+def _primes(text: str | None) -> list[int] | None:
+    """Read ``--factors``. Raises :class:`UsageError`; that they are primes is found out later."""
+    if text is None:
+        return None
+    words = [word.strip() for word in text.split(",")]
+    if not all(word.isdecimal() and word.isascii() for word in words):
+        raise UsageError(f"--factors {shorten(text)!r}: expected primes such as 3,5,1000003")
+    return [int(word) for word in words]
 
 
 def page(d: Description, width: int) -> list[str]:

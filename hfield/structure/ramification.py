@@ -8,6 +8,7 @@ from hfield.errors import RingError, UndecidedError, shorten
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField, Quotient
+from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.surds import Surd
 from hfield.structure import functionfield, quadratic
@@ -25,8 +26,8 @@ from hfield.structure.integers import Factors, fraction, is_prime
 def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -> int:
     """Return the Hilbert symbol ``(a, b)`` at a place: 1 if ``(a, b | F)`` splits there, else −1.
 
-    Over ℚ, a and b are nonzero ints, Fractions or elements of QQ, and the place is a prime or
-    ``"inf"``. Over a quadratic field or GF(q)(t) they are its elements, and the place is one of the
+    Over ℚ, a and b are nonzero ints, Fractions, elements of QQ or their texts, and the place is a
+    prime or ``"inf"``. Over a quadratic field or GF(q)(t) they are its elements, and the place is one of the
     field's or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0. ``factors``
     may name primes of the norms of a and b, which a quadratic field needs at a lone place above 2.
 
@@ -37,6 +38,8 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     (-1, 1, -1)
     """
     field = _field_of(a, b, place)
+    if field is None:
+        a, b = (QQ(x) if isinstance(x, str) else x for x in (a, b))
     if isinstance(field, FunctionField):
         return _symbol_functions(field, field(a), field(b), place)
     if isinstance(field, QuadraticField):

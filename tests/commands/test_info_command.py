@@ -47,6 +47,20 @@ def test_pages(capsys, text, lines):
         assert line in out
 
 
+def test_factors_that_are_known_spare_the_factorisation(capsys):
+    p, q = 10**60 + 7, 10**61 + 93  # 3 and 1 modulo 4
+    data = json.loads(
+        page(capsys, "info", f"(-1,{p * q}|QQ)", "--format", "json", "--factors", f"{p}, {q}")
+    )
+    assert data["ramified_places"] == [2, p]
+    assert data["division"] is True
+    assert data["discriminant"] == 2 * p
+    status, _, err = run(capsys, "info", "(-1,15|QQ)", "--factors", "3;5")
+    assert status == 2
+    assert "expected primes such as 3,5,1000003" in err
+    assert "4 was given as a prime factor" in run(capsys, "info", "(-1,12|QQ)", "--factors", "4")[2]
+
+
 def test_what_cannot_be_factored_is_undecided_and_the_page_is_printed(capsys):
     n = -(10**60 + 7) * (10**61 + 9)
     out = page(capsys, "info", f"({n},3|QQ)")

@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from structure_cases import cases
 
-from hfield.errors import CoercionError, RingError, UndecidedError
+from hfield.errors import CoercionError, NotationError, RingError, UndecidedError
+from hfield.structure import hilbert_symbol
 from hfield.structure.hilbert import (
     discriminant_q,
     from_ramification_q,
@@ -121,3 +122,10 @@ def test_factorisations_multiply_out():
         found = factorise(n)
         assert math.prod(q**e for q, e in found.items()) == n
         assert factorise(-n, [2, p]) == found
+
+
+def test_texts_of_rationals_are_read() -> None:
+    for a, b, place in (("1/2", "-1", 2), ("-3/4", "5", "inf"), ("1/2", "3", 3)):
+        assert hilbert_symbol(a, b, place) == hilbert_symbol(Fraction(a), Fraction(b), place)
+    with pytest.raises(NotationError, match="sqrt"):
+        hilbert_symbol("sqrt(2)", 3, 3)
