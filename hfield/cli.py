@@ -2,7 +2,7 @@
 
 Nothing heavy is imported here, nor for ``--help`` and ``--version``. A command is a module with
 ``HELP``, ``configure(parser)`` and ``run(args) -> int``: one of :mod:`hfield.commands`, or what
-another package names in its entry points, group ``hfield.commands``.
+another package names in its entry points, group ``hfield.commands``, with a line ``SUMMARY``.
 """
 
 from __future__ import annotations
@@ -111,6 +111,15 @@ def _foreign() -> dict[str, Any]:
     return {point.name: point for point in entry_points(group=GROUP)}
 
 
+def _summary(point: Any) -> str:
+    """Say in a line what a command of another package does: its own ``SUMMARY``, if it has one."""
+    try:
+        return str(point.load().SUMMARY)
+    except Exception as error:  # one broken package does not take the help away from the others
+        missing = isinstance(error, AttributeError)
+        return f"(see `hfield {point.name} --help`)" if missing else f"(cannot be loaded: {error})"
+
+
 def _help() -> str:
     lines = [
         "usage: hfield COMMAND [OPTION]…",
@@ -118,7 +127,7 @@ def _help() -> str:
         "Quaternion algebras over arbitrary fields, with statements about them decided.",
         "",
         *(f"  {name:<12} {text}" for name, text in COMMANDS.items()),
-        *(f"  {name:<12} (see `hfield {name} --help`)" for name in _foreign()),
+        *(f"  {name:<12} {_summary(point)}" for name, point in _foreign().items()),
         "",
         "`hfield COMMAND --help` tells more; `hfield --version` prints the version.",
         "Try: hfield verify",

@@ -180,6 +180,21 @@ def test_commands_of_other_packages(capsys, monkeypatch):
     assert "did you mean greet" in capsys.readouterr().err
 
 
+def test_the_help_tells_what_other_commands_do(capsys, monkeypatch):
+    class Broken(Point):
+        def load(self):
+            raise ImportError("no such module")
+
+    monkeypatch.setattr(cli, "_foreign", lambda: {"greet": Point(), "part": Broken()})
+    assert main(["--help"]) == 0
+    out = capsys.readouterr().out
+    assert "greet        (see `hfield greet --help`)" in out
+    assert "part         (cannot be loaded: no such module)" in out
+    monkeypatch.setattr(sys.modules[__name__], "SUMMARY", "say hello", raising=False)
+    assert main(["--help"]) == 0
+    assert "greet        say hello" in capsys.readouterr().out
+
+
 def test_a_foreign_command_never_hides_one_of_ours(capsys, monkeypatch):
     monkeypatch.setattr(cli, "_foreign", lambda: {"table": Point()})
     assert main(["table", "--field", "GF2"]) == 0

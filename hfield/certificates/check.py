@@ -51,7 +51,9 @@ class Established:
 
     def __str__(self) -> str:
         where = f"over {self.field}"
-        if self.field is None and self.verdict == "proved":
+        if self.scope == "field" and self.field is None:
+            where = "as it stands"
+        elif self.field is None and self.verdict == "proved":
             where = f"over all {self.scope}"
         elif self.field is None:
             where = "over all fields at once"

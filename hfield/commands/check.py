@@ -81,13 +81,23 @@ def _pin(args: Namespace) -> Pin | None:
         raise UsageError("--claim names the statement and the algebra; give one or the other")
     everywhere = args.field is not None and args.field.strip().lower() in UNIVERSAL
     if args.claim is not None:
+        from hfield.ledger.computed import Computed
         from hfield.ledger.registry import find
         from hfield.rings import ring
 
         claim = find(args.claim)
-        propositions = [p for p in (claim.as_printed, claim.corrected) if p is not None]
-        if not propositions:
+        if not claim.checkable:
             raise UsageError(f"{claim.id} is no claim that a program can check: {claim.note}")
+        propositions = [
+            p
+            for p in (claim.as_printed, claim.corrected)
+            if p is not None and not isinstance(p, Computed)
+        ]
+        if not propositions:
+            raise UsageError(
+                f"{claim.id} is decided by running something, and has no certificate; "
+                f"`hfield explain {claim.id}` runs it again"
+            )
         field = None if args.field is None or everywhere else ring(args.field).name
         statements = tuple(p.statement for p in propositions)
         return Pin(statements, field, any_field=args.field is None)

@@ -3,12 +3,14 @@
 Over the real and complex numbers by square roots. Over ℚ, i is a zero of a form in four variables.
 Elsewhere, for division algebras, by a common slot: isomorphic algebras (a, b) and (p, q) have an e with
 (a, b) = (a, e) = (p, e) = (p, q), and likewise [a, b) and [p, q) in characteristic 2. Given e, three
-conics with a point give the elements. To find it, e runs through q times norms from F(i), so that
-(p, e) = (p, q) holds of itself, until (a, e) = (a, b) holds too.
+conics with a point give the elements. Over a quadratic field e is built from its local classes. Over a
+function field it is searched for: it runs through q times norms from F(i), so that (p, e) = (p, q)
+holds of itself, until (a, e) = (a, b) holds too.
 """
 
+import functools
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -19,11 +21,15 @@ from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
 from hfield.structure.compare import same_class
 from hfield.structure.forms import normal_form
-from hfield.structure.integers import fraction
+from hfield.structure.integers import Factors, fraction
 from hfield.structure.qforms import isotropic_vector
+from hfield.structure.quadratic_conic import solve_conic_quadratic
+from hfield.structure.slots import common_slot
 from hfield.structure.zero import zero_norm
 
 TRIALS = 600
+
+Point = Callable[[Constants], tuple[Any, Any, Any]]
 
 
 def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:
@@ -38,8 +44,13 @@ def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordin
         i, j = _closed(ring, outer, inner)
     elif ring.name == "QQ":
         i, j = _rational(ring, outer, inner)
+    elif isinstance(ring, QuadraticField):
+        e, primes = common_slot(ring, outer, [outer.a, inner.a])
+        point = functools.partial(_quadratic_point, ring, primes)
+        i, j = _through_slot(ring, outer, inner, e, point)
     else:
-        i, j = _through_slot(ring, outer, inner, _slot(ring, outer, inner))
+        point = functools.partial(conic_point, ring)
+        i, j = _through_slot(ring, outer, inner, _slot(ring, outer, inner), point)
     # back from the normal forms: i of c is a combination of e and the normal i
     one, given, _, _ = basis_of(ring)
     scalar, factor, _, _ = source.forth(given)
@@ -76,7 +87,8 @@ def _rational(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinat
             break
     v = (w, x, y, z)
     value = ring.divide(outer.b, multiply(inner, v, v)[0])
-    return i, _times_norm(ring, inner, i, v, Constants(outer.a, ring.zero, value))
+    split = Constants(outer.a, ring.zero, value)
+    return i, _times_norm(ring, inner, i, v, split, functools.partial(conic_point, ring))
 
 
 def _slot(ring: Ring, outer: Constants, inner: Constants) -> Any:
@@ -96,34 +108,53 @@ def _slot(ring: Ring, outer: Constants, inner: Constants) -> Any:
 
 
 def _through_slot(
-    ring: Ring, outer: Constants, inner: Constants, e: Any
+    ring: Ring, outer: Constants, inner: Constants, e: Any, point: Point
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``."""
+    big_i, slot = _generator(ring, outer.a, inner, e, point)
+    split = Constants(outer.a, inner.t, ring.divide(outer.b, e))
+    return big_i, _times_norm(ring, inner, big_i, slot, split, point)
+
+
+def _generator(
+    ring: Ring, a: Any, inner: Constants, e: Any, point: Point
+) -> tuple[Coordinates, Coordinates]:
+    """Return I and J in ``inner`` with ``I² = a + t·I, J² = e, JI = (t − I)J``, for a common slot e."""
     zero, one, t = ring.zero, ring.one, inner.t
     i, j = (zero, one, zero, zero), (zero, zero, one, zero)
-    slot = _times_norm(ring, inner, i, j, Constants(inner.a, t, ring.divide(e, inner.b)))
+    split = Constants(inner.a, t, ring.divide(e, inner.b))
+    slot = _times_norm(ring, inner, i, j, split, point)
     if ring.is_zero(t):
         # ((x + y·slot)·i)² = (x² − e·y²)·inner.a
-        value = ring.divide(outer.a, inner.a)
-        big_i = _times_norm(ring, inner, slot, i, Constants(e, zero, value))
-    else:
-        # x + i + y·slot has trace 1 and norm x² + x + inner.a + e·y²
-        w, x, y = conic_point(ring, Constants(inner.a + outer.a, one, e))
-        scale = ring.inverse(x)
-        p, q, r, s = (scale * y * u for u in slot)
-        big_i = (p + scale * w, q + one, r, s)
-    value = ring.divide(outer.b, e)
-    return big_i, _times_norm(ring, inner, big_i, slot, Constants(outer.a, t, value))
+        split = Constants(e, zero, ring.divide(a, inner.a))
+        return _times_norm(ring, inner, slot, i, split, point), slot
+    # x + i + y·slot has trace 1 and norm x² + x + inner.a + e·y²
+    w, x, y = point(Constants(inner.a + a, one, e))
+    scale = ring.inverse(x)
+    p, q, r, s = (scale * y * u for u in slot)
+    return (p + scale * w, q + one, r, s), slot
 
 
 def _times_norm(
-    ring: Ring, c: Constants, u: Coordinates, v: Coordinates, split: Constants
+    ring: Ring, c: Constants, u: Coordinates, v: Coordinates, split: Constants, point: Point
 ) -> Coordinates:
     """Return ``(m + n·u)·v`` with m + n·u of norm ``split.b``, where ``u² = split.a + split.t·u``."""
-    m, n, r = conic_point(ring, split)
+    m, n, r = point(split)
     scale = ring.inverse(r)
     w, x, y, z = (scale * n * s for s in u)
     return multiply(c, (w + scale * m, x, y, z), v)
+
+
+def _quadratic_point(field: QuadraticField, factors: Factors, c: Constants) -> tuple[Any, Any, Any]:
+    """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``, given the primes of the norms of a and b."""
+    x, y, w = solve_conic_quadratic(field, c.a, c.b, factors)
+    return w, x, y
+
+
+def traceless_root_quadratic(field: QuadraticField, c: Constants, s: Any) -> Coordinates:
+    """Return some x of trace 0 with ``x² = s`` in a division algebra (a, b | ℚ(√d)) that has one."""
+    e, primes = common_slot(field, c, [c.a, s])
+    return _generator(field, s, c, e, functools.partial(_quadratic_point, field, primes))[0]
 
 
 def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
@@ -146,7 +177,7 @@ def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
 
 
 def _small_pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
-    """Run through pairs of small elements of a quadratic or a function field, not both 0."""
+    """Run through pairs of small elements of a function field, not both 0."""
     seen: list[Any] = []
     for x in _small(ring):
         seen.append(x)
@@ -159,13 +190,7 @@ def _small(ring: Ring) -> Iterator[Any]:
     """Run through small integral elements, 0 and 1 first."""
     yield ring.zero
     yield ring.one
-    if isinstance(ring, QuadraticField):
-        for size in itertools.count(1):
-            numbers = range(-size, size + 1)
-            for u, v in itertools.product(numbers, repeat=2):
-                if max(abs(u), abs(v)) == size and (u, v) > (0, 0) and (u, v) != (1, 0):
-                    yield ring(u) + ring(v) * ring.gen
-    elif isinstance(ring, FunctionField):
+    if isinstance(ring, FunctionField):
         finite = ring.base.order is not None
         some = list(itertools.islice(ring.base.elements(), 5)) if finite else [0, 1, -1, 2]
         digits = [ring.constant(ring.base(x)) for x in some]

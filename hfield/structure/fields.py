@@ -1,6 +1,7 @@
 """Zero norms over the infinite fields that have a theory of places: ℚ, ℚ(√d), k(t)."""
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -14,7 +15,8 @@ from hfield.structure.evidence import ZeroNorm, found, none
 from hfield.structure.forms import NormalForm
 from hfield.structure.hilbert import hilbert_symbol_q
 from hfield.structure.integers import is_prime
-from hfield.structure.quadratic_split import zero_divisor_quadratic
+from hfield.structure.qforms import isotropic_vector
+from hfield.structure.quadratic_conic import solve_conic_quadratic
 from hfield.structure.ramification import pair, ramification
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
@@ -67,15 +69,15 @@ def _at_small_primes(ring: Ring, form: NormalForm) -> tuple[int, ...]:
 
 
 def _quadratic(ring: QuadraticField, form: NormalForm) -> Coordinates:
-    a, b = (pair(ring, x) for x in form.constants)
-    try:
-        w, x, y, z = (ring(u) + ring(v) * ring.gen for u, v in zero_divisor_quadratic(ring.d, a, b))
-    except UndecidedError as error:
-        raise UndecidedError(
-            "the algebra is ramified nowhere, so it has zero divisors, but to write one down a number would "
-            f"have to be factored: {str(error).partition(':')[0]}"
-        ) from error
-    return w, x, y, z
+    """Return an element of norm 0 over ℚ(√d): a square root of d over ℚ less √d, or a point of the conic."""
+    (a, s), (b, t) = (pair(ring, x) for x in form.constants)
+    if s or t:
+        x, y, z = solve_conic_quadratic(ring, form.a, form.b)
+        return z, x, y, ring.zero
+    solution = isotropic_vector([a, b, -a * b, Fraction(-ring.d)])
+    assert solution is not None, "an algebra over ℚ that ℚ(√d) splits contains a square root of d"
+    x, y, z, w = (ring(u) for u in solution)
+    return -w * ring.gen, x, y, z
 
 
 def _functions(ring: FunctionField, c: Constants) -> ZeroNorm:

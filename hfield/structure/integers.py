@@ -7,6 +7,7 @@ cannot be interrupted.
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import flint
@@ -91,7 +92,8 @@ def factorise(n: int, known: Factors | None = None) -> dict[int, int]:
     return found
 
 
-def _factor(n: int) -> dict[int, int]:
+@lru_cache(maxsize=256)  # a decision and the construction after it ask for the same numbers
+def _factor(n: int) -> Mapping[int, int]:
     """Factor n > 1 without help.
 
     Beyond a machine word the exponents are counted here: flint may list a large prime twice.

@@ -5,6 +5,7 @@ is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is
 the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
 """
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -93,7 +94,7 @@ def multiply(d: int, x: Pair, y: Pair) -> Pair:
     return x[0] * y[0] + d * x[1] * y[1], x[0] * y[1] + x[1] * y[0]
 
 
-def sign(d: int, x: Pair, root: int) -> int:
+def sign(d: int, x: Pair | tuple[int, int], root: int) -> int:
     """Return the sign of ``u + v√d`` under ``√d ↦ root·√|d|``, d > 0, root = ±1."""
     u, v = x[0], x[1] * root
     if u * v >= 0:
@@ -102,7 +103,7 @@ def sign(d: int, x: Pair, root: int) -> int:
     return (1 if u > 0 else -1) if larger else (1 if v > 0 else -1)
 
 
-def _integral(x: Pair) -> tuple[int, int]:
+def integral(x: Pair) -> tuple[int, int]:
     """Return x times a square of an integer, with integer coordinates."""
     if not (x[0] or x[1]):
         raise RingError(
@@ -150,17 +151,17 @@ def _p_adic_root(v: QuadraticPlace, precision: int) -> int:
     return r
 
 
-def _is_dyadic(v: QuadraticPlace) -> bool:
+def is_dyadic(v: QuadraticPlace) -> bool:
+    """Tell whether this is the one place above a 2 that does not split."""
     return v.prime == 2 and v.root is None
 
 
-def _direct(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> int:
-    """Return the symbol at a place other than a lone one above 2."""
+def direct_symbol(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> int:
+    """Return the symbol of nonzero integers u + v√d at a place other than a lone one above 2."""
     if not v.prime:
         if v.root is None:
             return 1
-        x, y = ((Fraction(s[0]), Fraction(s[1])) for s in (a, b))
-        return -1 if sign(v.d, x, v.root) < 0 and sign(v.d, y, v.root) < 0 else 1
+        return -1 if sign(v.d, a, v.root) < 0 and sign(v.d, b, v.root) < 0 else 1
     (alpha, u), (beta, w) = _local(v, a), _local(v, b)
     if v.root is None and v.d % v.prime:  # inert: −1 is a square, and u, w are norms of units
         value = (u if beta % 2 else 1) * (w if alpha % 2 else 1) % v.prime
@@ -168,18 +169,39 @@ def _direct(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> int:
     return _symbol(v.prime, alpha, u, beta, w)
 
 
+def is_local_square(v: QuadraticPlace, x: tuple[int, int]) -> bool:
+    """Tell whether a nonzero integer u + v√d is a square in the completion at a place."""
+    p, d = v.prime, v.d
+    if not p:
+        return v.root is None or sign(d, x, v.root) > 0
+    if is_dyadic(v):
+        # of x times powers of 4 the one with valuation 2 or 3, or 4 to 7 where 2 ramifies: a root
+        # modulo 64 is close enough to one (Hensel)
+        x = 4 * x[0], 4 * x[1]
+        while (x[0] * x[0] - d * x[1] * x[1]) % 256 == 0:
+            x = x[0] // 4, x[1] // 4
+        return any(
+            (s * s + d * t * t - x[0]) % 64 == 0 == (2 * s * t - x[1]) % 64
+            for s, t in itertools.product(range(32), repeat=2)
+        )
+    n, unit = _local(v, x)
+    if n % 2:
+        return False
+    return unit % 8 == 1 if p == 2 else pow(unit, (p - 1) // 2, p) == 1
+
+
 def ramified_places_quadratic(
     d: int, a: Pair, b: Pair, factors: Factors | None = None
 ) -> tuple[QuadraticPlace, ...]:
     """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last."""
     known = None if factors is None else list(factors)
-    x, y = _integral(a), _integral(b)
+    x, y = integral(a), integral(b)
     primes = {2}
     for s in (x, y):
         primes |= set(factorise(s[0] * s[0] - d * s[1] * s[1], known))
     candidates = [v for p in (*sorted(primes), 0) for v in places_above(d, p)]
-    bad = [v for v in candidates if not _is_dyadic(v) and _direct(v, x, y) < 0]
-    lone = [v for v in candidates if _is_dyadic(v)]
+    bad = [v for v in candidates if not is_dyadic(v) and direct_symbol(v, x, y) < 0]
+    lone = [v for v in candidates if is_dyadic(v)]
     if len(bad) % 2:
         assert lone, "the number of ramified places is even"
         bad = lone + bad
@@ -194,6 +216,6 @@ def hilbert_symbol_quadratic(
     Above a 2 that does not split the norms of a and b are factored; ``factors`` may help.
     """
     v = place_of_quadratic(d, place)
-    if _is_dyadic(v):
+    if is_dyadic(v):
         return -1 if v in ramified_places_quadratic(d, a, b, factors) else 1
-    return _direct(v, _integral(a), _integral(b))
+    return direct_symbol(v, integral(a), integral(b))

@@ -7,11 +7,15 @@ from typing import Any
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring
+from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
+from hfield.structure.embed import traceless_root_quadratic
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.integers import fraction
 from hfield.structure.isomorphic import is_isomorphic, isomorphism
 from hfield.structure.qforms import isotropic_vector
+from hfield.structure.quadratic import integral, is_local_square
+from hfield.structure.ramification import pair, ramification
 from hfield.structure.splitting import split
 from hfield.structure.zero import zero_norm
 
@@ -135,6 +139,11 @@ def _in_division_algebra(ring: Ring, c: Constants, s: Any) -> Coordinates | None
         return None if ring.sign(s) > 0 else form.back((o, ring.sqrt(ring.divide(s, a)), o, o))
     if ring.sqrt(s) is not None:
         return None  # its roots commute with everything that commutes with it: only scalars
+    if isinstance(ring, QuadraticField):
+        ramified = ramification(ring, form) or ()
+        if any(is_local_square(v, integral(pair(ring, s))) for v in ramified):
+            return None
+        return form.back(traceless_root_quadratic(ring, Constants(a, o, b), s))
     for m, n in itertools.product(range(15), range(1, 15)):
         e = b * (ring(m * m) - a * ring(n * n))
         other = Constants(s, o, e)

@@ -1,0 +1,258 @@
+"""Explicit answers over quadratic fields: points on conics, common slots, isomorphisms, square roots."""
+
+import itertools
+import random
+
+import flint
+import pytest
+from structure_cases import constants
+
+from hfield.errors import UndecidedError
+from hfield.product import Constants, multiply
+from hfield.rings import ring
+from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
+from hfield.structure.integers import is_prime, remove
+from hfield.structure.minimise import Conic
+from hfield.structure.quadratic import (
+    hilbert_symbol_quadratic,
+    integral,
+    is_local_square,
+    places_above,
+)
+from hfield.structure.quadratic_conic import solve_conic_quadratic
+from hfield.structure.quadratic_lattice import bad_primes, good_lattice
+from hfield.structure.quadratic_primes import (
+    Inert,
+    conjugate,
+    coordinates,
+    norm,
+    omega,
+    primes_above,
+)
+from hfield.structure.ramification import pair
+from hfield.structure.roots import square_roots
+from hfield.structure.slots import common_slot
+
+FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]
+
+
+def field(d: int):
+    return ring(f"QQ(sqrt({d}))")
+
+
+def number(F, rng: random.Random, size: int):
+    while True:
+        x = F(rng.randint(-size, size)) + F.gen * rng.randint(-size, size)
+        if not F.is_zero(x):
+            return x
+
+
+def algebra(F, rng: random.Random, size: int, *, division: bool) -> Constants:
+    """Return an algebra with coefficients up to the size that is a division algebra, or that splits."""
+    while True:
+        c = Constants(number(F, rng, size), F.zero, number(F, rng, size))
+        if is_division(F, c) == division:
+            return c
+
+
+def other_basis(F, c: Constants, rng: random.Random) -> Constants:
+    """Return the constants of the same algebra with respect to other generators, not so small ones."""
+    while True:
+        p, q = ([number(F, rng, 2) for _ in range(4)] for _ in range(2))
+        i = (F.zero, *p[1:])
+        j = [x - y for x, y in zip(multiply(c, i, q), multiply(c, q, i), strict=True)]
+        d = Constants(multiply(c, i, i)[0], F.zero, multiply(c, j, j)[0])
+        if not (F.is_zero(d.a) or F.is_zero(d.b)):
+            return d
+
+
+@pytest.mark.parametrize("d", FIELDS)
+@pytest.mark.parametrize("size", [300, 10**9])
+def test_conics_with_large_coefficients(d, size):
+    F, rng = field(d), random.Random(d * size)
+    for _ in range(2):
+        c = algebra(F, rng, size, division=False)
+        x, y, z = solve_conic_quadratic(F, c.a, c.b)
+        assert not all(map(F.is_zero, (x, y, z)))
+        assert c.a * x * x + c.b * y * y == z * z
+        s = split(F, c)
+        assert s is not None
+        assert s.to_matrix((F.zero, F.one, F.zero, F.zero)) == s.i
+
+
+@pytest.mark.parametrize("d", [10007, -10007, 1000003, -999997, 99999989])
+def test_conics_over_fields_of_large_discriminant(d):
+    F, rng = field(d), random.Random(d)
+    c = algebra(F, rng, 300, division=False)
+    x, y, z = solve_conic_quadratic(F, c.a, c.b)
+    assert c.a * x * x + c.b * y * y == z * z
+    assert any((x, y, z))
+
+
+def test_conics_with_fractions_squares_and_one_rational_coefficient():
+    F = field(-5)
+    for a, b in itertools.permutations(("4/9", "-6+3*sqrt(-5)", "25*sqrt(-5)/7", "3/50"), 2):
+        c = constants(F.name, a, 0, b)
+        if not is_division(F, c):
+            x, y, z = solve_conic_quadratic(F, c.a, c.b)
+            assert any((x, y, z))
+            assert c.a * x * x + c.b * y * y == z * z
+
+
+def test_primes_that_are_given_are_not_searched_for():
+    F = field(2)
+    # p and q split and 7 is a square modulo both, as they are one modulo 7; 7 splits too
+    p, q = (
+        next(n for n in itertools.count(10**k) if n % 56 == 1 and is_prime(n)) for k in (40, 41)
+    )
+    a, b = F(p * q), F(7)
+    with pytest.raises(UndecidedError, match="no small factor"):
+        solve_conic_quadratic(F, a, b)
+    x, y, z = solve_conic_quadratic(F, a, b, [p, q])
+    assert any((x, y, z))
+    assert a * x * x + b * y * y == z * z
+
+
+def test_rational_constants_over_a_field_of_any_discriminant():
+    F = field(-(10**15) - 37)
+    c = constants(F.name, 2, 0, 5)  # ramified over ℚ at 2 and 5, which do not split in F
+    assert not ramified_places(F, c)
+    assert split(F, c) is not None
+
+
+@pytest.mark.parametrize("d", FIELDS)
+def test_prime_ideals(d):
+    F, rng = field(d), random.Random(d)
+    for p in (2, 3, 5, 7, 163, 10**20 + 39):
+        above = primes_above(F, p)
+        assert len(above) == len(places_above(d, p))
+        for _ in range(10):
+            x, y = (number(F, rng, 60) * rng.choice((1, p, p * p)) for _ in range(2))
+            weights = [2 if isinstance(v, Inert) else 1 for v in above]
+            total = sum(w * v.valuation(x) for w, v in zip(weights, above, strict=True))
+            assert total == remove(int(norm(F, x)), p)[0]
+            for v in above:
+                assert v.valuation(x * y) == v.valuation(x) + v.valuation(y)
+                assert (v.valuation(x) > 0) == (v.reduce(x) == 0)
+                assert v.reduce(x * y) == v.multiply(v.reduce(x), v.reduce(y))
+                assert v.reduce(x + y) == (v.reduce(x) + v.reduce(y)) % v.modulus
+                assert v.reduce(v.lift(v.reduce(x))) == v.reduce(x)
+        for v in above:
+            assert (v.valuation(v.uniformiser), v.valuation(v.inverse_uniformiser)) == (1, -1)
+            assert v.valuation(v.other) == 0
+            for u in above:
+                if u is not v:
+                    assert u.valuation(v.uniformiser) == 0
+                    assert u.valuation(v.inverse_uniformiser) >= 0
+                    assert u.valuation(v.other) > 0
+
+
+@pytest.mark.parametrize("d", [2, 5, 17, -1, -3, -7])
+def test_a_good_lattice_is_a_module_of_least_discriminant(d):
+    F, rng = field(d), random.Random(d)
+    c = algebra(F, rng, 30, division=False)
+    a, b = c.a * 36, c.b * 25 * (F.gen + 3) * (F.gen + 3)
+    basis = good_lattice(F, [F.one, -a, -b], bad_primes(F, (a, b)))
+    o = F.zero
+    conic = Conic((F.one, -a, -b, o, o, o), o, F.one)
+    matrix = _matrix(F, basis)
+    turned = _matrix(F, [[omega(F) * x for x in v] for v in basis])
+    assert all(x.q == 1 for x in (turned * matrix.inv()).entries())
+    # s the ideal of values: the half-discriminant 4ab, times the index squared, is the cube of s
+    sums = [[x + y for x, y in zip(u, v, strict=True)] for u, v in itertools.combinations(basis, 2)]
+    values = [conic.value(u) for u in (*basis, *sums)]
+    least = _index(F, values)
+    assert matrix.det() ** 2 * abs(int(norm(F, 4 * a * b))) == least**3
+
+
+def _matrix(F, vectors):
+    entries = [flint.fmpq(int(u)) for v in vectors for x in v for u in coordinates(F, x)]
+    return flint.fmpq_mat(6, 6, entries)
+
+
+def _index(F, values):
+    """Return the norm of the ideal that some integers generate."""
+    rows = [coordinates(F, y) for x in values for y in (x, omega(F) * x)]
+    hermite = flint.fmpz_mat(len(rows), 2, [int(u) for row in rows for u in row]).hnf()
+    return abs(hermite[0, 0] * hermite[1, 1])
+
+
+@pytest.mark.parametrize("d", FIELDS)
+def test_common_slots(d):
+    F, rng = field(d), random.Random(d)
+    for _ in range(2):
+        c = algebra(F, rng, 40, division=True)
+        o = other_basis(F, c, rng)
+        e, primes = common_slot(F, c, [c.a, o.a])
+        for x in (c.a, o.a):
+            assert ramified_places(F, Constants(x, F.zero, e)) == ramified_places(F, c)
+        for x in (c.a, c.b, o.a, e):
+            rest = int(norm(F, x))
+            for p in primes:
+                rest = remove(rest, p)[1]
+            assert abs(rest) == 1
+
+
+def test_no_common_slot():
+    # ℚ₅ contains a root of −1, so that no (−1, e) ramifies at a place above 5
+    F = field(11)
+    c = constants(F.name, 5, 0, 2)
+    assert [v.prime for v in ramified_places(F, c)] == [5, 5]
+    with pytest.raises(UndecidedError, match="above 5"):
+        common_slot(F, c, [F(-1)])
+
+
+@pytest.mark.parametrize("d", FIELDS)
+@pytest.mark.parametrize("size", [20, 100])
+def test_isomorphisms_of_division_algebras(d, size):
+    F, rng = field(d), random.Random(d + size)
+    for _ in range(2):
+        c = algebra(F, rng, size, division=True)
+        o = other_basis(F, c, rng)
+        assert is_isomorphic(F, c, o)
+        m = isomorphism(F, c, o)
+        assert m is not None
+        p, q = (tuple(number(F, rng, 9) for _ in range(4)) for _ in range(2))
+        assert m(multiply(c, p, q)) == multiply(o, m(p), m(q))
+        assert m.inverse(m(q)) == q
+
+
+@pytest.mark.parametrize("d", [2, 5, -1, -7, -23])
+def test_square_roots_of_scalars_in_division_algebras(d):
+    F, rng = field(d), random.Random(d)
+    for _ in range(4):
+        c = algebra(F, rng, 20, division=True)
+        p = (F.zero, *(number(F, rng, 5) for _ in range(3)))
+        s = multiply(c, p, p)[0]
+        x = square_roots(F, c, (s, F.zero, F.zero, F.zero)).quadric
+        assert x is not None
+        assert multiply(c, x, x) == (s, F.zero, F.zero, F.zero)
+        s = number(F, rng, 30)
+        x = square_roots(F, c, (s, F.zero, F.zero, F.zero)).quadric
+        assert (x is None) == any(
+            is_local_square(v, integral(pair(F, s))) for v in ramified_places(F, c)
+        )
+        if x is not None:
+            assert multiply(c, x, x) == (s, F.zero, F.zero, F.zero)
+
+
+@pytest.mark.parametrize("d", [2, 3, 5, 6, 17, -1, -3, -7, 10])
+def test_local_squares(d):
+    # x is a square in a completion exactly when (x, y) = 1 for all y
+    F, rng = field(d), random.Random(d)
+    some = [number(F, rng, 60) for _ in range(25)]
+    for p in (0, 2, 3, 5):
+        for v in places_above(d, p):
+            others = [pair(F, y) for z in some for y in (z, z * (p or 1), z * F.gen)]
+            for _ in range(12):
+                x = number(F, rng, 20) * F(rng.choice((1, 2, 4, 3, 9)))
+                symbols = [hilbert_symbol_quadratic(d, pair(F, x), y, v) for y in others]
+                assert is_local_square(v, integral(pair(F, x))) == (min(symbols) == 1)
+                assert is_local_square(v, integral(pair(F, x * x)))
+
+
+def test_conjugates():
+    F = field(13)
+    w = omega(F)
+    assert conjugate(F, w) + w == 1
+    assert norm(F, w) == -3
