@@ -7,7 +7,8 @@ these are passed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import (
     BrokenExecutor,
     Executor,
@@ -56,6 +57,23 @@ def unordered(
             waiting[future] = n
     for future in as_completed(waiting):
         yield waiting[future], future.result()
+
+
+def ordered(
+    executor: Executor, function: Callable[[A], T], tasks: Iterable[A], ahead: int
+) -> Generator[T, None, None]:
+    """Yield the results in the order of the tasks, with at most ``ahead`` of them waiting."""
+    waiting: deque[Future[T]] = deque()
+    try:
+        for task in tasks:
+            waiting.append(executor.submit(function, task))
+            if len(waiting) >= ahead:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    finally:
+        for future in waiting:
+            future.cancel()
 
 
 @contextmanager

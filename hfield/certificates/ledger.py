@@ -2,10 +2,11 @@
 
 The vocabulary, with P, Q for statements of any kind:
 
-``every{P; Q; …}`` · ``implies{P; Q}`` · ``iff{P; Q}`` · ``not-everywhere{P}`` · ``angles{P}`` ·
-``division`` · ``formally-real`` · ``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` ·
-``modulus-law{*}`` · ``centre{2}`` · ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` ·
-``curried-linear{1}`` · ``last-argument{4; 1,2,3}``
+``every{P; Q; …}`` · ``implies{P; Q}`` · ``iff{P; Q}`` · ``not-everywhere{P}`` · ``over{F; P}`` ·
+``angles{P}`` · ``angles{P; Q}`` · ``citing{T; P}`` · ``division`` · ``formally-real`` ·
+``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` · ``modulus-law{*}`` · ``centre{2}`` ·
+``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
+``last-argument{4; 1,2,3}``
 """
 
 import re
@@ -17,50 +18,25 @@ from hfield.certificates import forms, special
 from hfield.certificates.fields import read_field
 from hfield.certificates.kinds import FIELD, FIELDS, RINGS, Shown, establish, kind_of
 from hfield.certificates.language import parse
+from hfield.certificates.lemmas import LEMMAS
 from hfield.certificates.presentation import establish_presentation, read_presentation
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
 
-LOGIC = {"every": None, "implies": 2, "iff": 2, "not-everywhere": 1, "angles": 1}
+# How many parts each word has: from, to.
+LOGIC = {
+    "every": (1, 64), "implies": (2, 2), "iff": (2, 2), "not-everywhere": (1, 1),
+    "over": (2, 2), "angles": (1, 2), "citing": (2, 2),
+}  # fmt: skip
 CIRCLE = "(cos θ, sin θ) runs once through the points of the circle c² + s² = 1 for θ in [0, 2π)"
+# The theorems of analysis that a statement may be read with, by the names that it gives them.
+THEOREMS = {
+    "odd-degree": "a real polynomial of odd degree has a real root (intermediate value theorem)",
+    "limits": "a real polynomial with leading term λⁿ, n odd, tends to ±∞ as λ tends to ±∞",
+}
+NAMED = ("over", "citing")  # words whose first part is a name and no statement
 MAX_DEPTH = 6
 MAX_PARTS = 64
-
-# What shows some relations over all fields at once.
-# H(F) is a division algebra when F is formally real: an element of norm 0 with a coordinate that is
-# not 0 makes −1 a sum of three squares.
-THREE_SQUARES = tuple(
-    f"norm(q) == 0 and q[{n}] != 0 => "
-    + " + ".join(f"(q[{m}]/q[{n}])**2" for m in range(4) if m != n)
-    + " == -1"
-    for n in range(4)
-)
-# … and exactly when −1 is not a sum of two squares: if s² + y² = −1 (y = 0 included), e + s·i + y·j is
-# a nonzero element of norm 0. Let N(q) = 0 with q ≠ 0. If q₂² + q₃² ≠ 0, the third line writes −1 as
-# a sum of two squares; if not, and q₂ or q₃ is not 0, the fourth or fifth does; if both are 0, then q₀
-# or q₁ is not 0, and the last two do.
-TWO_SQUARES = (
-    "s**2 + y**2 == -1 => norm(e + s*i + y*j) == 0",
-    "s**2 == -1 => norm(e + s*i) == 0",
-    "norm(q) == 0 and q[2]**2 + q[3]**2 != 0 => "
-    "((q[0]*q[2] + q[1]*q[3])/(q[2]**2 + q[3]**2))**2"
-    " + ((q[0]*q[3] - q[1]*q[2])/(q[2]**2 + q[3]**2))**2 == -1",
-    "q[2]**2 + q[3]**2 == 0 and q[3] != 0 => (q[2]/q[3])**2 == -1",
-    "q[2]**2 + q[3]**2 == 0 and q[2] != 0 => (q[3]/q[2])**2 == -1",
-    "norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[1] != 0 => (q[0]/q[1])**2 == -1",
-    "norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[0] != 0 => (q[1]/q[0])**2 == -1",
-)
-LEMMAS = {
-    "implies{formally-real; division}": THREE_SQUARES,
-    "implies{division; level-above{2}}": TWO_SQUARES,
-    "iff{division; level-above{2}}": TWO_SQUARES,
-    # The product commutes in characteristic 2; and if it does, i and j do, which takes 2 = 0.
-    "iff{p*q == q*p; 2 == 0}": ("2 == 0 => p*q == q*p", "i*j == j*i => 2 == 0"),
-    "implies{2 == 0; exists q: q != 0 and norm(q) == 0}": (
-        "2 == 0 => norm(e + i) == 0",
-        "e + i != 0",
-    ),
-}
 
 
 @dataclass(frozen=True)
@@ -83,7 +59,7 @@ def read_proposition(text: str, depth: int = 0) -> Proposition | None:
     if depth > MAX_DEPTH:
         reject("the statement nests too deeply")
     parts = () if m[2] is None else tuple(_split(m[2]))
-    if m[1] in LOGIC and len(parts) != (LOGIC[m[1]] or max(len(parts), 1)):
+    if m[1] in LOGIC and not LOGIC[m[1]][0] <= len(parts) <= LOGIC[m[1]][1]:
         reject(f"{m[1]} has {len(parts)} parts")
     if len(parts) > MAX_PARTS or not all(part.strip() for part in parts):
         reject(f"{m[1]} has an empty part, or too many")
@@ -109,8 +85,11 @@ def proposition_tree(p: Proposition, depth: int = 0) -> Any:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
     if p.word in SPECIAL:
         return (p.word, tuple("".join(part.split()) for part in p.parts))
-    out = []
+    out: list[Any] = []
     for part in p.parts:
+        if p.word in NAMED and not out:  # the name in front
+            out.append(read_field(part.strip()).name if p.word == "over" else part.strip())
+            continue
         inner = read_proposition(part, depth + 1)
         presentation = None if inner else read_presentation(part)
         if inner is not None:
@@ -163,15 +142,22 @@ class _Logic:
     def establish(self, verdict: str, evidence: Any) -> Shown:
         """Check the evidence."""
         kind, word = kind_of(evidence), self.p.word
+        if word == "over":
+            return self._in_one_ring(verdict, evidence)
         if (
             self.setting.field is None
             and kind == "over"
             and word not in ("not-everywhere", "every")
         ):
             return _over(self.text, self.setting, verdict, evidence, self.depth)
+        if word == "citing":
+            theorem = THEOREMS.get(self.p.parts[0].strip())
+            if theorem is None:
+                reject(f"there is no theorem {shown(self.p.parts[0].strip())!r} to cite")
+            scope, cited = self.part(1, verdict, evidence)
+            return scope, tuple(dict.fromkeys((*cited, theorem)))
         if word == "angles":
-            scope, cited = self.part(0, verdict, evidence)
-            return scope, tuple(dict.fromkeys((*cited, CIRCLE)))
+            return self._angles(verdict, kind, evidence)
         if word == "every":
             return self._every(verdict, kind, evidence)
         if word == "not-everywhere":
@@ -181,6 +167,22 @@ class _Logic:
                 reject(f"evidence of the kind {shown(kind)!r} refutes nothing here")
             return self._everywhere(kind, evidence)
         return (self._implies if word == "implies" else self._iff)(verdict, kind, evidence)
+
+    def _in_one_ring(self, verdict: str, evidence: Any) -> Shown:
+        """Check a part about the ring that the statement names."""
+        here = replace(self.setting, field=read_field(self.p.parts[0].strip()))
+        _, cited = establish_any(self.p.parts[1], here, verdict, evidence, self.depth + 1)
+        return FIELD, cited
+
+    def _angles(self, verdict: str, kind: str, evidence: Any) -> Shown:
+        """Check what is said of points of the circle c² + s² = 1; they are angles over RR."""
+        if self.setting.field is None or self.setting.field.name != "RR":
+            return self.part(0, verdict, evidence)
+        if len(self.p.parts) == 1:
+            scope, cited = self.part(0, verdict, evidence)
+        else:
+            scope, cited = self._every(verdict, kind, evidence)
+        return scope, tuple(dict.fromkeys((*cited, CIRCLE)))
 
     def _every(self, verdict: str, kind: str, evidence: Any) -> Shown:
         if verdict == "refuted" and kind == "part":

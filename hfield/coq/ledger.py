@@ -9,7 +9,8 @@ from hfield.coq.theorems import Theorem
 from hfield.errors import HFieldError
 from hfield.ledger.claim import Claim, Proposition
 from hfield.ledger.presented import RELATIONS, Presented
-from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
+from hfield.ledger.propositions import Equivalence, Every, Implication, Only, Over, Statement
+from hfield.ledger.real import Analysis, Angles
 from hfield.ledger.registry import claims
 from hfield.proving.decision import PROVED, REFUTED
 from hfield.proving.prove import prove
@@ -75,6 +76,10 @@ def _parts(proposition: Proposition | None) -> Iterator[Proposition]:
                 yield from _parts(part)
         case Implication() | Equivalence() if proposition.everywhere:
             yield from _parts(proposition.everywhere)
+        case Angles():
+            yield from _parts(proposition.core)
+        case Only() | Over() | Analysis():  # about one field
+            return
         case _:
             yield proposition
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.ledger.carried import carried
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
@@ -39,8 +40,9 @@ class Statement:
         return " => ".join(f"({part})" for part in parts) if self.given else self.formula
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it by the prover."""
-        return decide(self.formula, field, given=self.given)
+        """Decide it by the prover; what holds over every commutative ring holds over the field."""
+        general = None if field is None else carried(self.formula, self.given, field)
+        return decide(self.formula, field, given=self.given) if general is None else general
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,7 @@ class Every:
         steps: list[str] = []
         methods: list[str] = []
         proofs: list[dict[str, Any]] = []
+        assumes: dict[str, None] = {}
         for n, part in enumerate(self.parts):
             decision = part.decide(field)
             if decision.verdict not in TRUE:
@@ -75,8 +78,14 @@ class Every:
             proofs.append(judged(decision))
             steps += [part.text, *(f"  {step}" for step in decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
-        evidence = {"kind": "parts", "parts": proofs}
-        return Decision("proved", "; ".join(methods), steps=tuple(steps), evidence=evidence)
+            assumes |= dict.fromkeys(decision.assumes)
+        return Decision(
+            "proved",
+            "; ".join(methods),
+            steps=tuple(steps),
+            assumes=tuple(assumes),
+            evidence={"kind": "parts", "parts": proofs},
+        )
 
 
 def judged(decision: Decision) -> dict[str, Any]:
@@ -200,6 +209,34 @@ class Negation:
             )
         settled = all(d.verdict in TRUE for d in found.values())
         return Decision("refuted" if settled else "undecided", "panel", steps=tuple(steps))
+
+
+@dataclass(frozen=True)
+class Over:
+    """A proposition about one ring, the one named, whatever the column: what claims of no field are.
+
+    A witness names that ring under the key ``F``.
+    """
+
+    field: str
+    proposition: Proposition
+
+    @property
+    def text(self) -> str:
+        """The proposition itself."""
+        return self.proposition.text
+
+    @property
+    def statement(self) -> str:
+        """The proposition with its field, in the vocabulary of certificates."""
+        return f"over{{{self.field}; {self.proposition.statement}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it over the ring named; ``field`` does not matter."""
+        decision = self.proposition.decide(ring(self.field))
+        if decision.verdict != "refuted":
+            return decision
+        return replace(decision, witness={"F": [self.field], **(decision.witness or {})})
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
 
 _LABEL = 11  # width of the labels in the errata
+_WIDTH = 100
 
 
 def report(
@@ -85,10 +86,11 @@ def totals(rows: Sequence[Row]) -> str:
         + "."
     )
     if beyond:
-        text += (
-            f"\n{_plural(beyond, 'claim')} can be checked by no program "
-            f"(opinion, announcement): {', '.join(_beyond(list(claims.values())))}."
+        named = (
+            f"{_plural(beyond, 'claim')} can be checked by no program "
+            f"(history, opinion, announcement): {', '.join(_beyond(list(claims.values())))}."
         )
+        text += "\n" + textwrap.fill(named, _WIDTH, subsequent_indent="  ", break_on_hyphens=False)
     return text
 
 

@@ -12,6 +12,7 @@ from time import monotonic
 from hfield.errors import TooLargeError
 
 FIELD_BITS = 16
+DIGIT = (1 << FIELD_BITS) - 1
 MAX_EXPONENT = 2**12
 MAX_EXPRESSION = 200_000
 
@@ -48,9 +49,15 @@ class Monomials:
         return ((-y & mask | guard) - (-x & mask)) & guard == guard
 
     def lcm(self, x: int, y: int) -> int:
-        """Return the least common multiple."""
-        pairs = zip(self.decode(x), self.decode(y), strict=True)
-        return self.encode(max(a, b) for a, b in pairs)
+        """Return the least common multiple: the greater exponent in all fields at once."""
+        u, v, guard = -x & self.mask, -y & self.mask, self.guard
+        above = (u | guard) - v & guard  # where u has the greater exponent
+        chosen = above - (above >> FIELD_BITS - 1)
+        packed = u & chosen | v & ~chosen
+        # Modulo 2ᴮ − 1 a number is the sum of its fields, as long as that is smaller.
+        if self.degree(x) + self.degree(y) < DIGIT:
+            return (packed % DIGIT << self.width) - packed
+        return self.encode(self.decode(-packed))
 
     def degree(self, x: int) -> int:
         """Return the total degree."""

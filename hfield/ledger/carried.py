@@ -1,0 +1,81 @@
+"""From every commutative ring to one field: what is proved for all of them need not be proved again."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from time import monotonic
+
+from hfield.errors import HFieldError
+from hfield.proving.decide import decide
+from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
+from hfield.proving.interpret import PrimeInterpretation, bind
+from hfield.proving.language import Statement, generators, read_statement
+from hfield.proving.search import Assignment
+from hfield.proving.setting import read_setting
+from hfield.proving.terms import about, true_place
+from hfield.rings.base import Ring
+from hfield.syntax import Logic
+
+PLACES, SECONDS = 400, 5.0
+
+
+def carried(formula: str, given: tuple[str, ...], field: Ring) -> Decision | None:
+    """Decide over a field by a proof over every commutative ring; None where there is none.
+
+    The hypotheses are seen to be satisfiable there, or else the verdict could be "vacuous".
+    """
+    if not (field.is_exact and field.is_field):
+        return None
+    found = _general(formula, given)
+    if found is None:
+        return None
+    decision, statement = found
+    if generators(field) & set(statement.sorts):
+        return None
+    return decision if _satisfiable(formula, given, field.characteristic) else None
+
+
+@lru_cache(maxsize=8192)
+def _general(formula: str, given: tuple[str, ...]) -> tuple[Decision, Statement] | None:
+    """Return the proof over every commutative ring, with the statement as it is read there."""
+    setting = read_setting(None, None)
+    try:
+        statement = read_statement(formula, None, given, setting.letters, setting.constants)
+    except HFieldError:  # it speaks of constants of a field
+        return None
+    if statement.exists or statement.divides or statement.compares_unequal:
+        return None  # it speaks of fields
+    decision = decide(formula, None, given)
+    if decision.verdict != PROVED or decision.scope != COMMUTATIVE_RINGS:
+        return None
+    return decision, statement
+
+
+@lru_cache(maxsize=8192)
+def _satisfiable(formula: str, given: tuple[str, ...], characteristic: int) -> bool:
+    """Tell whether integers were found that satisfy the hypotheses, modulo the characteristic."""
+    place = _place(formula, given)
+    setting, found = read_setting(None, None), _general(formula, given)
+    if place is None or found is None:
+        return False
+    world = PrimeInterpretation(characteristic)
+    bind(world, setting.constants, place)
+    return all(world.truth(h) for h in found[1].hypotheses)
+
+
+@lru_cache(maxsize=8192)
+def _place(formula: str, given: tuple[str, ...]) -> Assignment | None:
+    """Look for small integers that satisfy the hypotheses of a statement proved in general."""
+    found = _general(formula, given)
+    if found is None:
+        return None
+    _, statement = found
+    if not statement.hypotheses:
+        return {}
+    node = statement.hypotheses[0]
+    for h in statement.hypotheses[1:]:
+        node = Logic("and", node, h)
+    setting = read_setting(None, None)
+    deadline = monotonic() + SECONDS
+    place: Assignment | None = true_place(about(statement, node), setting, PLACES, deadline)
+    return place

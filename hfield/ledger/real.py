@@ -1,0 +1,75 @@
+"""Propositions of real geometry: angles as points of the circle, and theorems of analysis.
+
+An angle is met through the point (cos θ, sin θ) alone. What only speaks of points (c, s) with
+c² + s² = 1 has a meaning over every commutative ring; over RR they are the angles, which is cited.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from hfield.certificates.ledger import CIRCLE, THEOREMS
+from hfield.ledger.claim import Proposition
+from hfield.ledger.propositions import Every
+from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.rings.base import Ring
+
+REAL = "RR"
+
+
+@dataclass(frozen=True)
+class Angles:
+    """``core`` about points of the circle; ``real`` is what it takes over RR besides.
+
+    Over RR the decision cites that the points of the circle are the points (cos θ, sin θ).
+    """
+
+    core: Proposition
+    real: Proposition | None = None
+
+    @property
+    def text(self) -> str:
+        """The core."""
+        return self.core.text
+
+    @property
+    def statement(self) -> str:
+        """Both, in the vocabulary of certificates."""
+        parts = [self.core, *([self.real] if self.real else [])]
+        return f"angles{{{'; '.join(part.statement for part in parts)}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide the core, over RR with what it takes there."""
+        if field is None or field.name != REAL:
+            return self.core.decide(field)
+        whole = Every((self.core, self.real)) if self.real else self.core
+        return _citing(whole.decide(field), CIRCLE)
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What a theorem of analysis (a key of ``THEOREMS``) makes of a proposition, over RR alone."""
+
+    theorem: str
+    proposition: Proposition
+
+    @property
+    def text(self) -> str:
+        """The proposition with the theorem."""
+        return f"{self.proposition.text}; {THEOREMS[self.theorem]}"
+
+    @property
+    def statement(self) -> str:
+        """The proposition with the name of the theorem, in the vocabulary of certificates."""
+        return f"citing{{{self.theorem}; {self.proposition.statement}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide the proposition over RR; the theorem is cited."""
+        if field is None or field.name != REAL:
+            step = "Limits and roots of real polynomials are meant."
+            return Decision(NOT_APPLICABLE, "no meaning here", steps=(step,))
+        return _citing(self.proposition.decide(field), THEOREMS[self.theorem])
+
+
+def _citing(decision: Decision, theorem: str) -> Decision:
+    return replace(decision, assumes=tuple(dict.fromkeys((*decision.assumes, theorem))))
