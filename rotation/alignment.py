@@ -1,0 +1,59 @@
+"""The rotation, or the rigid motion, that takes one set of vectors or points closest to another."""
+
+from typing import Any
+
+from rotation.namespaces import Array, namespace, refuse_rows
+from rotation.rotation import Rotation
+from rotation.wahba import checked, fitted
+
+
+def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Array]:
+    """Return the rotation R with the least ``Σ w‖target − R·source‖²``, and the root of that sum.
+
+    Where all pairs lie along one line, as a single pair does, many rotations are best, and the
+    shortest of them is returned.
+
+    Parameters
+    ----------
+    source, target : array_like, shape (…, N, 3), or (3,) for a single pair
+        Vectors; their lengths weigh as well.
+    weights : array_like, shape (…, N), optional
+        Not negative.
+
+    Returns
+    -------
+    rotation : Rotation, shape (…)
+    rssd : array, shape (…)
+
+    Raises
+    ------
+    RotationError
+        Shapes that do not fit, no vectors or nothing but zeros, negative weights; or vectors that
+        a reflection would align, so that several rotations are best.
+    """
+    q, rssd = fitted(*checked(target, source, weights))
+    return Rotation._of(q), rssd
+
+
+def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Array, Array]:
+    """Return the rigid motion that takes points ``source`` closest to ``target``.
+
+    Parameters and errors are those of `align`; here the points may lie anywhere.
+
+    Returns
+    -------
+    rotation : Rotation, shape (…)
+    translation : array, shape (…, 3)
+        ``rotation.apply(source) + translation`` is the best fit.
+    rssd : array, shape (…)
+        The root of the weighted sum of the squared distances that remain.
+    """
+    a, b, w = checked(target, source, weights)
+    xp = namespace(a)
+    total = xp.sum(w, axis=-1)
+    refuse_rows(total == 0.0, "the sum of the weights", "is zero")
+    share = (w / total[..., None])[..., None]
+    to, fro = (xp.sum(share * v, axis=-2) for v in (a, b))
+    q, rssd = fitted(a - to[..., None, :], b - fro[..., None, :], w)
+    rotation = Rotation._of(q)
+    return rotation, to - rotation.apply(fro), rssd

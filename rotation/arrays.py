@@ -1,0 +1,161 @@
+"""What every call on arrays has to say about its arguments: dtype, layout, shapes, memory. Said once.
+
+``layout="aos"`` (array of structures) keeps the components last: points ``(…, 3)``, quaternions
+``(…, 4)``. ``layout="soa"`` (structure of arrays) keeps them first: ``(3, …)`` and ``(4, …)``. The other
+axes are the batch; batches broadcast by numpy's rules.
+"""
+
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
+
+Array = npt.NDArray[Any]
+Layout = Literal["aos", "soa"]
+Shape = tuple[int, ...]
+
+_OVERLAP_WORK = 10_000  # candidates tried for an exact answer; a harder question counts as overlap
+
+
+def real(value: object, name: str) -> Array:
+    """Return ``value`` as a native float32 or float64 array; integers become float64.
+
+    No copy is made where none is needed. Raises `DTypeError` for every other kind (complex, bool,
+    object, text, half and extended precision), `ForeignArrayError` for arrays of other libraries,
+    `RotationError` for ragged lists and masked arrays.
+    """
+    if not isinstance(value, np.ndarray | np.generic) and hasattr(value, "__dlpack__"):
+        kind = f"{type(value).__module__.partition('.')[0]}.{type(value).__name__}"
+        raise ForeignArrayError(
+            f"{name} is a {kind}, and this call takes numpy arrays only; "
+            "Rotation.apply works on arrays of other libraries"
+        )
+    if isinstance(value, np.ma.MaskedArray):
+        raise RotationError(
+            f"{name} is a masked array, whose mask would be lost; rotate its .filled(np.nan)"
+        )
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise RotationError(f"{name} is not a rectangular array: {error}") from error
+    if array.dtype.kind in "iu":
+        return array.astype(np.float64)
+    if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8):
+        return array.astype(array.dtype.newbyteorder("="), copy=False)
+    raise DTypeError(
+        f"{name} has dtype {array.dtype}; expected float32, float64 or integers: "
+        f"convert with .astype(np.float64) where that is what you mean"
+    )
+
+
+def components(value: object, number: int, name: str, layout: Layout) -> tuple[Array, Shape]:
+    """Return ``value`` as a float array with its ``number`` components last, and its batch shape.
+
+    The result of ``layout="soa"`` is a view with the first axis moved to the end. Raises as `real`,
+    and `RotationError` when the axis of components has another length.
+    """
+    array = real(value, name)
+    axis = component_axis(layout)
+    if array.ndim == 0 or array.shape[axis] != number:
+        expected = f"(…, {number})" if layout == "aos" else f"({number}, …)"
+        hint = ""
+        if array.ndim and array.shape[-1 - axis] == number:
+            hint = f'; it would fit layout="{"soa" if layout == "aos" else "aos"}"'
+        raise RotationError(
+            f'{name} has shape {array.shape}; expected {expected} for layout="{layout}"{hint}'
+        )
+    moved = components_last(array, layout)
+    return moved, moved.shape[:-1]
+
+
+def component_axis(layout: Layout) -> int:
+    """Return the axis that holds the components: −1 or 0. Raises `RotationError` for another word."""
+    if layout not in ("aos", "soa"):
+        raise RotationError(f'layout is {layout!r}; expected "aos" for (…, 3) or "soa" for (3, …)')
+    return -1 if layout == "aos" else 0
+
+
+def components_last(array: Array, layout: Layout) -> Array:
+    """Return the view of ``array`` with the axis of components at the end."""
+    return array if layout == "aos" else array.transpose(*range(1, array.ndim), 0)
+
+
+def common_batch(**batches: Shape) -> Shape:
+    """Return the batch shape that all named ones broadcast to; raises `RotationError` naming them."""
+    try:
+        return np.broadcast_shapes(*batches.values())
+    except ValueError:
+        shapes = ", ".join(f"{name} {shape}" for name, shape in batches.items())
+        raise RotationError(
+            f"batch shapes do not broadcast: {shapes}; they must agree or be 1, axis by axis"
+        ) from None
+
+
+def destination(
+    out: object, batch: Shape, points: Array, others: tuple[Array, ...], layout: Layout
+) -> tuple[Array, Array]:
+    """Return the result, ``out`` after its checks or a new array, and its view with components last.
+
+    ``points`` and ``others`` are what will be read. ``out`` may be the points themselves; every other
+    overlap, another dtype or shape, and memory that cannot be written raise before anything is.
+    """
+    shape = (*batch, 3) if layout == "aos" else (3, *batch)
+    if out is None:
+        new = np.empty(shape, points.dtype)
+        return new, components_last(new, layout)
+    if not isinstance(out, np.ndarray):
+        raise DTypeError(f"out is a {type(out).__name__}; expected a numpy array")
+    if out.dtype != points.dtype:
+        raise DTypeError(
+            f"out has dtype {out.dtype.str}; expected {points.dtype.str}, as the points decide it"
+        )
+    if out.shape != shape:
+        raise RotationError(f"out has shape {out.shape}; expected {shape}")
+    if not out.flags.writeable:
+        raise RotationError("out is read-only; give an array that can be written")
+    moved = components_last(np.asarray(out), layout)
+    if _overlaps_itself(moved):
+        raise RotationError("out overlaps itself: several rows share memory; give a copy of it")
+    if not _same(moved, points) and _overlap(moved, points):
+        raise RotationError(
+            "out overlaps the points in part; give the points themselves, or separate memory"
+        )
+    if any(_overlap(moved, other) for other in others):
+        raise RotationError("out overlaps the axes, angles or quaternions; give separate memory")
+    return out, moved
+
+
+def require_nonzero(array: Array, name: str) -> None:
+    """Raise `ZeroRotationError` naming the first row of ``array`` whose components are all zero."""
+    zero = ~array.any(axis=-1)
+    if zero.any():
+        raise ZeroRotationError(name, tuple(int(i) for i in np.argwhere(zero)[0]))
+
+
+def _same(a: Array, b: Array) -> bool:
+    same_memory = a.__array_interface__["data"][0] == b.__array_interface__["data"][0]
+    return same_memory and a.shape == b.shape and a.strides == b.strides
+
+
+def _overlap(a: Array, b: Array) -> bool:
+    if not np.may_share_memory(a, b):
+        return False
+    try:
+        # numpy's stubs know only the two special values of max_work
+        return np.shares_memory(a, b, max_work=_OVERLAP_WORK)  # type: ignore[arg-type]
+    except np.exceptions.TooHardError:
+        return True
+
+
+def _overlaps_itself(a: Array) -> bool:
+    """Decide by a sufficient rule: every stride steps over all that the smaller ones can reach."""
+    reach = a.itemsize
+    for stride, length in sorted(
+        (abs(s), n) for s, n in zip(a.strides, a.shape, strict=True) if n > 1
+    ):
+        if stride < reach:
+            return a.size > 0
+        reach += stride * (length - 1)
+    return False

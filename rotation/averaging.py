@@ -1,0 +1,70 @@
+"""The mean of rotations: the eigenvector of the sum of ``w·q·qᵀ``, in which q and −q count alike.
+
+F. L. Markley, Y. Cheng, J. L. Crassidis and Y. Oshman, "Averaging quaternions", J. Guidance, Control
+and Dynamics 30 (2007).
+"""
+
+import math
+from typing import Any
+
+from rotation.errors import RotationError
+from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows
+from rotation.quaternions import canonical, normalised
+
+
+@quiet
+def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
+    """Return the mean of unit quaternions (…, 4) over batch axes, canonical in sign.
+
+    Raises
+    ------
+    RotationError
+        No rotations, an axis that does not exist, negative weights or weights that are all zero; or
+        the largest eigenvalue is double, so that no mean is better than another.
+    """
+    xp = namespace(q, weights)
+    batch = tuple(q.shape[:-1])
+    axes = _axes(axis, len(batch))
+    w = xp.ones_like(q[..., 0]) if weights is None else floats(weights, "weights", xp)
+    try:
+        w = xp.broadcast_to(w, batch)
+    except ValueError:
+        raise RotationError(
+            f"weights of shape {tuple(w.shape)} do not broadcast to rotations of shape {batch}"
+        ) from None
+    refuse_rows(w < 0.0, "the weight", "is negative")
+    kept = [n for n in range(len(batch)) if n not in axes]
+    shape = tuple(batch[n] for n in kept)
+    count = math.prod(batch[n] for n in axes)
+    if not count:
+        raise RotationError("no rotations to average")
+    q = xp.reshape(xp.permute_dims(q, (*kept, *axes, len(batch))), (*shape, count, 4))
+    w = xp.reshape(xp.permute_dims(w, (*kept, *axes)), (*shape, count))
+    total = xp.sum(w, axis=-1)
+    refuse_rows(total == 0.0, "the sum of the weights", "is zero")
+    weighted = q * (w / total[..., None])[..., None]
+    moment = xp.matmul(xp.matrix_transpose(weighted), q)
+    finite = xp.all(xp.isfinite(moment), axis=(-2, -1))
+    identity = xp.eye(4, dtype=moment.dtype)
+    values, vectors = xp.linalg.eigh(xp.where(finite[..., None, None], moment, identity))
+    gap = values[..., 3] - values[..., 2]
+    refuse_rows(
+        finite & (gap <= 16.0 * float(xp.finfo(q.dtype).eps)),
+        "the mean",
+        "is not determined: the rotations spread evenly about several",
+    )
+    best = xp.where(finite[..., None], vectors[..., 3], xp.nan * vectors[..., 3])
+    return canonical(normalised(best))
+
+
+def _axes(axis: Any, ndim: int) -> tuple[int, ...]:
+    """Nonnegative axes, each once, in order."""
+    if axis is None:
+        return tuple(range(ndim))
+    given = axis if isinstance(axis, tuple) else (axis,)
+    axes = tuple(a + ndim if a < 0 else a for a in given)
+    if len(set(axes)) < len(axes) or not all(0 <= a < ndim for a in axes):
+        raise RotationError(
+            f"axis {axis}: axes of a batch with {ndim} axes are expected, each once"
+        )
+    return tuple(sorted(axes))

@@ -1,0 +1,126 @@
+"""An immutable array of unit quaternions: the half of `Rotation` that knows shapes and storage."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, Self
+
+import numpy as np
+
+from rotation.errors import RotationError
+from rotation.namespaces import Array, is_numpy, namespace
+
+
+class Batch:
+    """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
+
+    __slots__ = ("_q",)
+    # numpy must not distribute `array * rotation` over the array's entries.
+    __array_ufunc__ = None
+
+    _q: Array
+
+    @classmethod
+    def _of(cls, q: Array) -> Self:
+        """Wrap unit quaternions that nobody else will write to."""
+        self = object.__new__(cls)
+        if is_numpy(namespace(q)):
+            q.flags.writeable = False
+        object.__setattr__(self, "_q", q)
+        return self
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a rotation is immutable: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a rotation is immutable: {name} cannot be deleted")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The batch shape, ``()`` for a single rotation."""
+        return tuple(self._q.shape[:-1])
+
+    @property
+    def ndim(self) -> int:
+        """The number of batch axes."""
+        return len(self.shape)
+
+    @property
+    def size(self) -> int:
+        """The number of rotations."""
+        return int(np.prod(self.shape, dtype=np.int64))
+
+    @property
+    def single(self) -> bool:
+        """Whether this is one rotation and not an array of them."""
+        return not self.shape
+
+    def reshape(self, *shape: Any) -> Self:
+        """Return the same rotations in another batch shape; one axis may be −1."""
+        wanted = shape[0] if len(shape) == 1 and isinstance(shape[0], Sequence) else shape
+        if -1 in wanted:  # counted without the axis of four, so that no quaternion is cut
+            known = int(np.prod([n for n in wanted if n != -1], dtype=np.int64))
+            wanted = tuple(self.size // max(known, 1) if n == -1 else n for n in wanted)
+        if int(np.prod(wanted, dtype=np.int64)) != self.size:
+            raise RotationError(f"{self.size} rotations do not fit the shape {tuple(wanted)}")
+        return self._of(namespace(self._q).reshape(self._q, (*wanted, 4)))
+
+    def __len__(self) -> int:
+        if self.single:
+            raise TypeError("a single rotation has no length")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, index: Any) -> Self:
+        if self.single:
+            raise TypeError("a single rotation cannot be indexed")
+        index = index if isinstance(index, tuple) else (index,)
+        if not any(i is Ellipsis for i in index):
+            index = (*index, Ellipsis)
+        return self._of(self._q[(*index, slice(None))])
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
+
+    @classmethod
+    def concatenate(cls, rotations: Any) -> Self:
+        """Join rotations along their first axis; a single rotation counts as a batch of one.
+
+        Raises
+        ------
+        RotationError
+            There are none, or their other axes differ.
+        """
+        members = [rotations] if isinstance(rotations, Batch) else list(rotations)
+        if not members or not all(isinstance(r, Batch) for r in members):
+            raise RotationError("concatenate takes a sequence of at least one Rotation")
+        xp = namespace(*(r._q for r in members))
+        parts = [r._q[None, :] if r.single else r._q for r in members]
+        if len({part.shape[1:] for part in parts}) > 1:
+            shapes = ", ".join(str(r.shape) for r in members)
+            raise RotationError(f"batch shapes differ beyond the first axis: {shapes}")
+        return cls._of(xp.concat(parts, axis=0))
+
+    def __repr__(self) -> str:
+        array = (
+            str(self._q)
+            if not is_numpy(namespace(self._q))
+            else np.array2string(
+                self._q, separator=", ", prefix="Rotation.from_quat(", threshold=40
+            )
+        )
+        return f"Rotation.from_quat({array})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restore, (type(self), self._q)
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Self:
+        return self
+
+
+def _restore(cls: type[Batch], q: Array) -> Batch:
+    """Rebuild from a pickle bit by bit, without normalising again."""
+    return cls._of(q)

@@ -1,0 +1,240 @@
+"""Checking that a way computes what it should, and then timing it.
+
+A way that gives another result than :meth:`Task.expected` is not timed. The repeats go round all
+ways, so that a disturbance of the machine does not fall on one of them alone.
+"""
+
+from __future__ import annotations
+
+import gc
+import math
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
+from itertools import pairwise
+from statistics import mean, median
+from time import perf_counter
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from rotation.bench.tasks import Array, Task, Test
+from rotation.bench.ways.way import Frame, Way
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+TOLERANCE = 1e-13  # largest distance of a coordinate from the expected one; points are below √3
+SLOW_POINTS = 5_000  # points that a slow way is timed on
+LEAST_REPEATS = 2
+SHORT = 0.02  # seconds of a frame that is tried again before the number of frames is chosen
+
+Status = Literal["ok", "missing", "wrong", "failed"]
+Told = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How much is measured; ``seconds`` bounds the time for one way in one test, checks apart."""
+
+    points: int = 550_000
+    frames: int = 300
+    repeats: int = 10
+    threads: int = 1
+    seconds: float = 1.5
+
+
+@dataclass
+class Result:
+    """What one way did in one test, in seconds a frame of all points.
+
+    ``samples`` has one mean a repeat; ``best`` is the quickest frame of all: the least disturbed one.
+    ``points`` and ``frames`` are what was timed, of which ``scale`` makes all points. ``error`` is the
+    largest distance from the expected coordinates, ``moved`` from the points themselves.
+    """
+
+    test: Test
+    way: Way
+    status: Status = "ok"
+    reason: str = ""
+    version: str = ""
+    points: int = 0
+    frames: int = 0
+    scale: float = 1.0
+    error: float = 0.0
+    moved: float = 0.0
+    samples: list[float] = field(default_factory=list)
+    best: float = math.inf
+
+    @property
+    def mean(self) -> float:
+        """The mean time of a frame in seconds, as the thesis takes it."""
+        return mean(self.samples)
+
+    @property
+    def median(self) -> float:
+        """The median time of a frame in seconds."""
+        return median(self.samples)
+
+
+@dataclass
+class _Runner:
+    result: Result
+    frame: Frame
+    chosen: Sequence[int]
+    repeats: int
+
+
+def run_test(
+    test: Test, ways: Sequence[Way], settings: Settings, told: Told = lambda what: None
+) -> list[Result]:
+    """Check and time the ways that can do the test; ``told`` hears what is in work."""
+    task = test.make(settings.points, settings.frames)
+    expected = task.expected(task.check)
+    results, runners = [], []
+    with ExitStack() as stack:
+        stack.enter_context(_own_threads(settings.threads))
+        deal = stack.enter_context(_dealer(settings.threads))
+        for way in (way for way in ways if task.kind in way.makes):
+            told(f"{test.name}: checking {way.name}")
+            result = Result(test, way)
+            results.append(result)
+            runner = _prepare(result, task, expected, settings, deal)
+            if runner is not None:
+                runners.append(runner)
+        stack.enter_context(_no_collector())
+        for turn in range(settings.repeats):
+            for runner in (runner for runner in runners if turn < runner.repeats):
+                told(f"{test.name}: {runner.result.way.name}")
+                _sample(runner)
+    return results
+
+
+def _prepare(
+    result: Result,
+    task: Task,
+    expected: Array,
+    settings: Settings,
+    deal: Callable[[Way, Task], Frame],
+) -> _Runner | None:
+    """Lay the task out for a way, check it, choose how many frames to time; None if it cannot run."""
+    way = result.way
+    if way.slow:
+        task = task.part(0, min(SLOW_POINTS, settings.points))
+    result.points, result.scale = len(task.points), settings.points / len(task.points)
+    if find_spec(way.module) is None:
+        result.status = "missing"
+        return None
+    result.version = _version(way.distribution)
+    try:
+        frame = deal(way, task)
+        turned = np.array(frame(task.check))  # a copy: the next frame may write to the same memory
+        seconds = _times(frame, [0])[0]
+        if seconds < SHORT:
+            seconds = min(_times(frame, [0, 0, 0]))
+    except Exception as error:
+        if way.role != "peer":
+            raise
+        result.status, result.reason = "failed", f"{type(error).__name__}: {error}"
+        return None
+    result.moved = float(np.abs(turned - task.points).max())
+    if way.rotates:
+        result.error = float(np.abs(turned - expected[: len(turned)]).max())
+        if not result.error <= TOLERANCE:
+            result.status = "wrong"
+            result.reason = f"a coordinate is off by {result.error:.1e}"
+            return None
+    repeats = int(
+        np.clip(settings.seconds / seconds, min(LEAST_REPEATS, settings.repeats), settings.repeats)
+    )
+    result.frames = int(np.clip(settings.seconds / (repeats * seconds), 1, settings.frames))
+    chosen = np.linspace(0, settings.frames - 1, result.frames).astype(int).tolist()
+    return _Runner(result, frame, chosen, repeats)
+
+
+def _version(distribution: str) -> str:
+    try:
+        return version(distribution)
+    except PackageNotFoundError:  # run from its source
+        return ""
+
+
+def _sample(runner: _Runner) -> None:
+    """Time one repeat, and add it to the result."""
+    result = runner.result
+    times = [seconds * result.scale for seconds in _times(runner.frame, runner.chosen)]
+    result.samples.append(mean(times))
+    result.best = min(result.best, *times)
+
+
+def _times(frame: Frame, chosen: Sequence[int]) -> list[float]:
+    """Return the seconds of each frame."""
+    times = []
+    for n in chosen:
+        start = perf_counter()
+        frame(n)
+        times.append(perf_counter() - start)
+    return times
+
+
+@contextmanager
+def _no_collector() -> Iterator[None]:
+    """Keep the garbage collector out of the times, as :mod:`timeit` does."""
+    enabled = gc.isenabled()
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
+@contextmanager
+def _own_threads(number: int) -> Iterator[None]:
+    """Let our own calls use ``number`` threads."""
+    from rotation.kernels import threads
+
+    before = threads()
+    threads(number)
+    try:
+        yield
+    finally:
+        threads(before)
+
+
+@contextmanager
+def _dealer(number: int) -> Iterator[Callable[[Way, Task], Frame]]:
+    """Yield what prepares a way for ``number`` threads.
+
+    Ours share the work themselves. To the others, which use one thread, the points are dealt: each
+    of the threads runs the way on its part.
+    """
+    with ThreadPoolExecutor(number) as pool:
+
+        def deal(way: Way, task: Task) -> Frame:
+            make = way.makes[task.kind]
+            if number == 1 or way.role == "ours":
+                return make(task)
+            edges = np.linspace(0, len(task.points), number + 1).astype(int).tolist()
+            parts = [
+                make(task.part(start, stop)) for start, stop in pairwise(edges) if start < stop
+            ]
+            return partial(_together, pool, parts)
+
+        yield deal
+
+
+class _Pieces(list[Any]):
+    """The parts of a frame, joined only when somebody looks at them."""
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Array:
+        return np.concatenate([np.asarray(part) for part in self])
+
+
+def _together(pool: ThreadPoolExecutor, parts: Sequence[Frame], n: int) -> _Pieces:
+    return _Pieces(pool.map(lambda part: part(n), parts))

@@ -1,0 +1,156 @@
+"""Other rotation libraries, each by the fastest calls that its documentation offers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from rotation.bench.tasks import Array, Task
+from rotation.bench.ways.way import Frame, Way
+
+
+def _rotation_vectors(task: Task, frame: int) -> Array:
+    """Return axes of length 1 times their angles: all three libraries take these."""
+    lengths = np.sqrt(np.einsum("ij,ij->i", task.axes, task.axes))
+    angles = task.angles[frame : frame + len(task.points)]
+    vectors: Array = task.axes * (angles / lengths)[:, None]
+    return vectors
+
+
+def _scipy_one_axis(task: Task) -> Frame:
+    from scipy.spatial.transform import Rotation
+
+    return lambda n: Rotation.from_rotvec([0.0, 0.0, task.angles[n]]).apply(task.points)
+
+
+def _scipy_own_axis(task: Task) -> Frame:
+    from scipy.spatial.transform import Rotation
+
+    return lambda n: Rotation.from_rotvec(_rotation_vectors(task, n)).apply(task.points)
+
+
+def _scipy_euler(task: Task) -> Frame:
+    from scipy.spatial.transform import Rotation
+
+    return lambda n: Rotation.from_euler("ZYX", task.points).apply(task.points)
+
+
+def _quaternionic_one_axis(task: Task) -> Frame:
+    import quaternionic
+
+    def frame(n: int) -> Any:
+        q = quaternionic.array.from_rotation_vector(np.array([0.0, 0.0, task.angles[n]]))
+        return q.rotate(task.points)
+
+    return frame
+
+
+def _quaternionic_own_axis(task: Task) -> Frame:
+    """By products: ``rotate`` gives all pairs of quaternions and points."""
+    import quaternionic
+
+    points = quaternionic.array.from_vector_part(task.points)
+
+    def frame(n: int) -> Any:
+        q = quaternionic.array.from_rotation_vector(_rotation_vectors(task, n))
+        return (q * points * q.conjugate()).vector
+
+    return frame
+
+
+def _quaternionic_euler(task: Task) -> Frame:
+    """By three quaternions: ``from_euler_angles`` knows ZYZ alone."""
+    import quaternionic
+
+    points = quaternionic.array.from_vector_part(task.points)
+
+    def frame(n: int) -> Any:
+        z, y, x = (quaternionic.array(rotor) for rotor in _rotors(task))
+        q = z * y * x
+        return (q * points * q.conjugate()).vector
+
+    return frame
+
+
+def _numpy_quaternion_one_axis(task: Task) -> Frame:
+    import quaternion
+
+    def frame(n: int) -> Any:
+        q = quaternion.from_rotation_vector(np.array([0.0, 0.0, task.angles[n]]))
+        return quaternion.rotate_vectors(q, task.points)
+
+    return frame
+
+
+def _numpy_quaternion_own_axis(task: Task) -> Frame:
+    """By products: ``rotate_vectors`` gives all pairs of quaternions and points."""
+    import quaternion
+
+    points = quaternion.from_vector_part(task.points)
+
+    def frame(n: int) -> Any:
+        q = quaternion.from_rotation_vector(_rotation_vectors(task, n))
+        return quaternion.as_vector_part(q * points * q.conjugate())
+
+    return frame
+
+
+def _numpy_quaternion_euler(task: Task) -> Frame:
+    """By three quaternions: ``from_euler_angles`` knows ZYZ alone."""
+    import quaternion
+
+    points = quaternion.from_vector_part(task.points)
+
+    def frame(n: int) -> Any:
+        z, y, x = (quaternion.as_quat_array(rotor) for rotor in _rotors(task))
+        q = z * y * x
+        return quaternion.as_vector_part(q * points * q.conjugate())
+
+    return frame
+
+
+def _rotors(task: Task) -> list[Array]:
+    """Return the quaternions about z, y and x, scalar first, of the Euler angles (n, 3)."""
+    half = task.points / 2
+    c, s = np.cos(half), np.sin(half)
+    rotors = [np.zeros((len(half), 4)) for _ in range(3)]
+    for n, rotor in enumerate(rotors):
+        rotor[:, 0], rotor[:, 3 - n] = c[:, n], s[:, n]
+    return rotors
+
+
+PEERS: tuple[Way, ...] = (
+    Way(
+        "scipy",
+        "peer",
+        "scipy",
+        "scipy",
+        "new",
+        {"one axis": _scipy_one_axis, "own axis": _scipy_own_axis, "euler": _scipy_euler},
+    ),
+    Way(
+        "quaternionic",
+        "peer",
+        "quaternionic",
+        "quaternionic",
+        "new",
+        {
+            "one axis": _quaternionic_one_axis,
+            "own axis": _quaternionic_own_axis,
+            "euler": _quaternionic_euler,
+        },
+    ),
+    Way(
+        "numpy-quaternion",
+        "peer",
+        "quaternion",
+        "numpy-quaternion",
+        "new",
+        {
+            "one axis": _numpy_quaternion_one_axis,
+            "own axis": _numpy_quaternion_own_axis,
+            "euler": _numpy_quaternion_euler,
+        },
+    ),
+)

@@ -1,0 +1,31 @@
+"""What a way to rotate is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from rotation.bench.tasks import Kind, Task
+
+Frame = Callable[[int], Any]  # computes one frame and returns the points, (n, 3) or a list of lists
+Role = Literal["floor", "ours", "peer", "thesis"]
+
+
+@dataclass(frozen=True)
+class Way:
+    """A competitor. ``makes`` has, for each kind of task it can do, what prepares it.
+
+    ``module`` and ``distribution`` are the names under which the library is imported and installed.
+    ``writes`` tells where a frame goes: into memory that is there already, or into a new array.
+    ``slow`` ways are timed on a part of the points.
+    """
+
+    name: str
+    role: Role
+    module: str
+    distribution: str
+    writes: Literal["out", "new"]
+    makes: Mapping[Kind, Callable[[Task], Frame]] = field(repr=False)
+    slow: bool = False
+    rotates: bool = True

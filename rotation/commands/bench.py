@@ -1,0 +1,82 @@
+"""``hfield bench``: the benchmark of the thesis (3.2), for many ways to rotate."""
+
+from __future__ import annotations
+
+import os
+import sys
+from argparse import ArgumentParser, Namespace
+from functools import partial
+
+from hfield.commands.output import Progress, note, open_output
+from hfield.commands.parser import add_format, add_output
+from rotation.commands.numbers import whole
+
+SUMMARY = "time rotations as the thesis did, against other libraries"
+HELP = (
+    "Rotate 550000 points over 300 frames, as in section 3.2 of the thesis, by hfield, scipy, "
+    "quaternionic, numpy-quaternion, plain numpy and the thesis's own functions, with a copy of the "
+    "array as the floor. Every way is checked first; slow ones are timed on a part, and it says so. "
+    "Exit status: 0; 1 if a way was wrong or failed; 2 bad usage."
+)
+MOST_POINTS = 10_000_000  # about 6 GB with the libraries that need most
+FULL, QUICK = (300, 10, 1.5), (30, 3, 0.12)  # frames, repeats, seconds for one way in one test
+BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    add = parser.add_argument
+    add("--test", choices=("1", "2"), metavar="1|2", help="only this test (default: both)")
+    points, frames, repeats, threads = (
+        whole(1, most) for most in (MOST_POINTS, 100_000, 1000, 256)
+    )
+    add("--points", type=points, default=550_000, metavar="N", help="points (default: 550000)")
+    add("--frames", type=frames, metavar="N", help="frames of a run (default: 300; quick: 30)")
+    add("--repeats", type=repeats, metavar="N", help="runs of each way (default: 10; quick: 3)")
+    add("--threads", type=threads, default=1, metavar="N", help="for every way (default: 1)")
+    add("--quick", action="store_true", help="a rough answer in some 15 seconds, not 70")
+    add("--plot", metavar="FILE", help="also draw a bar chart to FILE, a .png, .svg or .pdf")
+    add_format(parser, "table", "json")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Measure, report, and return the exit status."""
+    _one_thread_for_blas()
+    from rotation.bench.chart import try_chart, write_chart
+    from rotation.bench.measure import Settings, run_test
+    from rotation.bench.report import as_json, table
+    from rotation.bench.tasks import TESTS
+    from rotation.bench.ways import WAYS
+
+    frames, repeats, seconds = QUICK if args.quick else FULL
+    settings = Settings(
+        args.points, args.frames or frames, args.repeats or repeats, args.threads, seconds
+    )
+    chart = None if args.plot is None else try_chart(args.plot)
+    tests = [test for test in TESTS if args.test in (None, test.name[0])]
+    with open_output(args.output) as out:
+        results = []
+        with Progress("tests") as progress:
+            for done, test in enumerate(tests):
+                results += run_test(test, WAYS, settings, partial(progress, done, len(tests)))
+        if args.format == "json":
+            out.write_json(as_json(results, settings))
+        else:
+            out.write(table(results, settings))
+    if chart is not None:
+        write_chart(results, settings, chart)
+    bad = [result for result in results if result.status in ("wrong", "failed")]
+    for result in bad:
+        note(f"{result.test.name}, {result.way.name}: {result.status}, {result.reason}")
+    return int(bool(bad))
+
+
+def _one_thread_for_blas() -> None:
+    """Keep numpy's matrix products to one thread, as the points are dealt to ``--threads`` of ours.
+
+    The libraries read these variables when numpy is imported.
+    """
+    if "numpy" in sys.modules:
+        note("numpy was imported before; its matrix products may use more threads than --threads")
+    os.environ.update(dict.fromkeys(BLAS, "1"))

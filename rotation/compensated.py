@@ -1,0 +1,106 @@
+"""Sums and products of floats with what rounding cut off: pairs (high, low) worth twice the digits.
+
+T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
+(1971). Only + − × are used, so it runs on every array library; no fused multiply-add is needed.
+"""
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from rotation.namespaces import Array
+
+Pair = tuple[Array, Array]
+
+
+def two_sum(a: Array, b: Array) -> Pair:
+    """Return ``a + b`` rounded, and the error."""
+    s = a + b
+    t = s - a
+    return s, (a - (s - t)) + (b - t)
+
+
+def two_product(xp: Any, a: Array, b: Array) -> Pair:
+    """Return ``a·b`` rounded, and the error; for factors far from overflow and underflow."""
+    p = a * b
+    a1, a2 = _halves(xp, a)
+    b1, b2 = _halves(xp, b)
+    return p, ((a1 * b1 - p) + (a1 * b2 + a2 * b1)) + a2 * b2
+
+
+def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
+    """Return ``√(Σ c²)`` as a pair; for coordinates whose squares neither overflow nor vanish."""
+    high: Array = 0.0
+    low: Array = 0.0
+    for c in coordinates:
+        p, e = two_product(xp, c, c)
+        high, f = two_sum(high, p)
+        low = low + (e + f)
+    root = xp.sqrt(high)
+    square, e = two_product(xp, root, root)
+    safe = xp.where(root > 0.0, root, xp.ones_like(root))
+    return root, (((high - square) - e) + low) / (2.0 * safe)
+
+
+def quotient(xp: Any, a: Array, b: Pair) -> Pair:
+    """Return ``a / b`` as a pair."""
+    q = a / b[0]
+    p, e = two_product(xp, q, b[0])
+    return q, (((a - p) - e) - q * b[1]) / b[0]
+
+
+def product(xp: Any, a: Pair, b: Pair) -> Pair:
+    """Return ``a·b`` as a pair."""
+    p, e = two_product(xp, a[0], b[0])
+    return p, e + (a[0] * b[1] + a[1] * b[0])
+
+
+def sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
+    """Return sine and cosine as pairs, right to about 58 bits, of angles in [0, π/2].
+
+    Taylor's series at a quarter of the angle, and twice the formulas for the double angle; the
+    cosine is carried as ``1 − cos``, so that small angles keep all their digits.
+    """
+    x, rest = 0.25 * angle[0], 0.25 * angle[1]
+    t, e = two_product(xp, x, x)
+    odd, even = _series(_SINE, t), _series(_VERSINE, t)
+    sine = two_sum(x, x * t * odd + rest * (1.0 - 0.5 * t))
+    versine = two_sum(0.5 * t, (0.5 * e + x * rest) + t * t * even)
+    for _ in range(2):
+        p, q = product(xp, sine, versine), product(xp, sine, sine)
+        high, low = two_sum(sine[0], -p[0])
+        sine = (2.0 * high, 2.0 * (low + (sine[1] - p[1])))
+        versine = (2.0 * q[0], 2.0 * q[1])
+    high, low = two_sum(xp.ones_like(t), -versine[0])
+    return sine, (high, low - versine[1])
+
+
+def angle(xp: Any, sine: Pair, cosine: Array) -> Pair:
+    """Return as a pair the angle in [0, π/2] of ``(cosine, sine)``, a point near the unit circle."""
+    a = xp.atan2(sine[0], cosine)
+    s, c = sine_and_cosine(xp, (a, xp.zeros_like(a)))
+    p, e = two_product(xp, sine[0], c[0])
+    q, f = two_product(xp, cosine, s[0])
+    return a, (p - q) + (((e - f) + (sine[0] * c[1] + sine[1] * c[0])) - cosine * s[1])
+
+
+# Without their first terms, x and x²/2, which are carried as pairs.
+_SINE = [(-1.0) ** k / math.factorial(2 * k + 1) for k in range(1, 9)]
+_VERSINE = [(-1.0) ** (k + 1) / math.factorial(2 * k) for k in range(2, 10)]
+
+
+def _series(coefficients: list[float], t: Array) -> Array:
+    total: Array = 0.0
+    for c in reversed(coefficients):
+        total = total * t + c
+    return total
+
+
+def _halves(xp: Any, a: Array) -> Pair:
+    """Two halves of the digits of each float."""
+    t = (2.0 ** ((_DIGITS[xp.finfo(a.dtype).bits] + 1) // 2) + 1.0) * a
+    high = t - (t - a)
+    return high, a - high
+
+
+_DIGITS = {64: 53, 32: 24}

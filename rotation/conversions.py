@@ -1,0 +1,171 @@
+"""What a rotation is made from and read as: the half of `Rotation` that knows the representations."""
+
+from typing import Any, Self
+
+from rotation import euler, matrices, quaternions, vectors
+from rotation.angles import to_degrees
+from rotation.batch import Batch
+from rotation.namespaces import Array, expect_last, floats, namespace
+
+
+class Conversions(Batch):
+    """Holds unit quaternions, scalar first, and converts: every ``from_…`` and every ``as_…``."""
+
+    __slots__ = ()
+
+    @classmethod
+    def from_quat(cls, quat: Any, *, scalar_first: bool = True) -> Self:
+        """Make rotations from quaternions, which are normalised.
+
+        Parameters
+        ----------
+        quat : array_like, shape (…, 4)
+            (w, x, y, z), the coordinates over e, i, j, k; of any length from 1e-300 to 1e300.
+        scalar_first : bool
+            ``False`` takes (x, y, z, w), as scipy does by default.
+
+        Raises
+        ------
+        RotationError
+            A quaternion is zero (the message names its row), or the shape is wrong.
+        """
+        q = floats(quat, "quaternions")
+        expect_last(q, (4,), "quaternions")
+        if not scalar_first:
+            q = namespace(q).roll(q, 1, axis=-1)
+        return cls._of(quaternions.normalised(q))
+
+    @classmethod
+    def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False) -> Self:
+        """Make rotations from matrices.
+
+        Parameters
+        ----------
+        matrix : array_like, shape (…, 3, 3)
+            Orthogonal to within 1e-6 (float32: 1e-3), of determinant 1.
+        orthonormalize : bool
+            Take the rotation nearest to each matrix, which needs only a positive determinant.
+
+        Raises
+        ------
+        RotationError
+            A reflection; a matrix too far from orthogonal, or with ``orthonormalize`` a singular one.
+        """
+        return cls._of(matrices.from_matrix(matrix, orthonormalize))
+
+    @classmethod
+    def from_euler(cls, seq: str, angles: Any, degrees: bool = False) -> Self:
+        """Make rotations from Euler angles in any of the 24 conventions, or about one or two axes.
+
+        Parameters
+        ----------
+        seq : str
+            Uppercase is intrinsic, ``ZYX = R_z(a₀)·R_y(a₁)·R_x(a₂)``; lowercase extrinsic,
+            ``zyx = R_x(a₂)·R_y(a₁)·R_z(a₀)``.
+        angles : array_like, shape (…, len(seq))
+            For one letter also a number, or a one-dimensional array of angles.
+        degrees : bool
+            The angles are in degrees, not radians.
+
+        Raises
+        ------
+        RotationError
+            No such sequence, or angles that do not fit it.
+        """
+        return cls._of(euler.from_euler(seq, angles, degrees))
+
+    @classmethod
+    def from_rotvec(cls, rotvec: Any, degrees: bool = False) -> Self:
+        """Make rotations from vectors (…, 3) whose length is the angle and direction the axis."""
+        return cls._of(vectors.from_rotvec(rotvec, degrees))
+
+    @classmethod
+    def from_axis_angle(cls, axis: Any, angle: Any, degrees: bool = False) -> Self:
+        """Make rotations by ``angle`` (…) about ``axis`` (…, 3); the batch shapes broadcast.
+
+        Raises
+        ------
+        RotationError
+            An axis is zero; any other length is allowed.
+        """
+        return cls._of(vectors.from_axis_angle(axis, angle, degrees))
+
+    @classmethod
+    def from_mrp(cls, mrp: Any) -> Self:
+        """Make rotations from modified Rodrigues parameters (…, 3), ``tan(angle/4)·axis``."""
+        return cls._of(vectors.from_mrp(mrp))
+
+    @classmethod
+    def between(cls, source: Any, target: Any) -> Self:
+        """Make the shortest rotations that take directions ``source`` (…, 3) to ``target`` (…, 3).
+
+        Opposite directions are half a turn apart about many axes; the one taken is perpendicular
+        to ``source`` and to the coordinate axis farthest from it.
+
+        Raises
+        ------
+        RotationError
+            A direction is zero.
+        """
+        return cls._of(vectors.between(source, target))
+
+    @classmethod
+    def from_scipy(cls, rotation: Any) -> Self:
+        """Make rotations from a `scipy.spatial.transform.Rotation`."""
+        return cls.from_quat(rotation.as_quat(), scalar_first=False)
+
+    def to_scipy(self) -> Any:
+        """Return the same as a `scipy.spatial.transform.Rotation`; scipy must be installed."""
+        from scipy.spatial.transform import Rotation
+
+        return Rotation.from_quat(self.as_quat(scalar_first=False))
+
+    def as_quat(self, *, scalar_first: bool = True, canonical: bool = False) -> Array:
+        """Return the unit quaternions, shape (…, 4).
+
+        Parameters
+        ----------
+        scalar_first : bool
+            ``False`` returns (x, y, z, w).
+        canonical : bool
+            Of q and −q return the one whose first nonzero coordinate (w, x, y, z) is positive;
+            otherwise the sign is the one that the computation gave.
+        """
+        q = quaternions.canonical(self._q) if canonical else self._q
+        xp = namespace(q)
+        return xp.asarray(q, copy=True) if scalar_first else xp.roll(q, -1, axis=-1)
+
+    def as_matrix(self) -> Array:
+        """Return the matrices, shape (…, 3, 3), that turn column vectors."""
+        return matrices.to_matrix(self._q)
+
+    def as_euler(self, seq: str, degrees: bool = False) -> Array:
+        """Return Euler angles, shape (…, 3), for a sequence of three letters.
+
+        The first and third lie in [−π, π]; the second in [0, π] where the first letter is the last
+        letter too, else in [−π/2, π/2]. In gimbal lock the third is 0; that is no error
+        and no warning, and the angles give back the same rotation to rounding.
+
+        Raises
+        ------
+        RotationError
+            No such sequence.
+        """
+        return euler.to_euler(self._q, seq, degrees)
+
+    def as_rotvec(self, degrees: bool = False) -> Array:
+        """Return the rotation vectors, shape (…, 3), of lengths in [0, π]."""
+        return vectors.to_rotvec(self._q, degrees)
+
+    def as_axis_angle(self, degrees: bool = False) -> tuple[Array, Array]:
+        """Return unit axes (…, 3) and angles (…) in [0, π]; the identity has the axis z."""
+        return vectors.to_axis_angle(self._q, degrees)
+
+    def as_mrp(self) -> Array:
+        """Return the modified Rodrigues parameters, shape (…, 3), of lengths in [0, 1]."""
+        return vectors.to_mrp(self._q)
+
+    def magnitude(self, degrees: bool = False) -> Array:
+        """Return the angles of rotation, in [0, π]."""
+        angle = quaternions.angle(self._q)
+        return to_degrees(angle) if degrees else angle

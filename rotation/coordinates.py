@@ -1,0 +1,60 @@
+"""Arrays as tuples of their coordinates, and lengths that neither overflow nor vanish."""
+
+from functools import reduce
+from operator import add
+from typing import Any
+
+from rotation.namespaces import Array
+
+Coordinates = tuple[Array, ...]
+
+
+def split(array: Array) -> Coordinates:
+    """Return the coordinates along the last axis, as views: ``(x[…, 0], x[…, 1], …)``."""
+    return tuple(array[..., n] for n in range(array.shape[-1]))
+
+
+def join(xp: Any, coordinates: Coordinates) -> Array:
+    """Return the array whose last axis holds ``coordinates``, their shapes broadcast."""
+    return xp.stack(xp.broadcast_arrays(*coordinates), axis=-1)
+
+
+# By the bits of a float: a power of two that brings what is too small or too large to be squared
+# into the middle of the range, exactly.
+_STEP = {64: 2.0**600, 32: 2.0**98}
+
+
+def factor(xp: Any, coordinates: Coordinates) -> Array:
+    """Return the power of two to multiply by before squaring: 1 where squares are safe."""
+    largest = xp.abs(coordinates[0])
+    for c in coordinates[1:]:
+        largest = xp.maximum(largest, xp.abs(c))
+    info = xp.finfo(largest.dtype)
+    low = float(info.smallest_normal) ** 0.5 / float(info.eps)
+    high = float(info.max) ** 0.5 / 4.0
+    one, step = xp.ones_like(largest), _STEP[info.bits]
+    return xp.where(largest < low, step * one, xp.where(largest > high, one / step, one))
+
+
+def length(xp: Any, coordinates: Coordinates) -> Array:
+    """Return the Euclidean length, right from the smallest float up to half the largest."""
+    f = factor(xp, coordinates)
+    return xp.sqrt(sum_of_squares([f * c for c in coordinates])) / f
+
+
+def unit(xp: Any, coordinates: Coordinates) -> Coordinates:
+    """Return the coordinates divided by their length; NaN where that is 0 or any is not finite."""
+    f = factor(xp, coordinates)
+    scaled = tuple(f * c for c in coordinates)
+    n = xp.sqrt(sum_of_squares(scaled)) + poison(coordinates)
+    return tuple(c / n for c in scaled)
+
+
+def poison(coordinates: Coordinates) -> Array:
+    """Return 0 for rows of finite coordinates and NaN for all others: what to add to spoil them."""
+    return reduce(add, (0.0 * c for c in coordinates))
+
+
+def sum_of_squares(coordinates: Any) -> Array:
+    """Return ``Σ c²``."""
+    return reduce(add, (c * c for c in coordinates))

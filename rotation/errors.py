@@ -1,0 +1,26 @@
+"""What can go wrong with rotations, as types; all are `HFieldError` and the builtin one expects."""
+
+from hfield.errors import HFieldError
+
+
+class RotationError(HFieldError, ValueError):
+    """Values that name no rotation, or shapes, layouts and memory that do not fit together."""
+
+
+class ZeroRotationError(RotationError):
+    """A zero axis or a zero quaternion: it has no direction. ``row`` is its index in its batch."""
+
+    def __init__(self, name: str, row: tuple[int, ...]) -> None:
+        self.row = row
+        where = "" if not row else f" in row {row[0] if len(row) == 1 else row}"
+        super().__init__(
+            f"zero {name}{where}: it names no rotation; give a nonzero one, of any length"
+        )
+
+
+class DTypeError(HFieldError, TypeError):
+    """An array of a kind that is not rotated, such as complex numbers, booleans or objects."""
+
+
+class ForeignArrayError(HFieldError, TypeError):
+    """An array of another library where only numpy arrays are taken."""

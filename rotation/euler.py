@@ -1,0 +1,151 @@
+"""Euler angles in all 24 conventions (thesis, sections 2.2.2 to 2.2.4; there it is ZYX).
+
+A sequence is one to three letters. Uppercase is intrinsic, about axes that turn along:
+``ZYX = R_z(a₀)·R_y(a₁)·R_x(a₂)``. Lowercase is extrinsic, about axes that stay: ``zyx`` turns about z
+first, then y, then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
+"""
+
+import math
+from functools import reduce
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from rotation.angles import radians, to_degrees
+from rotation.coordinates import Coordinates, join, length, split
+from rotation.errors import RotationError
+from rotation.namespaces import Array, expect_last, floats, namespace, quiet
+from rotation.quaternions import multiplied, steadied
+from rotation.rowwise import in_pieces
+
+
+class Sequence(NamedTuple):
+    """A convention: the axes in the order of the angles, and whether they turn along."""
+
+    axes: tuple[int, ...]
+    intrinsic: bool
+
+
+def sequence(seq: str) -> Sequence:
+    """Read a sequence such as ``"ZYX"`` or ``"zxz"``.
+
+    Raises
+    ------
+    RotationError
+        Not one to three of the letters xyz or XYZ, both cases mixed, or a letter next to itself.
+    """
+    if not isinstance(seq, str) or not 1 <= len(seq) <= 3 or set(seq.lower()) - set("xyz"):
+        raise RotationError(
+            f"sequence {seq!r}: one to three letters are expected, of XYZ (intrinsic) or xyz (extrinsic)"
+        )
+    if seq not in (seq.upper(), seq.lower()):
+        raise RotationError(
+            f"sequence {seq!r} mixes intrinsic (uppercase) and extrinsic (lowercase) axes"
+        )
+    if any(a == b for a, b in pairwise(seq)):
+        raise RotationError(
+            f"sequence {seq!r} turns about one axis twice in a row; add the two angles instead"
+        )
+    return Sequence(tuple("xyz".index(c) for c in seq.lower()), seq.isupper())
+
+
+@quiet
+def from_euler(seq: str, angles: Any, degrees: bool = False) -> Array:
+    """Return the unit quaternions of Euler angles.
+
+    Parameters
+    ----------
+    seq : str
+        One to three letters.
+    angles : array_like, shape (…, len(seq))
+        For a single letter also a number or a one-dimensional array, of which each entry is a
+        rotation.
+    degrees : bool
+        The angles are in degrees, not radians.
+
+    Raises
+    ------
+    RotationError
+        A sequence that does not exist, or angles whose last axis does not fit it.
+    """
+    axes, intrinsic = sequence(seq)
+    a = floats(angles, "angles")
+    if len(axes) == 1 and a.ndim < 2:
+        a = a[..., None]
+    expect_last(a, (len(axes),), f"angles for the sequence {seq!r}")
+    return in_pieces(lambda a: _from_euler(a, axes, intrinsic, degrees), a)
+
+
+def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
+    xp = namespace(a)
+    half = 0.5 * (radians(xp, a) if degrees else a)
+    c, s = split(xp.cos(half)), split(xp.sin(half))
+    zero = xp.zeros_like(c[0])
+    turns = [
+        (c[n], *(s[n] if axis == m else zero for m in range(3))) for n, axis in enumerate(axes)
+    ]
+    return join(xp, steadied(reduce(multiplied, turns if intrinsic else turns[::-1])))
+
+
+@quiet
+def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
+    """Return the Euler angles (…, 3) of unit quaternions (…, 4).
+
+    The first and third angle lie in [−π, π], the second in [−π/2, π/2], or in [0, π] where the first
+    and the last letter agree. In gimbal lock (the second angle at an end of its interval to within
+    rounding) only a sum or a difference of the others is determined: then the third angle is 0.
+    Read off the quaternion, so nothing is lost near the lock: E. Bernardes and S. Viollet,
+    "Quaternion to Euler angles conversion: a direct, general and computationally efficient
+    method", PLoS ONE 17 (2022).
+
+    Raises
+    ------
+    RotationError
+        The sequence does not have three letters.
+    """
+    axes, intrinsic = sequence(seq)
+    if len(axes) != 3:
+        raise RotationError(f"sequence {seq!r}: three letters are needed to hold every rotation")
+    return in_pieces(lambda q: _to_euler(q, axes, intrinsic, degrees), q)
+
+
+def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
+    xp = namespace(q)
+    (a, b, c, d), sine, sign = _folded(q, axes[::-1] if intrinsic else axes)
+    ab, cd = length(xp, (a, b)), length(xp, (c, d))
+    middle = 2.0 * xp.atan2(cd, ab) if sine is None else xp.atan2(sine, ab * cd)
+    plus, minus = xp.atan2(b, a), xp.atan2(d, c)
+    # Where one of the pairs is nothing but rounding its angle is free: choose it so that the third
+    # angle as the user counts, which is the first of the extrinsic order if intrinsic, is 0.
+    tiny = 8.0 * float(xp.finfo(q.dtype).eps)
+    free = 1.0 if intrinsic else -1.0
+    plus, minus = (
+        xp.where(ab <= tiny * cd, free * minus, plus),
+        xp.where(cd <= tiny * ab, free * plus, minus),
+    )
+    start = _wrapped(xp, plus - minus)
+    end = sign * _wrapped(xp, plus + minus)
+    angles = join(xp, (end, middle, start) if intrinsic else (start, middle, end))
+    return to_degrees(angles) if degrees else angles
+
+
+def _folded(q: Array, axes: tuple[int, ...]) -> tuple[Coordinates, Array | None, float]:
+    """The four numbers (a, b, c, d) of Bernardes and Viollet for extrinsic ``axes``.
+
+    ``2·atan2(|c, d|, |a, b|)`` is the second angle of a proper sequence, and that minus π/2 of a
+    Tait–Bryan sequence; for the latter also twice its sine, which is sharper near 0. Third comes
+    the sign of the third angle.
+    """
+    w, *u = split(q)
+    i, j = axes[0], axes[1]
+    k = 3 - i - j
+    sign = 1.0 if (j - i) % 3 == 1 else -1.0
+    x, y, z = u[i], u[j], sign * u[k]
+    if axes[2] == i:
+        return (w, x, y, z), None, 1.0
+    return (w - y, x + z, y + w, z - x), 2.0 * (w * y - x * z), sign
+
+
+def _wrapped(xp: Any, angle: Array) -> Array:
+    """Angles between −2π and 2π, brought to [−π, π]."""
+    down = xp.where(angle > math.pi, angle - 2.0 * math.pi, angle)
+    return xp.where(angle < -math.pi, angle + 2.0 * math.pi, down)

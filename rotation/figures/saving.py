@@ -1,0 +1,98 @@
+"""From a drawing to a file: the same bytes each time, and a file whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from io import BytesIO
+from pathlib import Path
+from tempfile import TemporaryFile
+from typing import TYPE_CHECKING
+
+from hfield.commands.output import OutputError
+from hfield.errors import shorten
+from rotation.figures.drawing import STYLE, Drawing
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FORMATS = ("png", "svg", "pdf")
+# What matplotlib would stamp with the time of day.
+_DATELESS: dict[str, dict[str, None]] = {
+    "png": {},
+    "svg": {"Date": None},
+    "pdf": {"CreationDate": None},
+}
+
+
+def picture(
+    draw: Callable[[Figure], None], size: tuple[float, float], suffix: str = "png", dpi: int = 150
+) -> bytes:
+    """Return what ``draw`` draws on ``size`` inches as a file's bytes; they depend on no date or settings.
+
+    ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone.
+    """
+    from matplotlib import style
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    out = BytesIO()
+    with style.context(["default", STYLE]):  # whatever the user's matplotlibrc says
+        figure = Figure(figsize=size, layout="constrained")
+        FigureCanvasAgg(figure)
+        draw(figure)
+        figure.savefig(out, format=suffix, dpi=dpi, metadata=_DATELESS[suffix])
+    return out.getvalue()
+
+
+def save(
+    drawings: Iterable[Drawing], directory: Path, suffix: str = "png", dpi: int = 150
+) -> list[Path]:
+    """Write each drawing to ``directory/figure-NUMBER.suffix`` and return the paths.
+
+    The directory is made where it is missing, and tried before anything is drawn. Raises
+    :class:`~hfield.commands.output.OutputError` where it cannot be written.
+    """
+    try_folder(directory)
+    paths = []
+    try:
+        for drawing in drawings:
+            path = directory / f"figure-{drawing.number}.{suffix}"
+            write_whole(path, picture(drawing.draw, drawing.size, suffix, dpi))
+            paths.append(path)
+    except OSError as error:
+        raise _refusal(directory, error) from error
+    return paths
+
+
+def try_folder(directory: Path) -> None:
+    """Make a directory where it is missing and try to write there.
+
+    Raises :class:`~hfield.commands.output.OutputError`.
+    """
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=directory):
+            pass
+    except OSError as error:
+        raise _refusal(directory, error) from error
+
+
+def _refusal(directory: Path, error: OSError) -> OutputError:
+    reason = error.strerror or str(error)
+    return OutputError(
+        f"cannot write to {shorten(directory)!r}: {reason}; choose another directory"
+    )
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file that is there whole or not at all, by way of a neighbour that takes its place."""
+    neighbour = path.with_name(f".{path.name[:100]}.{os.getpid()}.part")
+    try:
+        with neighbour.open("xb") as stream:
+            stream.write(content)
+        neighbour.replace(path)
+    finally:
+        with suppress(FileNotFoundError):
+            neighbour.unlink()

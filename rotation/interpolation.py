@@ -1,0 +1,168 @@
+"""Between rotations: slerp and squad, pointwise and through keyframes.
+
+K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985, and "Quaternion calculus and
+fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion never matters.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from rotation import quaternions, vectors
+from rotation.errors import RotationError
+from rotation.namespaces import Array, expect_numpy, floats, namespace
+from rotation.rotation import Rotation
+
+
+def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
+    """Return the rotation at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1) at constant rate.
+
+    Parameters
+    ----------
+    p, q : Rotation
+        Between a rotation and itself nothing moves, with whatever signs of the quaternions. Where
+        they are half a turn apart two ways are equally short; taken is the turn from ``p`` about
+        the axis, as p has turned it, whose first nonzero coordinate is positive.
+    t : float or array
+        Values outside [0, 1] go on beyond. The shapes of p, q and t broadcast.
+
+    Examples
+    --------
+    >>> p = Rotation.from_euler("Z", 0.0)
+    >>> q = Rotation.from_euler("Z", 90, degrees=True)
+    >>> slerp(p, q, [0.0, 0.5, 1.0]).as_euler("ZYX", degrees=True)[:, 0].round(12)
+    array([ 0., 45., 90.])
+    """
+    t = _parameter(t, p, q)
+    return p * Rotation._of(quaternions.power((p.inv() * q)._q, t))
+
+
+def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotation:
+    """Return the point at ``t`` of the spherical cubic from ``p`` to ``q`` with inner points a, b.
+
+    ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``: at p it sets out towards a, at q it comes from
+    b. `Squad` finds the inner points of a smooth curve through keyframes. Shapes broadcast.
+    """
+    q = _nearer(q, p)
+    return _cubic(p, q, _nearer(a, p), _nearer(b, q), _parameter(t, p, q, a, b))
+
+
+def _parameter(t: Any, *rotations: Rotation) -> Any:
+    plain = isinstance(t, int | float)
+    return t if plain else floats(t, "t", namespace(t, *(r._q for r in rotations)))
+
+
+def _cubic(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotation:
+    """The cubic of quaternions as they stand: a sign here would make a corner of the curve."""
+    return _direct(_direct(p, q, t), _direct(a, b, t), 2.0 * t * (1.0 - t))
+
+
+def _direct(p: Rotation, q: Rotation, t: Any) -> Rotation:
+    """Slerp of the quaternions themselves, which turns by more than π where their product is negative."""
+    return p * Rotation._of(quaternions.direct_power((p.inv() * q)._q, t))
+
+
+def _nearer(q: Rotation, p: Rotation) -> Rotation:
+    """The same rotations as q, by those of the quaternions q and −q that are nearer to p."""
+    xp = namespace(p._q, q._q)
+    far = xp.sum(p._q * q._q, axis=-1, keepdims=True) < 0.0
+    return Rotation._of(xp.where(far, -q._q, q._q))
+
+
+class Slerp:
+    """The curve through keyframes that turns at constant rate between each two of them.
+
+    Parameters
+    ----------
+    times : array_like, shape (n,)
+        Strictly increasing.
+    rotations : Rotation, shape (n, …)
+        At least two keyframes along the first axis.
+
+    Raises
+    ------
+    RotationError
+        Times that do not increase or do not fit the rotations.
+    """
+
+    def __init__(self, times: Any, rotations: Rotation) -> None:
+        expect_numpy("a curve through keyframes", times, rotations._q)
+        self.times = _times(times, rotations)
+        self.rotations = rotations
+
+    def __call__(self, times: Any) -> Rotation:
+        """Return the rotations at ``times`` (…), within the range of the keyframes; NaN gives NaN.
+
+        Raises
+        ------
+        RotationError
+            A time lies outside.
+        """
+        n, t = self._place(times)
+        return self._between(n, t)
+
+    def _place(self, times: Any) -> tuple[Array, Array]:
+        """For each time its interval and where it lies there, from 0 to 1."""
+        x = floats(times, "times")
+        first, last = self.times[0], self.times[-1]
+        if np.any((x < first) | (x > last)):
+            raise RotationError(
+                f"times from {first:g} to {last:g} are expected, as the keyframes have"
+            )
+        n = np.clip(np.searchsorted(self.times, x, side="right") - 1, 0, len(self.times) - 2)
+        t = (x - self.times[n]) / (self.times[n + 1] - self.times[n])
+        return n, np.reshape(t, t.shape + (1,) * (self.rotations.ndim - 1))
+
+    def _between(self, n: Array, t: Array) -> Rotation:
+        return slerp(self.rotations[n], self.rotations[n + 1], t)
+
+
+class Squad(Slerp):
+    """The curve through keyframes whose angular velocity is continuous: spherical cubics, joined.
+
+    The velocity at a keyframe is the mean of those of the two neighbouring slerps, each weighted by
+    the length of the other interval; at the ends it is that of the only neighbour. With two
+    keyframes it is a slerp. Parameters and errors as in `Slerp`.
+    """
+
+    def __init__(self, times: Any, rotations: Rotation) -> None:
+        super().__init__(times, rotations)
+        steps = (rotations[:-1].inv() * rotations[1:]).as_rotvec()
+        h = np.reshape(np.diff(self.times), (-1,) + (1,) * rotations.ndim)
+        rates = steps / h
+        inner = (h[1:] * rates[:-1] + h[:-1] * rates[1:]) / (h[1:] + h[:-1])
+        velocities = np.concatenate([rates[:1], inner, rates[-1:]])
+        # At t = 0 a squad turns by log(p⁻¹q) + 2·log(p⁻¹a) per unit of t, at t = 1 by
+        # log(p⁻¹q) − 2·log(q⁻¹b); solved for the inner points a and b.
+        keys = self.rotations = _continuous(rotations)
+        self._after = keys[:-1] * _turn((velocities[:-1] * h - steps) / 2.0)
+        self._before = keys[1:] * _turn((steps - velocities[1:] * h) / 2.0)
+
+    def _between(self, n: Array, t: Array) -> Rotation:
+        ends = self.rotations[n], self.rotations[n + 1]
+        return _cubic(*ends, self._after[n], self._before[n], t)
+
+
+def _continuous(rotations: Rotation) -> Rotation:
+    """The same rotations, each by the quaternion nearer to the one before."""
+    q = rotations.as_quat()
+    flips = np.sum(q[1:] * q[:-1], axis=-1) < 0.0
+    signs = np.where(np.cumsum(flips, axis=0) % 2, -1.0, 1.0)
+    q[1:] *= signs[..., None]
+    return Rotation._of(q)
+
+
+def _turn(rotvec: Array) -> Rotation:
+    return Rotation._of(vectors.from_rotvec(rotvec))
+
+
+def _times(times: Any, rotations: Rotation) -> Array:
+    x = floats(times, "times")
+    if rotations.single or len(rotations) < 2 or x.shape != rotations.shape[:1]:
+        raise RotationError(
+            f"times of shape {x.shape} for rotations of shape {rotations.shape}: "
+            "one time for each of at least two keyframes is expected"
+        )
+    if not (np.all(np.isfinite(x)) and np.all(np.diff(x) > 0.0)):
+        raise RotationError("the times of the keyframes must be finite and strictly increasing")
+    return x

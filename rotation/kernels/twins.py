@@ -1,0 +1,55 @@
+"""The same rotations in plain numpy, as short as the mathematics: the oracle of the compiled kernels.
+
+Arrays have their components last and broadcast. Nothing is blocked, threaded or tuned.
+"""
+
+import numpy as np
+
+from hfield.product import Constants, multiply
+from rotation.arrays import Array
+
+HAMILTON = Constants(-1.0, 0.0, -1.0)
+
+
+def one(points: Array, matrix: Array) -> Array:
+    """Return ``M·v`` for every point."""
+    rotated: Array = points @ matrix.astype(points.dtype).T
+    return rotated
+
+
+def axis_angle(points: Array, axis: Array, angle: Array) -> Array:
+    """Return Rodrigues' formula: v cos θ + (u × v) sin θ + u (u·v)(1 − cos θ), u the unit axis."""
+    scaled = axis / np.max(np.abs(axis), axis=-1, keepdims=True)
+    unit = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
+    sine, versine = np.sin(angle)[..., None], 2 * np.sin(angle / 2)[..., None] ** 2
+    along = np.sum(unit * points, axis=-1, keepdims=True)
+    rotated: Array = points + np.cross(unit, points) * sine + (unit * along - points) * versine
+    return rotated
+
+
+def quaternions(points: Array, q: Array) -> Array:
+    """Return v + 2(w (u × v) + u × (u × v))/|q|² for q = (w, u) of any length."""
+    scaled = q / np.max(np.abs(q), axis=-1, keepdims=True)
+    w, u = scaled[..., :1], scaled[..., 1:]
+    cross = np.cross(u, points)
+    factor = 2 / np.sum(scaled * scaled, axis=-1, keepdims=True)
+    rotated: Array = points + factor * (w * cross + np.cross(u, cross))
+    return rotated
+
+
+def euler(points: Array, angles: Array, axes: tuple[int, int, int], backward: bool) -> Array:
+    """Return the three rotations one after the other, by the last of the angles first if ``backward``."""
+    for k, axis in enumerate(axes):
+        points = axis_angle(points, np.eye(3)[axis], angles[..., 2 - k if backward else k])
+    return points
+
+
+def cumulative(q: Array) -> Array:
+    """Return the running products, the newest factor on the left, each normalised."""
+    products = np.empty_like(q)
+    running = np.array([1.0, 0.0, 0.0, 0.0])
+    for n, factor in enumerate(q):
+        running = np.stack(multiply(HAMILTON, tuple(factor), tuple(running)))
+        running = running / np.linalg.norm(running)
+        products[n] = running
+    return products

@@ -1,0 +1,59 @@
+"""The numbers that Python's ``random()`` can return: the least and the greatest, by running it.
+
+CPython's generator, the Mersenne Twister, makes a number of two words of 32 bits: the upper 27 bits
+a of the first and the upper 26 bits b of the second give (a·2²⁶ + b)/2⁵³, so the extreme numbers
+come from the extreme words. These words are the state of the generator after a linear scrambling
+("tempering"; Matsumoto and Nishimura, 1998), which has an inverse: a state can be made for any two.
+"""
+
+from collections.abc import Callable
+from random import Random
+
+from hfield.ledger.computed import Computed, Finding
+
+WORDS = 624  # of the state
+SAMPLES = 100
+ONES = 0xFFFFFFFF
+
+
+def returned(first: int, second: int) -> float:
+    """Return what ``random()`` returns when the generator yields these two words of 32 bits."""
+    generator = Random(0)
+    version, _, gauss = generator.getstate()
+    words = [untempered(first), untempered(second), *[0] * (WORDS - 2)]
+    generator.setstate((version, (*words, 0), gauss))  # the 0: the first word comes next
+    return generator.random()
+
+
+def untempered(word: int) -> int:
+    """Return the word of the state that the generator would make into ``word``, of 32 bits."""
+    word ^= word >> 18
+    word ^= (word << 15) & 0xEFC60000
+    state = word
+    for _ in range(4):  # every round settles seven more bits
+        state = word ^ ((state << 7) & 0x9D2C5680)
+    word = state
+    for _ in range(2):  # and here eleven
+        state = word ^ (state >> 11)
+    return state
+
+
+def is_made_of_words(seed: int) -> bool:
+    """Tell whether the first number for a seed is made of its first two words as described."""
+    words = Random(seed)
+    a, b = words.getrandbits(32) >> 5, words.getrandbits(32) >> 6
+    return Random(seed).random() == (a * 2**26 + b) / 2**53
+
+
+def within(interval: str, holds: Callable[[float, float], bool]) -> Computed:
+    """Say that all that ``random()`` returns lies in an interval; ``holds`` tells it of the extremes."""
+
+    def look() -> Finding:
+        low, high = returned(0, 0), returned(ONES, ONES)
+        return Finding(
+            holds(low, high) and all(map(is_made_of_words, range(SAMPLES))),
+            (f"the least number is {low!r}", f"the greatest is {high!r}, {1 - high!r} below 1"),
+            {"least": [repr(low)], "greatest": [repr(high)]},
+        )
+
+    return Computed(f"random() returns numbers in {interval}", look)

@@ -1,0 +1,109 @@
+"""Section 3.1.2: the functions that turn points by matrices.
+
+As in 3.1.1 they are run on symbols. s and t stand for the cosine and the sine of half an angle.
+"""
+
+from hfield.ledger.propositions import Every
+from rotation.ledger.programs import claim, listed
+from rotation.ledger.symbols import InWords, Symbol, code, coordinates, equal, point, read_as
+
+Q = coordinates("q")
+MATRICES = (
+    "xaxisMatrixrotation",
+    "yaxisMatrixrotation",
+    "zaxisMatrixrotation",
+    "rotationMatrixZYX",
+    "rotationbyMatrix",
+)
+
+
+def about(axis: str, name: str) -> InWords:
+    """Say that a matrix function turns q about a basis vector as a quaternion of half the angle does."""
+    double = {"cos": read_as({"angle": "(s**2 - t**2)"}), "sin": read_as({"angle": "(2*s*t)"})}
+    matrix = code(name, **double)(Symbol("angle"))
+    turned = point(code("rotationbyMatrix")(matrix, Q))
+    half = f"(s + t*{axis})"
+    words = f"{name}(angle)·x = h·x·h̄ for h = cos(angle/2) + sin(angle/2)·{axis}"
+    return InWords(f"{turned} == {half}*{point(Q)}*conj({half})", ("s**2 + t**2 == 1",), words)
+
+
+def axes(*basis: str) -> Every:
+    """Say that of the three matrix functions, about these basis vectors."""
+    return Every(tuple(map(about, basis, MATRICES)))
+
+
+# cos ψ, sin ψ = p0, p1; cos φ, sin φ = q0, q1; cos θ, sin θ = r0, r1, and the point is v.
+EULER = {
+    "cos": read_as({"psi": "p[0]", "phi": "q[0]", "theta": "r[0]"}),
+    "sin": read_as({"psi": "p[1]", "phi": "q[1]", "theta": "r[1]"}),
+}
+
+
+def euler(order: tuple[str, str, str]) -> InWords:
+    """Say that rotationMatrixZYX turns a point about these axes, the last one first, by ψ, φ, θ."""
+    angles = {"z": Symbol("psi"), "y": Symbol("phi"), "x": Symbol("theta")}
+    turn, v = code("rotationbyMatrix"), coordinates("v")
+    matrix = code("rotationMatrixZYX", **EULER)(*angles.values())
+    step = v
+    for axis in reversed(order):
+        step = turn(code(f"{axis}axisMatrixrotation", **EULER)(angles[axis]), step)
+    words = (
+        f"rotationMatrixZYX(ψ, φ, θ) turns about {order[2]}, then about {order[1]} and {order[0]}"
+    )
+    return InWords(equal(turn(matrix, v), step), words=words)
+
+
+# A matrix of arbitrary entries: its rows are the coordinates of p, q and r.
+ROWS = [coordinates(row) for row in "pqr"]
+
+
+def rows_times(order: tuple[int, int, int]) -> InWords:
+    """Say that rotationbyMatrix returns the products of these rows with the point v."""
+    v = coordinates("v")
+    product = [Symbol(f"scalar({point(ROWS[n])}*conj({point(v)}))") for n in order]
+    words = f"rotationbyMatrix(M, x) is the product of rows {order} of M with x"
+    return InWords(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
+
+
+CLAIMS = (
+    claim(
+        "C3.1.2-a",
+        "matrix-functions",
+        "number",
+        "Five matrix functions are defined",
+        "pięć nowych funkcji",
+        listed(MATRICES, 5),
+        spoilt=listed(MATRICES, 4),
+    ),
+    claim(
+        "C3.1.2-b",
+        "axis-matrices",
+        "spec",
+        "The three axis functions return the matrices of the rotations about x, y and z",
+        "(as stated)",
+        axes("i", "j", "k"),
+        spoilt=axes("i", "j", "i"),
+        note="Compared with the quaternion of half the angle, s and t being its cosine and sine.",
+    ),
+    claim(
+        "C3.1.2-c",
+        "euler-matrix-function",
+        "spec",
+        "rotationMatrixZYX(ψ, φ, θ) returns the matrix for the Euler angle (ψ, φ, θ)",
+        "ψ, ϕ, θ",
+        euler(("z", "y", "x")),
+        spoilt=euler(("x", "y", "z")),
+        note="ψ about z, φ about y, θ about x, that about x being done first, as chapter 2 has it for "
+        "its own letters.",
+    ),
+    claim(
+        "C3.1.2-d",
+        "matrix-times-point",
+        "spec",
+        "rotationbyMatrix(matrix, point) is the matrix product",
+        "rotationbyMatrix",
+        rows_times((0, 1, 2)),
+        spoilt=rows_times((0, 2, 1)),
+        note="“Macierz wykorzystuje matmul()” should read “Funkcja wykorzystuje”.",
+    ),
+)

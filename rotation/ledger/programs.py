@@ -1,0 +1,22 @@
+"""What the rows about programs have in common: they are about no field, and count functions."""
+
+from functools import partial
+
+from hfield.ledger.claim import Claim
+from hfield.ledger.computed import Computed, Finding
+from rotation import thesis
+
+claim = partial(Claim, fieldless=True)
+
+
+def listed(names: tuple[str, ...], count: int) -> Computed:
+    """Say that so many functions are listed, and that each of them exists."""
+
+    def look() -> Finding:
+        missing = [name for name in names if not callable(getattr(thesis, name, None))]
+        return Finding(
+            len(set(names)) == count and not missing,
+            (f"listed: {', '.join(names)}", f"{len(set(names))} names, {count} announced"),
+        )
+
+    return Computed(f"{count} functions are listed, and all exist: {', '.join(names)}", look)

@@ -1,0 +1,77 @@
+"""What the functions of the second test of 3.2 do to a point, found by running them on symbols.
+
+The test turns every point about its own direction, and by the Euler angle that has its coordinates.
+"""
+
+from rotation.ledger.symbols import InWords, Symbol, code, coordinates, equal, point, read_as
+
+P, Q = coordinates("p"), coordinates("q")
+LENGTH = f"y**2 == norm({point(P)})"
+CIRCLE = "s**2 + t**2 == 1"
+HALF = {"cos": read_as({"0.5*angle": "s"}), "sin": read_as({"0.5*angle": "t"})}
+
+SELF = "rotationquaternion(angle, x/|x|, x)"
+
+# The point p turned about itself, normalised: y is its length, t the sine of half the angle.
+NORM = {"sqrt": lambda square: Symbol("y")}
+ITSELF = point(code("rotationquaternionNormalized", **HALF, **NORM)(Symbol("angle"), P, P))
+STAYS = InWords(f"{ITSELF} == {point(P)}", (LENGTH, "y != 0", CIRCLE), f"{SELF} = x")
+MOVES = InWords(f"{ITSELF} != {point(P)}", (LENGTH, "y != 0", CIRCLE, "t != 0"), f"{SELF} ≠ x")
+
+# With an axis of its own for every point: q, of length 1.
+OWN = point(code("rotationquaternion", **HALF)(Symbol("angle"), Q, P))
+UNIT = f"norm({point(Q)}) == 1"
+STAYS_ABOUT_ANOTHER = InWords(f"{OWN} == {point(P)}", (UNIT, CIRCLE))
+MOVES_ABOUT_ANOTHER = InWords(
+    f"{OWN} != {point(P)}",
+    (UNIT, CIRCLE, f"t*comm({point(P)}, {point(Q)}) != 0"),
+    "if u has length 1 and is not parallel to x, and sin(angle/2) ≠ 0, "
+    "rotationquaternion(angle, u, x) ≠ x",
+)
+
+# The Euler angle (a, 0, 0) of the point (a, 0, 0), with s, t the cosine and sine of a.
+ANGLES = {
+    "cos": read_as({"x": "s", "zero": "1"}),
+    "sin": read_as({"x": "t", "zero": "0"}),
+}
+
+
+def euler_turned(angle: str) -> InWords:
+    """Say that the matrix model moves the point (x, 0, 0) wherever the sine of x is not 0."""
+    matrix = code("rotationMatrixZYX", **ANGLES)(*map(Symbol, (angle, "zero", "zero")))
+    place = [Symbol("x"), 0, 0]
+    turned = code("rotationbyMatrix")(matrix, place)
+    words = (
+        f"if sin x ≠ 0, rotationbyMatrix(rotationMatrixZYX({angle}, 0, 0), [x, 0, 0]) ≠ [x, 0, 0]"
+    )
+    return InWords(f"not ({equal(turned, place)})", (CIRCLE, "t != 0", "x != 0"), words)
+
+
+# Two Euler angles: cosines and sines in p, q, r (about z, y, x) and in u, v, w.
+FIRST, SECOND = ("p", "q", "r"), ("u", "v", "w")
+
+
+def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Symbol]]:
+    """Return the matrix for three angles, cosine and sine being coordinates 0 and 1 of unknowns."""
+    names = {
+        "cos": read_as({a: f"{a}[0]" for a in unknowns}),
+        "sin": read_as({a: f"{a}[1]" for a in unknowns}),
+    }
+    matrix: list[list[Symbol]] = code("rotationMatrixZYX", **names)(*map(Symbol, unknowns))
+    return matrix
+
+
+def determined(*cosines: str) -> InWords:
+    """Say that equal matrices come from equal angles, given what is said of the middle ones' cosines.
+
+    The last row and the first column of the matrices tell the angles already.
+    """
+    circles = [f"{a}[0]**2 + {a}[1]**2 == 1" for a in (FIRST[1], SECOND[1])]
+    told = [
+        [m[2][0], m[2][1], m[2][2], m[0][0], m[1][0]] for m in map(euler_matrix, (FIRST, SECOND))
+    ]
+    same = [f"{a}[{n}] == {b}[{n}]" for a, b in zip(FIRST, SECOND, strict=True) for n in (0, 1)]
+    words = (
+        "if rotationMatrixZYX(x) = rotationMatrixZYX(y) and the middle cosines are positive, x = y"
+    )
+    return InWords(" and ".join(same), (*circles, equal(*told), *cosines), words)

@@ -1,0 +1,219 @@
+"""Section 2.2.4, Theorem 5: every R in SO(3) is a rotation, with its axis and its angle.
+
+The core holds over every commutative ring. For R in SO(3), where R is its own matrix of cofactors,
+let t be its trace and W = (r32 − r23, r13 − r31, r21 − r12). Then det(R − I) = 0, so that a vector is
+fixed; RW = W; W∘W = (1 + t)(3 − t); and (1 + t)(R + Rᵗ) = (t² − 1)I + WWᵗ. Where 2(1 + t) is a unit,
+put c = (t − 1)/2 and w = W/2: the last line is Rodrigues' formula for the angle with the cosine c, the
+axis w and the sine |w|, and the line before says that c² + |w|² = 1.
+
+Over RR that leaves t = −1. There W∘W = 0 makes W = 0, so R is symmetric, and the minors of R + I are
+those of R − Rᵗ + (1 + t)I = 0; so R + I has rank one, and a column of it, divided by its length (every
+norm is a square), is the axis of a half turn.
+"""
+
+from hfield.ledger.claim import Claim
+from hfield.ledger.multilinear import IsBasis
+from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.real import Angles
+from hfield.ledger.roots import ModulusDefined
+from rotation.ledger.entries import (
+    Matrix,
+    apply,
+    both,
+    cofactors,
+    coordinates,
+    det,
+    difference,
+    dot,
+    equal,
+    general,
+    identity,
+    matrix,
+    orthogonal,
+    plus,
+    scaled,
+    shifted,
+    symmetric,
+    times,
+    trace,
+    transpose,
+)
+
+R = general("pqr")
+ORTHOGONAL, DETERMINANT = orthogonal(R), f"{det(R)} == 1"
+OWN_COFACTORS = equal(cofactors(R), R)
+T = trace(R)
+W = (
+    difference(R[2][1], R[1][2]),
+    difference(R[0][2], R[2][0]),
+    difference(R[1][0], R[0][1]),
+)
+
+
+def _square(entry: str, r: int, c: int) -> str:
+    return f"{entry} + (({T})**2 - 1)" if r == c else entry
+
+
+TWICE_SYMMETRIC = tuple(
+    tuple(f"(1 + {T})*({R[r][c]} + {R[c][r]})" for c in range(3)) for r in range(3)
+)
+RODRIGUES = tuple(tuple(_square(f"({W[r]})*({W[c]})", r, c) for c in range(3)) for r in range(3))
+# The minors of R + I are entries of R − Rᵗ, and on the diagonal 1 + t.
+SKEW = shifted(
+    tuple(tuple(difference(R[r][c], R[c][r]) for c in range(3)) for r in range(3)), f"1 + {T}"
+)
+
+SO3_IS_COFACTORS = Statement(f"{ORTHOGONAL} and {DETERMINANT} => {OWN_COFACTORS}")
+FIXED_VECTOR = Statement(f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '-1'))} == 0")
+SO3_COLUMNS = Statement(
+    f"{ORTHOGONAL} and {DETERMINANT} and {OWN_COFACTORS} => {orthogonal(transpose(R))}"
+)
+AXIS_AND_ANGLE = Statement(
+    f"{ORTHOGONAL} and {OWN_COFACTORS} => {equal(apply(R, W), W)}"
+    f" and {dot(W, W)} == (1 + {T})*(3 - ({T})) and {symmetric(TWICE_SYMMETRIC, RODRIGUES)}"
+)
+CORE = Every(
+    (SO3_IS_COFACTORS, FIXED_VECTOR, AXIS_AND_ANGLE),
+    "R ∈ SO(3) fixes a vector; it turns about W = (r32−r23, r13−r31, r21−r12) with 2·cos θ = tr R − 1",
+)
+NO_SQUARES = "p[1]**2 + p[2]**2 + p[3]**2 == 0 => p[1] == 0 and p[2] == 0 and p[3] == 0"
+HALF_TURN = f"{OWN_COFACTORS} => {equal(cofactors(shifted(R, '1')), SKEW)}"
+REAL_PART = Every((Statement(NO_SQUARES), Statement(HALF_TURN), ModulusDefined()))
+
+# The orthonormal v1, v2, v3 are the vector parts of p, q, r, and the columns of B.
+COLUMNS = transpose(R)
+SWAPPED = (R[1], R[0], R[2])
+A = general("uvw")
+BLOCK = general("p")
+B = transpose(general("uvw"))
+
+
+def bordered(corner: str) -> Matrix:
+    """Return the block [[a, c], [b, d]] with the entry ``corner`` below it."""
+    (a, c), (b, d) = BLOCK
+    return ((a, c, "0"), (b, d, "0"), ("0", "0", corner))
+
+
+def special(m: Matrix) -> str:
+    """Return the statement that m is in SO(n)."""
+    return both(orthogonal(m), f"{det(m)} == 1")
+
+
+V1, V2, V3 = transpose(B)
+IMAGES = transpose(
+    (
+        plus(scaled(BLOCK[0][0], V1), scaled(BLOCK[1][0], V2)),
+        plus(scaled(BLOCK[0][1], V1), scaled(BLOCK[1][1], V2)),
+        V3,
+    )
+)
+E3 = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+ABOUT_V3 = matrix("y, -s, 0; s, y, 0; 0, 0, 1")
+# Av1 and Av2 are perpendicular to u = v3 = Av3: since Aᵗu = AᵗAu = u, (Av)∘u = v∘(Aᵗu) = v∘u.
+U, V = coordinates("u"), coordinates("v")
+KEEPS_PLANE = (
+    f"{orthogonal(transpose(R))} and {equal(apply(R, U), U)} => {equal(apply(transpose(R), U), U)}",
+    f"{dot(apply(R, V), U)} == {dot(V, apply(transpose(R), U))}",
+)
+ANY_COLUMNS = equal(times(R, B), transpose(tuple(apply(R, v) for v in transpose(B))))
+CASE_ONE = f"{special(bordered('1'))} => {special(BLOCK)}"
+CASE_MINUS_ONE = (
+    f"{special(bordered('-1'))} => {orthogonal(BLOCK)} and {det(BLOCK)} == -1"
+    f" and {det(shifted(BLOCK, '-1'))} == 0"
+)
+
+CLAIMS = (
+    Claim(
+        "C2.2.4-m",
+        "theorem-5",
+        "theorem 5",
+        "R∈SO(3) ⇒ rotation by some angle",
+        "R∈SO(3)",
+        Angles(CORE, REAL_PART),
+        spoilt=Angles(
+            Statement(f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '1'))} == 0")
+        ),
+        headline=True,
+        note="Over a ring other than RR: the identities from which axis and angle are read off.",
+    ),
+    Claim(
+        "C2.2.4-n",
+        "eigenvector-in-r",
+        "thm 5 proof",
+        "v3∈R; v^⊥={v∈R³: v∘v3=0}",
+        "v3 ∈ R",
+        IsBasis(((1, 0, 0), (0, 1, 0), (1,)), 3, "v1, v2 ∈ R³ with a unit vector v3 ∈ R"),
+        spoilt=IsBasis(E3, 3, "v1, v2, v3 ∈ R³"),
+        corrected=IsBasis(E3, 3, "v1, v2, v3 ∈ R³, orthonormal, such as e1, e2, e3,"),
+        note="The eigenvector is in R³; as a number it could be no column of B = [v1, v2, v3].",
+    ),
+    Claim(
+        "C2.2.4-o",
+        "orthonormal-columns",
+        "thm 5 proof",
+        "BB^T=[v1,v2,v3][v1^T;v2^T;v3^T]=I_3 by orthonormality",
+        "BB^T = I3",
+        Statement(f"{ORTHOGONAL} => {orthogonal(COLUMNS)}"),
+        spoilt=Statement(f"{ORTHOGONAL} => {equal(COLUMNS, R)}"),
+        note="The products v_i∘v_j are the entries of BᵗB, not of BBᵗ; but BᵗB = I makes BBᵗ = I.",
+    ),
+    Claim(
+        "C2.2.4-p",
+        "orientation-of-basis",
+        "thm 5 proof",
+        "“so det A is ±1; swapping rows changes sign; take det 1; B∈SO(3)”",
+        "wyznacznik macierzy A …",
+        Every(
+            (
+                Statement(f"{det(A)} == 1 => {det(A)} == 1 or {det(A)} == -1"),
+                Statement(f"({det(R)})**2 == {det(times(R, COLUMNS))} and {det(identity(3))} == 1"),
+                Statement(f"{det(SWAPPED)} == -({det(R)})"),
+                Statement(f"{ORTHOGONAL} => {orthogonal(SWAPPED)}"),
+            ),
+            "det A = ±1; (det B)² = det BBᵗ = det I = 1; exchanging two rows changes the sign of det B",
+        ),
+        spoilt=Statement(f"{det((R[1], R[2], R[0]))} == -({det(R)})"),
+        note="The determinant of A is 1 anyhow; that of B is meant. It is the columns v1 and v2 that "
+        "must be exchanged, for v3 to stay the last.",
+    ),
+    Claim(
+        "C2.2.4-q",
+        "images-of-basis",
+        "thm 5 proof",
+        "AB=[Bv1,Bv2,Bv3], Bv1,Bv2∈v3^⊥",
+        "AB=[Bv1, Bv2, Bv3]",
+        Statement(
+            f"y**2 + s**2 == 1 => {equal(times(ABOUT_V3, identity(3)), times(identity(3), identity(3)))}"
+        ),
+        spoilt=Every((Statement(ANY_COLUMNS), *map(Statement, KEEPS_PLANE))),
+        corrected=Every(
+            (Statement(ANY_COLUMNS), *map(Statement, KEEPS_PLANE)),
+            "AB = [Av1, Av2, Av3], and Av1, Av2 are perpendicular to v3 = Av3",
+        ),
+        note="The columns are Av1, Av2, Av3. Printed form refuted for v1, v2, v3 = e1, e2, e3 (B = I) "
+        "and A a rotation about v3; corrected for all A and B.",
+    ),
+    Claim(
+        "C2.2.4-r",
+        "block-in-so2",
+        "thm 5 proof",
+        "B^{-1}AB is block diagonal, so the block lies in SO(2)",
+        "B^{-1}AB [[a,c,0],[b,d,0],[0,0,1]] (missing “=”)",
+        Every((Statement(equal(times(B, bordered("1")), IMAGES)), Statement(CASE_ONE))),
+        spoilt=Statement(
+            f"{orthogonal(bordered('1'))} and {det(bordered('1'))} == -1 => {special(BLOCK)}"
+        ),
+        note="Read with the sign of equality that is missing: B·[[a,c,0],[b,d,0],[0,0,1]] has the "
+        "columns av1 + bv2, cv1 + dv2, v3, those of AB.",
+    ),
+    Claim(
+        "C2.2.4-s",
+        "block-with-minus-one",
+        "thm 5 proof",
+        "case λ=−1: block has det −1, lies in O(2), fixed vector v exists, so 1 is also an eigenvalue",
+        "det(block)=−1 … Av=v",
+        Statement(CASE_MINUS_ONE),
+        spoilt=Statement(CASE_MINUS_ONE.replace(f"{det(BLOCK)} == -1", f"{det(BLOCK)} == 1")),
+        note="A vector v ≠ 0 with Av = v in the plane is there because det(block − I) = 0.",
+    ),
+)

@@ -1,0 +1,131 @@
+"""Which array library computes: numpy for everything plain, the array's own for all others.
+
+The conversions of this package are written against the Python array API standard, so an array of
+JAX, CuPy, torch or array-api-strict stays where it is. numpy is quiet inside them: a NaN in the input is
+a NaN in the output and no warning.
+"""
+
+import contextlib
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from rotation.arrays import real
+from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
+
+Array = Any  # an array of any library that follows the standard
+
+quiet = np.errstate(all="ignore")
+
+
+def namespace(*values: Any) -> Any:
+    """Return the one array namespace to which all ``values`` belong; numbers and lists fit everywhere.
+
+    Raises
+    ------
+    ForeignArrayError
+        The values are arrays of two libraries.
+    """
+    found: list[Any] = []
+    for value in values:
+        xp = _own_namespace(value)
+        if xp is not None and all(xp is not other for other in found):
+            found.append(xp)
+    if len(found) > 1:
+        names = " and ".join(sorted(xp.__name__ for xp in found))
+        raise ForeignArrayError(
+            f"arrays of {names} in one operation; convert one of them, for example with numpy.asarray"
+        )
+    return found[0] if found else np
+
+
+def is_numpy(xp: Any) -> bool:
+    """Return whether a namespace is numpy's own."""
+    return xp is np
+
+
+def expect_numpy(what: str, *values: Any) -> None:
+    """Raise `ForeignArrayError` unless all ``values`` are numpy arrays or plain numbers and lists."""
+    xp = namespace(*values)
+    if not is_numpy(xp):
+        raise ForeignArrayError(f"{what} takes numpy arrays only, not those of {xp.__name__}")
+
+
+def _own_namespace(value: Any) -> Any:
+    if isinstance(value, np.ndarray | np.generic):
+        return np
+    if value is None or isinstance(value, int | float | complex | str | bytes | Sequence):
+        return None
+    if hasattr(value, "__array_namespace__"):
+        return value.__array_namespace__()
+    # torch and older CuPy do not name their namespace; the compatibility package does it for them.
+    if type(value).__module__.partition(".")[0] in ("torch", "cupy"):
+        with contextlib.suppress(ImportError):
+            return import_module("array_api_compat").array_namespace(value)
+        raise ForeignArrayError(
+            f"{type(value).__name__} does not say which array namespace it has; "
+            "'pip install array-api-compat' makes it known"
+        )
+    return None
+
+
+def floats(value: Any, what: str, xp: Any = None) -> Array:
+    """Return ``value`` as an array of floats: float64 in numpy, the array's own precision elsewhere.
+
+    Parameters
+    ----------
+    value : array_like
+        Integers or real floats.
+    what : str
+        What the value is, for the message.
+    xp : namespace, optional
+        Where the array shall live; by default where it lives already.
+
+    Raises
+    ------
+    DTypeError
+        The numbers are of another type (complex, object, text, boolean).
+    RotationError
+        Nested lists of unequal lengths.
+    """
+    xp = namespace(value) if xp is None else xp
+    if is_numpy(xp):
+        return real(value, what).astype(np.float64, copy=False)
+    array = xp.asarray(value)
+    if xp.isdtype(array.dtype, "real floating"):
+        return array
+    if xp.isdtype(array.dtype, "integral"):
+        return xp.astype(array, xp.zeros(()).dtype)  # the library's default precision
+    raise DTypeError(f"{what} has dtype {array.dtype}; expected integers or real floats")
+
+
+def expect_last(array: Array, shape: tuple[int, ...], what: str) -> None:
+    """Raise `RotationError` unless the last axes of ``array`` have ``shape``."""
+    if tuple(array.shape[max(array.ndim - len(shape), 0) :]) != shape:
+        wanted = ", ".join(map(str, shape))
+        raise RotationError(f"{what} has shape {tuple(array.shape)}; expected (…, {wanted})")
+
+
+def first_row(bad: Array) -> tuple[int, ...] | None:
+    """Return the index of the first row where ``bad`` is true, or None."""
+    xp = namespace(bad)
+    if not bool(xp.any(bad)):
+        return None
+    return tuple(int(axis[0]) for axis in xp.nonzero(bad)) if bad.ndim else ()
+
+
+def refuse_zeros(vectors: Array, what: str) -> None:
+    """Raise `ZeroRotationError` naming the first row of ``vectors`` that is zero."""
+    row = first_row(namespace(vectors).all(vectors == 0.0, axis=-1))
+    if row is not None:
+        raise ZeroRotationError(what, row)
+
+
+def refuse_rows(bad: Array, subject: str, fault: str) -> None:
+    """Raise `RotationError`, "``subject`` in row 3 ``fault``", about the first row where ``bad``."""
+    row = first_row(bad)
+    if row is not None:
+        where = f" in row {row[0] if len(row) == 1 else row}" if row else ""
+        raise RotationError(f"{subject}{where} {fault}")

@@ -1,0 +1,202 @@
+"""The plane (thesis 2.1): rotations, reflections, complex numbers, polar form, polygons.
+
+Points are arrays of shape (…, 2), angles arrays of any shape, in radians unless ``degrees=True``.
+All functions broadcast; angles of shape (m, 1) and n points give all m·n pairs. The points' dtype
+decides the result's: float32 and float64 are kept, integers become float64, anything else raises.
+NaN and inf give NaN in that row alone.
+
+Multiples of 90 degrees are exact with ``degrees=True``: ``R2(90, degrees=True)`` has no 6e-17.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rotation.arrays import common_batch, components, real
+from rotation.errors import RotationError
+
+Floats = NDArray[np.floating[Any]]
+Complexes = NDArray[np.complexfloating[Any, Any]]
+
+LETTER_T: tuple[tuple[int, int], ...] = (
+    *((10, 1), (11, 1), (11, 6), (13, 6)),
+    *((13, 7), (8, 7), (8, 6), (10, 6)),
+)
+"""The letter T of examples 2 and 3: its corners x₁ … x₈, anticlockwise, the last joined to the first."""
+
+
+def R2(psi: ArrayLike, *, degrees: bool = False) -> Floats:
+    """Return the rotation matrices [[cos ψ, −sin ψ], [sin ψ, cos ψ]], shape (…, 2, 2) (2.1.1)."""
+    c, s = _cos_sin(psi, degrees)
+    return _matrix(c, -s, s, c)
+
+
+def reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
+    """Return the reflections [[cos θ, sin θ], [sin θ, −cos θ]], shape (…, 2, 2) (2.1.2, corrected).
+
+    Each is the mirror in the line through the origin at the angle θ/2: θ = 0 is the x axis, θ = π the
+    y axis. They are all the orthogonal matrices of determinant −1; what the thesis prints in their
+    place is :func:`printed_orthogonal` and :func:`printed_reflection`.
+    """
+    c, s = _cos_sin(theta, degrees)
+    return _matrix(c, s, s, -c)
+
+
+def printed_orthogonal(theta: ArrayLike, *, degrees: bool = False) -> Floats:
+    """Return [[cos θ, sin θ], [sin θ, cos θ]], which 2.1.2 prints for any orthogonal matrix.
+
+    Also the O(θ) of example 3. Its determinant is cos 2θ: it is orthogonal only where sin 2θ = 0.
+    """
+    c, s = _cos_sin(theta, degrees)
+    return _matrix(c, s, s, c)
+
+
+def printed_reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
+    """Return [[cos θ, −sin θ], [sin θ, −cos θ]], which 2.1.2 prints for determinant −1.
+
+    Its determinant is −cos 2θ; θ = 0 and π give the two mirrors that example 3 finds to keep areas.
+    """
+    c, s = _cos_sin(theta, degrees)
+    return _matrix(c, -s, s, -c)
+
+
+def transform(matrices: ArrayLike, points: ArrayLike) -> Floats:
+    """Return the 2 × 2 matrices (…, 2, 2) times the points (…, 2), broadcast.
+
+    Raises :class:`~rotation.errors.RotationError` for other shapes, or such as do not broadcast.
+    """
+    m, p = real(matrices, "matrices"), _points(points)
+    if m.ndim < 2 or m.shape[-2:] != (2, 2):
+        raise RotationError(
+            f"expected matrices of shape (…, 2, 2), found {m.shape}; R2 and reflection make them"
+        )
+    common_batch(matrices=m.shape[:-2], points=p.shape[:-1])
+    m = m.astype(p.dtype, copy=False)
+    x, y = p[..., 0], p[..., 1]
+    with np.errstate(invalid="ignore", over="ignore"):  # inf − inf is NaN, in that row alone
+        rows = [m[..., n, 0] * x + m[..., n, 1] * y for n in (0, 1)]
+    return np.stack(rows, axis=-1)
+
+
+def rotate2(points: ArrayLike, psi: ArrayLike, *, degrees: bool = False) -> Floats:
+    """Return the points (…, 2) turned anticlockwise about the origin by ψ, broadcast (2.1).
+
+    >>> rotate2(LETTER_T, 90, degrees=True)[0]
+    array([-1., 10.])
+    """
+    return transform(R2(_precise(psi), degrees=degrees), points)
+
+
+def reflect2(points: ArrayLike, theta: ArrayLike, *, degrees: bool = False) -> Floats:
+    """Return the points (…, 2) mirrored in the line through the origin at the angle θ/2, broadcast."""
+    return transform(reflection(_precise(theta), degrees=degrees), points)
+
+
+def to_polar(points: ArrayLike) -> tuple[Floats, Floats]:
+    """Return r and θ of the points (…, 2), θ in [−π, π] (2.1).
+
+    θ is ``atan2(y, x)``, right in all four quadrants and on the y axis, where the thesis's
+    arctg(y/x), :func:`printed_angle`, is not. The origin has r = θ = 0.
+    """
+    p = _points(points)
+    x, y = p[..., 0], p[..., 1]
+    return np.hypot(x, y), np.arctan2(y, x)
+
+
+def from_polar(r: ArrayLike, theta: ArrayLike) -> Floats:
+    """Return the points (r cos θ, r sin θ), shape (…, 2) (2.1); θ in radians."""
+    r, theta = real(r, "radii"), _precise(theta)
+    common_batch(radii=r.shape, angles=theta.shape)
+    c, s = _cos_sin(theta)
+    with np.errstate(invalid="ignore"):  # inf times 0 is NaN
+        return np.stack([r * c, r * s], axis=-1).astype(r.dtype, copy=False)
+
+
+def printed_angle(points: ArrayLike) -> Floats:
+    """Return arctg(y/x), which 2.1 and 2.1.3 print for θ: off by π where x < 0.
+
+    For x = 0 there is no quotient; floats then give ±π/2 by the signs of their zeros, NaN at the origin.
+    """
+    p = _points(points)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        angles: Floats = np.arctan(p[..., 1] / p[..., 0])
+    return angles
+
+
+def to_complex(points: ArrayLike) -> Complexes:
+    """Return x + iy for the points (x, y), shape (…) (2.1.3); float32 gives complex64."""
+    p = np.ascontiguousarray(_points(points))
+    return p.view(np.result_type(p.dtype, np.complex64))[..., 0]
+
+
+def from_complex(z: ArrayLike) -> Floats:
+    """Return the points (…, 2) of complex numbers (…); complex64 gives float32."""
+    a = np.asarray(z)
+    if a.dtype not in (np.complex64, np.complex128):
+        a = real(z, "z")
+    return np.stack([a.real, a.imag], axis=-1)
+
+
+def unit_complex(psi: ArrayLike, *, degrees: bool = False) -> Complexes:
+    """Return e^{iψ} = cos ψ + i sin ψ, shape (…): to multiply by it is to rotate by ψ (2.1.3)."""
+    c, s = _cos_sin(psi, degrees)
+    return to_complex(np.stack([c, s], axis=-1))
+
+
+def signed_area(polygon: ArrayLike) -> Floats:
+    """Return the areas of polygons (…, n, 2), n ≥ 3, by the shoelace formula; negative if clockwise.
+
+    The corners are taken from the first one, so that a polygon far from the origin loses no digits.
+    Raises :class:`~rotation.errors.RotationError` for fewer than 3 corners.
+    """
+    p = _points(polygon)
+    if p.ndim < 2 or p.shape[-2] < 3:
+        raise RotationError(
+            f"expected polygons of shape (…, n, 2) with n at least 3 corners, found {p.shape}"
+        )
+    with np.errstate(invalid="ignore", over="ignore"):
+        x, y = np.moveaxis(p[..., 1:, :] - p[..., :1, :], -1, 0)
+        cross = x[..., :-1] * y[..., 1:] - x[..., 1:] * y[..., :-1]
+        return np.asarray(cross.sum(axis=-1) / 2)
+
+
+def area(polygon: ArrayLike) -> Floats:
+    """Return the areas of simple polygons (…, n, 2), without sign."""
+    return np.abs(signed_area(polygon))
+
+
+def orientation(polygon: ArrayLike) -> Floats:
+    """Return +1 for polygons (…, n, 2) that run anticlockwise, −1 for clockwise, 0 for no area."""
+    return np.sign(signed_area(polygon))
+
+
+def _cos_sin(angles: ArrayLike, degrees: bool = False) -> tuple[Floats, Floats]:
+    """Return cosines and sines; those of degrees from the nearest multiple of 90, so exact there."""
+    a = real(angles, "angles")
+    with np.errstate(invalid="ignore"):  # inf gives NaN
+        if not degrees:
+            return np.cos(a), np.sin(a)
+        turned = np.fmod(a, 360)  # exact, as is the difference below
+        quarters = np.rint(turned / 90)
+        rest = np.deg2rad(turned - 90 * quarters)
+    c, s = np.cos(rest), np.sin(rest)
+    n = np.nan_to_num(quarters).astype(int) % 4
+    c4, s4 = (np.array(v, a.dtype)[n] for v in ((1, 0, -1, 0), (0, 1, 0, -1)))
+    return c4 * c - s4 * s, s4 * c + c4 * s
+
+
+def _precise(angles: ArrayLike) -> Floats:
+    """Return angles as float64: the points' dtype decides the result, not the angles'."""
+    return real(angles, "angles").astype(np.float64, copy=False)
+
+
+def _matrix(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:
+    entries: Floats = np.stack([a, b, c, d], axis=-1)
+    return entries.reshape(*entries.shape[:-1], 2, 2)
+
+
+def _points(points: ArrayLike) -> Floats:
+    return components(points, 2, "points", "aos")[0]

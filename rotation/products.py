@@ -1,0 +1,42 @@
+"""Running products of many rotations, each of norm 1 to rounding."""
+
+from rotation import kernels, quaternions
+from rotation.errors import RotationError
+from rotation.namespaces import Array, is_numpy, namespace
+
+_SHORT = 1000  # products for which numba need not be imported
+
+
+def running_products(q: Array, frame: str) -> Array:
+    """Return the products of unit quaternions (n, …, 4) up to each along the first axis.
+
+    ``frame="world"``: ``q[n]·…·q[0]``; ``frame="body"``: ``q[0]·…·q[n]``. One long chain of numpy goes
+    through a compiled loop; all others through doubling, products of 2, 4, 8, … neighbours.
+
+    Raises
+    ------
+    RotationError
+        A single quaternion, or another frame.
+    """
+    check_frame(frame)
+    if q.ndim < 2:
+        raise RotationError("a single rotation has no running products; a batch is expected")
+    xp = namespace(q)
+    if is_numpy(xp) and q.ndim == 2 and len(q) > _SHORT:
+        if frame == "world":
+            return kernels.cumulative(q)
+        # Conjugation turns products round.
+        return quaternions.inverse(kernels.cumulative(quaternions.inverse(q)))
+    reach = 1
+    while reach < q.shape[0]:
+        later, earlier = q[reach:, ...], q[:-reach, ...]
+        pair = (later, earlier) if frame == "world" else (earlier, later)
+        q = xp.concat([q[:reach, ...], quaternions.product(*pair)], axis=0)
+        reach *= 2
+    return q
+
+
+def check_frame(frame: str) -> None:
+    """Raise RotationError unless ``frame`` is one."""
+    if frame not in ("body", "world"):
+        raise RotationError(f'frame {frame!r}: "body" or "world" is expected')

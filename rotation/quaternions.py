@@ -1,0 +1,160 @@
+"""Unit quaternions as arrays of shape (…, 4), scalar first: the group that turns space.
+
+The product is the one formula of `hfield.product` with Hamilton's constants, on coordinate tuples;
+nothing here multiplies quaternions in its own way. Thesis, section 2.2.5; K. Shoemake, "Animating
+rotation with quaternion curves", SIGGRAPH 1985.
+"""
+
+from typing import Any
+
+from hfield import product as formula
+from rotation.arrays import common_batch
+from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
+from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_zeros
+from rotation.rowwise import in_pieces
+
+HAMILTON = formula.Constants(-1.0, 0.0, -1.0)
+
+
+@quiet
+def normalised(q: Any) -> Array:
+    """Return quaternions divided by their modulus, whatever its size from 1e-300 to 1e300.
+
+    A quaternion whose norm is 1 to within rounding is returned as it is. NaN or inf make that row NaN.
+
+    Parameters
+    ----------
+    q : array_like, shape (…, 4)
+
+    Raises
+    ------
+    RotationError
+        A quaternion is zero, or the shape is wrong.
+    """
+    q = floats(q, "quaternions")
+    expect_last(q, (4,), "quaternions")
+    refuse_zeros(q, "quaternion")
+    return in_pieces(_normalised, q)
+
+
+def _normalised(q: Array) -> Array:
+    xp, c = namespace(q), split(q)
+    error = xp.abs(formula.norm(HAMILTON, c) - 1.0)
+    exact = error <= 2.0 * float(xp.finfo(q.dtype).eps)
+    return join(xp, tuple(xp.where(exact, a, b) for a, b in zip(c, unit(xp, c), strict=True)))
+
+
+@quiet
+def product(p: Array, q: Array) -> Array:
+    """Return the unit quaternions ``p·q``: the rotation that applies q first, then p.
+
+    Shapes broadcast. One Newton step brings each norm back to 1, so long chains do not drift.
+
+    Parameters
+    ----------
+    p, q : array, shape (…, 4)
+        Unit quaternions.
+    """
+    xp = namespace(p, q)
+    return in_pieces(lambda p, q: join(xp, steadied(multiplied(split(p), split(q)))), p, q)
+
+
+def multiplied(p: Coordinates, q: Coordinates) -> Coordinates:
+    """Return the coordinates of ``p·q`` as the formula gives them, whatever the norms."""
+    return formula.multiply(HAMILTON, p, q)
+
+
+def steadied(c: Coordinates) -> Coordinates:
+    """Return coordinates of norm ``1 + δ``, δ of the size of rounding errors, with δ removed."""
+    factor = (3.0 - formula.norm(HAMILTON, c)) * 0.5
+    return tuple(a * factor for a in c)
+
+
+def inverse(q: Array) -> Array:
+    """Return the conjugates of unit quaternions, which undo them (thesis, Definition 3 and 4)."""
+    xp = namespace(q)
+    return in_pieces(lambda q: join(xp, formula.conjugate(HAMILTON, split(q))), q)
+
+
+def canonical(q: Array) -> Array:
+    """Return of q and −q, which turn space alike, the one whose first nonzero coordinate is positive."""
+    xp = namespace(q)
+    w, x, y, z = split(q)
+    sign = xp.where(w != 0.0, w, xp.where(x != 0.0, x, xp.where(y != 0.0, y, z)))
+    return xp.where((sign < 0.0)[..., None], -q, q)
+
+
+@quiet
+def angle(q: Array) -> Array:
+    """Return the angle of rotation in [0, π], accurate for the smallest and the largest."""
+    xp = namespace(q)
+
+    def of_rows(q: Array) -> Array:
+        w, *u = split(q)
+        return 2.0 * xp.atan2(length(xp, tuple(u)), xp.abs(w))
+
+    return in_pieces(of_rows, q)
+
+
+@quiet
+def power(q: Array, exponent: Any) -> Array:
+    """Return the rotation about the same axis by ``exponent`` times the angle in [0, π].
+
+    Parameters
+    ----------
+    q : array, shape (…, 4)
+        Unit quaternions; of q and −q the canonical one counts.
+    exponent : array or float
+        Its shape broadcasts with that of the rotations.
+    """
+    return direct_power(canonical(q), exponent)
+
+
+@quiet
+def direct_power(q: Array, exponent: Any) -> Array:
+    """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
+    xp = namespace(q, exponent)
+    common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
+
+    def of_rows(q: Array) -> Array:
+        w, *u = split(q)
+        n = length(xp, tuple(u))
+        half = xp.atan2(n, w) * exponent
+        turning = n > 0.0
+        # Without an axis, at ±1, nothing turns.
+        ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), 0.0 * n)
+        cosine = xp.where(n == 0.0, xp.ones_like(half), xp.cos(half))
+        return join(xp, (cosine, *(ratio * c for c in u)))
+
+    # Exponents of their own keep the whole array together: they broadcast as they like.
+    return in_pieces(of_rows, q) if isinstance(exponent, int | float) else of_rows(q)
+
+
+@quiet
+def T_q(q: Any, points: Any) -> Array:
+    """Return ``q·v·q⁻¹`` for points v: Theorem 6 of the thesis to the letter, by the one product.
+
+    For speed use `rotation.rotate_quat`; this is the definition.
+
+    Parameters
+    ----------
+    q : array_like, shape (…, 4)
+        Quaternions, scalar first, of any length but 0.
+    points : array_like, shape (…, 3)
+        The batch shapes broadcast.
+
+    Examples
+    --------
+    >>> T_q([1, 0, 0, 1], [1, 0, 0])  # a quarter turn about z
+    array([0., 1., 0.])
+    """
+    q = normalised(q)
+    xp = namespace(q, points)
+    v = floats(points, "points", xp)
+    expect_last(v, (3,), "points")
+    common_batch(quaternions=tuple(q.shape[:-1]), points=tuple(v.shape[:-1]))
+    c = split(q)
+    vector = (xp.zeros_like(v[..., 0]), *split(v))
+    whole = multiplied(multiplied(c, vector), formula.conjugate(HAMILTON, c))
+    norm = sum_of_squares(c)
+    return join(xp, tuple(a / norm for a in whole[1:]))

@@ -1,0 +1,231 @@
+"""`Rotation`: one rotation of space or a whole array of them, immutable, on any array library."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, Self
+
+import numpy as np
+
+from rotation import quaternions, sampling
+from rotation.arrays import common_batch
+from rotation.conversions import Conversions
+from rotation.errors import ForeignArrayError
+from rotation.matrices import to_matrix
+from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, quiet
+
+
+class Rotation(Conversions):
+    """Rotations of space, stored as unit quaternions, scalar first (thesis, section 2.2.5).
+
+    A single rotation has the shape ``()``; batches have any number of axes. Method names are those of
+    scipy, conventions are those of the thesis: quaternions are (w, x, y, z), angles radians,
+    ``p * q`` applies q first. Numpy rotations are stored in float64; arrays of other libraries keep
+    their library, device and precision. Rows with NaN or inf are NaN, and no other row is.
+
+    Parameters
+    ----------
+    quat : array_like, shape (…, 4)
+        As in `from_quat`.
+
+    Examples
+    --------
+    >>> r = Rotation.from_euler("ZYX", [90, 0, 0], degrees=True)
+    >>> r.apply([1, 0, 0]).round(15)
+    array([0., 1., 0.])
+    >>> (r * r).apply([1, 2, 3]).round(12)
+    array([-1., -2.,  3.])
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, quat: Any, *, scalar_first: bool = True) -> Self:
+        """Make rotations from quaternions, as `from_quat` does."""
+        return cls.from_quat(quat, scalar_first=scalar_first)
+
+    # Making
+
+    @classmethod
+    def identity(cls, shape: int | Sequence[int] | None = None) -> Self:
+        """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple."""
+        batch = sampling.as_shape(shape)
+        return cls._of(np.broadcast_to([1.0, 0.0, 0.0, 0.0], (*batch, 4)).copy())
+
+    @classmethod
+    def random(
+        cls, shape: int | Sequence[int] | None = None, rng: Any = None, *, seed: Any = None
+    ) -> Self:
+        """Return rotations distributed uniformly (by Haar measure).
+
+        Parameters
+        ----------
+        shape : int or tuple of int, optional
+            How many; by default a single one.
+        rng, seed : int or numpy.random.Generator, optional
+            Either name: whatever `numpy.random.default_rng` takes. The same seed gives the same
+            rotations.
+        """
+        return cls._of(sampling.uniform(sampling.as_shape(shape), seed if rng is None else rng))
+
+    # The group
+
+    def __mul__(self, other: object) -> Self:
+        if not isinstance(other, Rotation):
+            return NotImplemented
+        return self._of(_paired(self, other, quaternions.product))
+
+    def __pow__(self, exponent: Any) -> Self:
+        if not isinstance(exponent, int | float):
+            exponent = floats(exponent, "exponent", namespace(self._q, exponent))
+        elif abs(exponent) == 1:
+            return self.inv() if exponent < 0 else self
+        return self._of(quaternions.power(self._q, exponent))
+
+    def inv(self) -> Self:
+        """Return the inverse rotations."""
+        return self._of(quaternions.inverse(self._q))
+
+    def outer(self, other: "Rotation") -> Self:
+        """Return all products: the shape is ``self.shape + other.shape``.
+
+        ``p.outer(q)[i, j]`` is ``p[i] * q[j]``, which applies ``q[j]`` first.
+        """
+        q = self._q[(..., *(None,) * other.ndim, slice(None))]
+        return self._of(quaternions.product(q, other._q))
+
+    def __eq__(self, other: object) -> Any:
+        """Compare entry by entry, exactly: q and −q are the same rotation."""
+        if not isinstance(other, Rotation):
+            return NotImplemented
+
+        def same(p: Array, q: Array) -> Array:
+            xp = namespace(p, q)
+            return xp.all(p == q, axis=-1) | xp.all(p == -q, axis=-1)
+
+        return _paired(self, other, same)
+
+    def __ne__(self, other: object) -> Any:
+        """Compare entry by entry: the opposite of ``==``."""
+        equal = self.__eq__(other)
+        return equal if equal is NotImplemented else namespace(equal).logical_not(equal)
+
+    def __hash__(self) -> int:
+        if not self.single:
+            raise TypeError("a batch of rotations is compared entry by entry and has no hash")
+        return hash(tuple(float(c) for c in quaternions.canonical(self._q)))
+
+    def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Any:
+        """Return where the angle from one rotation to the other is at most ``atol`` (radians)."""
+        return (self.inv() * other).magnitude(degrees) <= atol
+
+    # Points
+
+    @quiet
+    def apply(self, points: Any, inverse: bool = False, out: Any = None) -> Array:
+        """Rotate points: ``R·v``.
+
+        Parameters
+        ----------
+        points : array_like, shape (…, 3)
+            Batch shapes broadcast: one rotation turns many points, many turn one, or pairwise.
+            float32 and float64 are kept, integers become float64; any strides.
+        inverse : bool
+            Apply the inverse rotations.
+        out : array, optional
+            Where to write, of the result's shape and dtype; it may be ``points`` itself.
+
+        Raises
+        ------
+        RotationError
+            Shapes that do not fit, or an ``out`` that overlaps the points in part; then nothing
+            has been written.
+        DTypeError
+            Points or ``out`` of another type.
+        """
+        q = quaternions.inverse(self._q) if inverse else self._q
+        xp = namespace(q, points)
+        if is_numpy(xp):
+            from rotation.fused import rotate_quat
+
+            return rotate_quat(points, q, out=out)
+        if out is not None:
+            raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")
+        v = floats(points, "points", xp)
+        expect_last(v, (3,), "points")
+        # A product of matrices could be computed in reduced precision on a GPU; these sums are not.
+        turned = xp.sum(to_matrix(q) * v[..., None, :], axis=-1)
+        return xp.astype(turned, v.dtype)
+
+    def apply_outer(self, points: Any) -> Array:
+        """Rotate every point by every rotation: the shape is ``self.shape + points.shape``."""
+        xp = namespace(self._q, points)
+        v = points if hasattr(points, "shape") else xp.asarray(points)
+        q = self._q[(..., *(None,) * (len(v.shape) - 1), slice(None))]
+        return self._of(q).apply(v)
+
+    # Many into one
+
+    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+        """Return the mean rotation, the one with the least sum of squared chordal distances.
+
+        Parameters
+        ----------
+        weights : array_like, optional
+            Not negative, not all zero; the shape broadcasts to that of the rotations.
+        axis : int or tuple of int, optional
+            The batch axes to average over; by default all.
+
+        Raises
+        ------
+        RotationError
+            Nothing to average, bad weights, or a mean that is not determined (such as that of
+            half turns about two perpendicular axes).
+        """
+        from rotation.averaging import mean
+
+        return self._of(mean(self._q, weights, axis))
+
+    def cumprod(self, frame: str = "world") -> Self:
+        """Return the running products along the first axis, each of norm 1 to rounding.
+
+        Parameters
+        ----------
+        frame : "world" or "body"
+            In ``"world"`` every next rotation turns about fixed axes, ``r[n]·…·r[0]``; in
+            ``"body"`` about the axes already turned, ``r[0]·…·r[n]``.
+        """
+        from rotation.products import running_products
+
+        return self._of(running_products(self._q, frame))
+
+    @classmethod
+    def align_vectors(cls, a: Any, b: Any, weights: Any = None) -> tuple[Self, Array]:
+        """Return the rotation that takes vectors ``b`` closest to vectors ``a``, and how close.
+
+        Minimises ``Σ w‖a − R·b‖²`` (Wahba's problem); see `rotation.align`.
+
+        Parameters
+        ----------
+        a, b : array_like, shape (…, N, 3) or (3,)
+        weights : array_like, shape (…, N), optional
+            Not negative.
+
+        Returns
+        -------
+        rotation : Rotation, shape (…)
+        rssd : array (…)
+            The square root of that sum at its least.
+
+        Raises
+        ------
+        RotationError
+            Shapes or weights that do not fit, or vectors that determine no rotation.
+        """
+        from rotation.wahba import checked, fitted
+
+        q, rssd = fitted(*checked(a, b, weights))
+        return cls._of(q), rssd
+
+
+def _paired(p: Rotation, q: Rotation, operation: Callable[[Array, Array], Array]) -> Array:
+    """Apply an operation to quaternions whose batch shapes broadcast; say so where they do not."""
+    common_batch(left=p.shape, right=q.shape)
+    return operation(p._q, q._q)

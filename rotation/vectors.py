@@ -1,0 +1,207 @@
+"""Rotation vectors and axes: length is the angle, direction the axis (thesis, section 2.2.5).
+
+Written for the whole range of floats: a turn of 1e-300 keeps its direction and size, one of 1e300 does
+not overflow.
+"""
+
+import math
+from typing import Any
+
+from rotation.angles import radians, to_degrees
+from rotation.arrays import common_batch
+from rotation.compensated import Pair, angle, norm, quotient, sine_and_cosine, two_product
+from rotation.coordinates import Coordinates, factor, join, length, poison, split, unit
+from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, quiet, refuse_zeros
+from rotation.quaternions import canonical, multiplied
+from rotation.rowwise import in_pieces
+
+
+@quiet
+def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
+    """Return the unit quaternions of rotation vectors of shape (…, 3).
+
+    The length is computed with twice the digits, for it is an angle: half an ulp of 1e9 is a
+    visible turn. Beyond 2π in degrees whole turns are taken off.
+    """
+    v = floats(vectors, "rotation vectors")
+    expect_last(v, (3,), "rotation vectors")
+    return in_pieces(lambda v: _from_rotvec(v, degrees), v)
+
+
+def _from_rotvec(v: Array, degrees: bool) -> Array:
+    xp = namespace(v)
+    f = factor(xp, split(v))
+    c = tuple(f * a for a in split(v))
+    n = norm(xp, c)
+    turning = n[0] > 0.0
+    n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
+    half = (0.5 * (n[0] / f), 0.5 * (n[1] / f))
+    if degrees:
+        half = (radians(xp, half[0]), math.radians(1.0) * half[1])
+    sine, cosine = _sine_and_cosine(xp, half)
+    ratio, rest = quotient(xp, sine[0], n)
+    rest = rest + sine[1] / n[0]
+    products = (two_product(xp, ratio, a) for a in c)
+    spoilt = poison(c)
+    u = (
+        xp.where(turning, p + (e + rest * a), spoilt) for (p, e), a in zip(products, c, strict=True)
+    )
+    return join(xp, (xp.where(turning, cosine[0] + cosine[1], xp.ones_like(f)) + spoilt, *u))
+
+
+def _sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
+    """As pairs in the first quadrant, beyond it rounded."""
+    a, b = angle
+    near = a < 0.5 * math.pi
+    zero = xp.zeros_like(a)
+    (s, s_low), (c, c_low) = sine_and_cosine(xp, (xp.where(near, a, zero), b))
+    if is_numpy(xp) and near.all():
+        return (s, s_low), (c, c_low)
+    sa, ca, sb, cb = xp.sin(a), xp.cos(a), xp.sin(b), xp.cos(b)
+    sine = xp.where(near, s, sa * cb + ca * sb)
+    cosine = xp.where(near, c, ca * cb - sa * sb)
+    return (sine, xp.where(near, s_low, zero)), (cosine, xp.where(near, c_low, zero))
+
+
+@quiet
+def to_rotvec(q: Array, degrees: bool = False) -> Array:
+    """Return the rotation vectors, of lengths in [0, π], of unit quaternions of shape (…, 4)."""
+    return in_pieces(lambda q: _to_rotvec(q, degrees), q)
+
+
+def _to_rotvec(q: Array, degrees: bool) -> Array:
+    xp = namespace(q)
+    w, *u = split(canonical(q))
+    f = factor(xp, tuple(u))
+    c = tuple(f * a for a in u)
+    n = norm(xp, c)
+    turning = n[0] > 0.0
+    n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
+    half = angle(xp, (n[0] / f, n[1] / f), w)
+    ratio, rest = quotient(xp, 2.0 * half[0], n)
+    rest = rest + 2.0 * half[1] / n[0]
+    products = (two_product(xp, ratio, a) for a in c)
+    v = join(
+        xp,
+        tuple(
+            xp.where(turning, p + (e + rest * a), a) for (p, e), a in zip(products, c, strict=True)
+        ),
+    )
+    return to_degrees(v) if degrees else v
+
+
+@quiet
+def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
+    """Return the unit quaternions of turns by ``angle`` (…) about ``axis`` (…, 3), of any length but 0.
+
+    Raises
+    ------
+    RotationError
+        An axis is zero.
+    """
+    xp = namespace(axis, angle)
+    v = floats(axis, "axes", xp)
+    expect_last(v, (3,), "axes")
+    refuse_zeros(v, "axis")
+    a = floats(angle, "angles", xp)
+    common_batch(axes=tuple(v.shape[:-1]), angles=tuple(a.shape))
+    half = 0.5 * (radians(xp, a) if degrees else a)
+    c, s = xp.cos(half) + poison(split(v)), xp.sin(half)
+    return join(xp, (c, *(s * a for a in unit(xp, split(v)))))
+
+
+@quiet
+def to_axis_angle(q: Array, degrees: bool = False) -> tuple[Array, Array]:
+    """Return unit axes (…, 3) and angles (…) in [0, π]; the identity has the axis z and the angle 0."""
+    xp = namespace(q)
+    w, *u = split(canonical(q))
+    c = tuple(u)
+    n = length(xp, c)
+    still = n == 0.0
+    x, y, z = unit(xp, c)
+    zero, one = xp.zeros_like(n), xp.ones_like(n)
+    axis = (xp.where(still, zero, x), xp.where(still, zero, y), xp.where(still, one, z))
+    angle = 2.0 * xp.atan2(n, w)
+    return join(xp, axis), to_degrees(angle) if degrees else angle
+
+
+@quiet
+def from_mrp(parameters: Any) -> Array:
+    """Return the unit quaternions of modified Rodrigues parameters (…, 3): ``tan(angle/4)·axis``."""
+    v = floats(parameters, "modified Rodrigues parameters")
+    expect_last(v, (3,), "modified Rodrigues parameters")
+    xp = namespace(v)
+    c = split(v)
+    n = length(xp, c)
+    half = 2.0 * xp.atan(n) + poison(c)
+    turning = n > 0.0
+    ratio = xp.sin(half) / xp.where(turning, n, xp.ones_like(n))
+    return join(xp, (xp.cos(half), *(xp.where(turning, ratio, 0.5 * half) * a for a in c)))
+
+
+def to_mrp(q: Array) -> Array:
+    """Return the modified Rodrigues parameters, of lengths in [0, 1], of unit quaternions."""
+    xp = namespace(q)
+    w, *u = split(canonical(q))
+    return join(xp, tuple(c / (1.0 + w) for c in u))
+
+
+@quiet
+def between(source: Any, target: Any) -> Array:
+    """Return the unit quaternions of the shortest turns that take directions ``source`` to ``target``.
+
+    Opposite directions are half a turn apart about every perpendicular axis; taken is the one
+    perpendicular to ``source`` and to the coordinate axis farthest from it.
+
+    Parameters
+    ----------
+    source, target : array_like, shape (…, 3)
+        Directions of any length but 0; the batch shapes broadcast.
+
+    Raises
+    ------
+    RotationError
+        A direction is zero.
+    """
+    xp = namespace(source, target)
+    ends = []
+    for value, name in ((source, "source"), (target, "target")):
+        v = floats(value, f"{name} directions", xp)
+        expect_last(v, (3,), f"{name} directions")
+        refuse_zeros(v, f"{name} direction")
+        ends.append(join(xp, unit(xp, split(v))))
+    common_batch(
+        **{k: tuple(v.shape[:-1]) for k, v in zip(("source", "target"), ends, strict=True)}
+    )
+    a, b = (split(v) for v in xp.broadcast_arrays(*ends))
+    sums = tuple(s + t for s, t in zip(a, b, strict=True))
+    differences = tuple(t - s for s, t in zip(a, b, strict=True))
+    chord = length(xp, sums)  # 2·cos of half the angle; the other chord is 2·sin
+    # a × b = a × (b − a) = a × (a + b): the shorter of the two loses nothing to cancellation.
+    obtuse = chord < length(xp, differences)
+    short = tuple(xp.where(obtuse, s, d) for s, d in zip(sums, differences, strict=True))
+    opposite = chord <= 8.0 * float(xp.finfo(chord.dtype).eps)
+    safe = xp.where(opposite, xp.ones_like(chord), chord)
+    axis = tuple(c / safe for c in cross(a, short))
+    aside = cross(a, _farthest_axis(xp, a))
+    u = (xp.where(opposite, p, c) for p, c in zip(aside, axis, strict=True))
+    w = xp.where(opposite, xp.zeros_like(chord), 0.5 * chord)
+    return join(xp, unit(xp, (w, *u)))
+
+
+def cross(a: Coordinates, b: Coordinates) -> Coordinates:
+    """Return ``a × b``, the vector part of the product of two pure quaternions (thesis, 2.2.5)."""
+    return multiplied((0.0, *a), (0.0, *b))[1:]
+
+
+def _farthest_axis(xp: Any, a: Coordinates) -> Coordinates:
+    """The unit coordinate axis that makes the largest angle with ``a``; the first of equals."""
+    x, y, z = (xp.abs(c) for c in a)
+    one, zero = xp.ones_like(x), xp.zeros_like(x)
+    first = (x <= y) & (x <= z)
+    second = ~first & (y <= z)
+    return (
+        xp.where(first, one, zero),
+        xp.where(second, one, zero),
+        xp.where(first | second, zero, one),
+    )
