@@ -1,0 +1,7 @@
+"""What can go wrong with the top: its shape, its motion, its pictures."""
+
+from hfield.errors import HFieldError
+
+
+class AnimationError(HFieldError, ValueError):
+    """A shape, a motion or a film that cannot be made from the values given."""

@@ -1,0 +1,101 @@
+"""How a motion becomes a film: its seconds, its frames, and the frames a second.
+
+Of four numbers two decide: frames = fps · (seconds of the motion) / (time scale).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.checks import real, whole
+from anim.errors import AnimationError
+
+SECONDS = 10.0
+FPS = 50.0
+MOST_FRAMES = 1_000_000
+MOST_FPS = 10_000.0
+
+
+@dataclass(frozen=True)
+class Clip:
+    """A film of ``frames`` pictures at ``fps`` a second, of a motion of ``seconds`` in its own time."""
+
+    frames: int = 500
+    fps: float = FPS
+    seconds: float = SECONDS
+
+    @property
+    def duration(self) -> float:
+        """The length of the film in seconds."""
+        return self.frames / self.fps
+
+    @property
+    def time_scale(self) -> float:
+        """Seconds of the motion in one second of the film; below 1 is slow motion."""
+        return self.seconds / self.duration
+
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """The instants of the frames in seconds of the motion, (frames,): first 0, last ``seconds``.
+
+        Both ends are shown, as the thesis's ``linspace`` has it, however many frames there are.
+        """
+        return np.linspace(0.0, self.seconds, self.frames)
+
+    @property
+    def interval(self) -> float:
+        """Seconds of the motion from one frame to the next; 0 for a single frame."""
+        return self.seconds / (self.frames - 1) if self.frames > 1 else 0.0
+
+
+def clip(
+    frames: int | None = None,
+    fps: float | None = None,
+    duration: float | None = None,
+    time_scale: float | None = None,
+) -> Clip:
+    """Return the film that the numbers given describe; by default 500 frames at 50 a second (section 3.4.1).
+
+    ``frames`` alone samples the same ten seconds of motion more or less finely, still at 50 frames a
+    second; ``fps`` alone keeps the ten seconds and has more or fewer frames. ``duration`` is the length of
+    the film in seconds, in which a motion of that length, times ``time_scale``, takes place;
+    ``time_scale`` 0.5 shows the motion at half its speed. Raises :class:`~anim.errors.AnimationError` for
+    frames outside 1 … 1 000 000, for what is not positive, and for frames, fps and duration that disagree.
+
+    >>> clip(frames=100).time_scale, clip(time_scale=0.5).frames, clip(duration=4).seconds
+    (5.0, 1000, 4.0)
+    """
+    count = None if frames is None else whole("frames", frames, 1, MOST_FRAMES)
+    rate = None if fps is None else real("fps", fps, above=0)
+    length = None if duration is None else real("duration", duration, above=0)
+    scale = None if time_scale is None else real("time_scale", time_scale, above=0)
+    if rate is not None and rate > MOST_FPS:
+        raise AnimationError(f"fps is {rate:g}; expected at most {MOST_FPS:g}")
+    if count is not None and rate is not None and length is not None:
+        if abs(length * rate - count) > 0.5:
+            raise AnimationError(
+                f"{count} frames at {rate:g} a second do not last {length:g} seconds; "
+                "give two of frames, fps and duration"
+            )
+    elif length is None and scale is not None and (count is None or rate is None):
+        length = SECONDS / scale
+    if count is not None and length is not None:
+        rate = count / length
+    rate = FPS if rate is None else rate
+    if count is None:
+        wanted = (SECONDS if length is None else length) * rate
+        if not 0.5 < wanted < MOST_FRAMES + 0.5:
+            raise AnimationError(
+                f"these numbers make {wanted:g} frames; expected 1 to {MOST_FRAMES}: "
+                "change duration, fps or time_scale"
+            )
+        count = round(wanted)
+    return Clip(count, rate, _seconds(count / rate, length is not None, scale))
+
+
+def _seconds(film: float, measured: bool, scale: float | None) -> float:
+    """Return how long the motion is: ten seconds, unless the film's length or pace was asked for."""
+    if scale is not None:
+        return film * scale
+    return film if measured else SECONDS

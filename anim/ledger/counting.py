@@ -1,0 +1,85 @@
+"""What the rows count: the parts of the model, the variables of functions, the frames of a film.
+
+Everything is counted by running or inspecting the package; what loads numpy does so when asked.
+"""
+
+from collections.abc import Sequence
+from inspect import signature
+
+from hfield.ledger.computed import Computed, Finding
+from rotation import thesis
+
+RING = 1000
+"""The number of points that the final model takes from each of the circles (3.3, 3.4)."""
+SHOWN = (0, 49, 99, 149, 199, 249, 299, 349, 399, 449)
+"""The frames named under figures 3.3 and 3.4."""
+
+
+def model_has(count: int, what: str, ring: int = RING) -> Computed:
+    """Say that the model with ``ring`` points on each circle has so many parts of a kind.
+
+    ``what`` is a key of :meth:`anim.model.Model.counts`.
+    """
+
+    def look() -> Finding:
+        from anim.model import Model
+
+        found = Model(ring=ring).counts()
+        others = [f"{n} {kind}" for kind, n in found.items() if kind != what]
+        steps = (*others, f"{found[what]} {what}")
+        return Finding(found[what] == count, steps, {what: [str(found[what])]})
+
+    return Computed(f"with {ring} points on each circle the model has {count} {what}", look)
+
+
+def listed(names: Sequence[str], count: int, of: str) -> Computed:
+    """Say that a list printed in the thesis has so many entries; ``of`` says what it lists."""
+
+    def look() -> Finding:
+        step = f"{len(names)} listed: {', '.join(names)}"
+        return Finding(len(names) == count, (step,), {"listed": [str(len(names))]})
+
+    return Computed(f"{of} has {count} entries", look)
+
+
+def takes(name: str, count: int) -> Computed:
+    """Say that a function of :mod:`rotation.thesis` takes so many arguments."""
+
+    def look() -> Finding:
+        names = list(signature(getattr(thesis, name)).parameters)
+        step = f"{name}({', '.join(names)}) takes {len(names)}"
+        return Finding(len(names) == count, (step,), {"arguments": [str(len(names))]})
+
+    return Computed(f"{name} takes {count} arguments", look)
+
+
+def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
+    """Say that ten frames are shown, those of the numbers given, out of so many.
+
+    They are compared with the frames on the contact sheet, :func:`anim.output.sheet.shown`: the first,
+    and the last one of each tenth of the film but the last.
+    """
+
+    def look() -> Finding:
+        from anim.output.sheet import shown
+
+        sheet = shown(frames)
+        holds = list(numbers) == sheet and len(sheet) == 10 and max(sheet) < frames
+        return Finding(holds, (f"the sheet shows {', '.join(map(str, sheet))}",))
+
+    text = f"the 10 frames of {frames} are {', '.join(map(str, numbers))}"
+    return Computed(text, look)
+
+
+def loop(last: int) -> Computed:
+    """Say that the loop ``while time < 500`` makes the frames 0 to ``last``, 500 in all."""
+
+    def look() -> Finding:
+        made, time = [], 0
+        while time < 500:
+            made.append(time)
+            time += 1
+        step = f"{len(made)} frames, from {made[0]} to {made[-1]}"
+        return Finding(len(made) == 500 and made[-1] == last, (step,), {"last": [str(made[-1])]})
+
+    return Computed(f"`while time < 500` makes 500 frames, 0 to {last}", look)

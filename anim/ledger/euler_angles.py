@@ -1,0 +1,148 @@
+"""Section 3.4.3: the motion by matrices, with Euler angles in the place of the second rotation."""
+
+from anim.ledger.counting import SHOWN, film_shows, listed
+from anim.ledger.turning import UP, axis, rotation, turned
+from hfield.ledger.claim import Claim
+from hfield.ledger.propositions import Over
+from hfield.ledger.real import Angles
+from rotation.ledger.entries import Vector, apply, equal, product, times
+from rotation.ledger.matrix_functions import EULER
+from rotation.ledger.programs import claim
+from rotation.ledger.symbols import InWords, Symbol, code, coordinates
+from rotation.ledger.symbols import equal as same_lists
+
+QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))  # cos x and sin x for x = 0, π/2, π, 3π/2
+OF_R = {0: ("1", "0"), 1: ("y", "s"), -1: ("y", "-s")}  # cosine and sine of 0, r and −r
+
+
+def leaning(axes: str) -> Angles:
+    """Say that the Euler angle (0, r·sin x, r·cos x) leans the top by r, whatever quarter of a turn x is.
+
+    It leans towards (sin x, −cos x), a direction that turns with x.
+    """
+    equations = []
+    for cos, sin in QUARTERS:
+        angles = [OF_R[n] for n in (0, sin, cos)]
+        tilt = times(*(rotation(a, *angle) for a, angle in zip(axes, angles, strict=True)))
+        leaned = (product(str(sin), "s"), product(str(-cos), "s"), "y")
+        equations.append(equal(apply(tilt, UP), leaned))
+    words = (
+        "for x = 0, π/2, π and 3π/2 the Euler angle (0, r·sin x, r·cos x) turns (0, 0, 1) into "
+        "(sin r·sin x, −sin r·cos x, cos r)"
+    )
+    return Angles(InWords(" and ".join(equations), ("y**2 + s**2 == 1",), words))
+
+
+# The last frame. x is 32π, so that u = (r, 0, √(1 − r²)), r = 1/4, is the axis of the quaternions; the
+# Euler angle is (0, 0, 1/2), s and t being the cosine and the sine of 1/2, which is no multiple of π. The
+# spin about z comes first, and does not move the top's axis.
+AXIS = ("4*y == 1", "z**2 == 1 - y**2")
+BY_EULER = turned(("1", "0", "0"), UP, "s", "t")
+
+
+def by_quaternions(cosine: str, sine: str) -> Vector:
+    """Return the top's axis in the last frame, if the angle about u has this cosine and sine."""
+    return turned(axis("1", "0"), UP, cosine, sine)
+
+
+ALIKE = Over(
+    "RR",
+    InWords(
+        f"{by_quaternions('0', '1')[0]} == {BY_EULER[0]}",
+        AXIS,
+        "in the last frame both ways turn the top's axis to a place with the same x",
+    ),
+)
+APART = Over(
+    "RR",
+    InWords(
+        f"not ({equal(by_quaternions('p[0]', 'p[1]'), BY_EULER)})",
+        (*AXIS, "p[0]**2 + p[1]**2 == 1", "s**2 + t**2 == 1", "t != 0"),
+        "in the last frame they turn the top's axis to different places, whatever the angle about u",
+    ),
+)
+
+CIRCLES = tuple(f"{a}[0]**2 + {a}[1]**2 == 1" for a in "pqr")
+
+
+def matrix_of(axes: str, *given: str) -> InWords:
+    """Say that rotationMatrixZYX(ψ, φ, θ) turns by its three angles about these axes, the last first."""
+    angles, turn = [Symbol(name) for name in ("psi", "phi", "theta")], code("rotationbyMatrix")
+    v = stepwise = coordinates("v")
+    for letter, angle in reversed(list(zip(axes, angles, strict=True))):
+        stepwise = turn(code(f"{letter}axisMatrixrotation", **EULER)(angle), stepwise)
+    matrix = code("rotationMatrixZYX", **EULER)(*angles)
+    words = f"rotationMatrixZYX(ψ, φ, θ) turns by ψ about {axes[0]}, φ about {axes[1]}, θ about {axes[2]}"
+    return InWords(same_lists(turn(matrix, v), stepwise), given, words)
+
+
+CLAIMS = (
+    Claim(
+        "C3.4.3-a",
+        "euler-angle-of-a-frame",
+        "formula",
+        "Euler angle (0, r sin x, r cos x), x∈[0,32π], r∈[0,1/2]",
+        "(0, r sin x, r cos x)",
+        leaning("zyx"),
+        spoilt=leaning("zyz"),
+        note="Decided at the quarters of a turn: the top leans by r, so by half a radian in the end, and in "
+        "a direction that turns with x. In between cos r is replaced by cos(r·sin x)·cos(r·cos x). With "
+        "axes z, y, z (the twin) it does not even lean for x = 0.",
+    ),
+    claim(
+        "C3.4.3-b",
+        "identical-animation",
+        "claim",
+        "“identical animation” to the quaternion one",
+        "identyczną animację",
+        ALIKE,
+        spoilt=APART,
+        corrected=APART,
+        note="Whatever the constant angle about u: the quaternions of the last frame lean the top by at most "
+        "29.0° and the Euler angle by 28.6°, but to other sides. Over the film with the angle π/2 the axes "
+        "are up to 19.5° apart and the attitudes up to 90.0° (`anim.compare`).",
+        headline=True,
+    ),
+    claim(
+        "C3.4.3-c",
+        "three-element-list",
+        "spec",
+        "euler_angle=[0,1/4] three-element list",
+        "euler_angle = [0, 1/4]",
+        listed(("0", "1/4"), 3, "euler_angle"),
+        spoilt=listed(("0", "r sin x", "r cos x"), 3, "euler_angle"),
+        corrected=listed(("0", "r sin x", "r cos x"), 3, "euler_angle"),
+        note="[0, 1/4] is the interval of radius in 3.4.1, and has two entries.",
+    ),
+    claim(
+        "C3.4.3-d",
+        "axes-of-the-euler-angle",
+        "spec",
+        "first element = angle about z, second about y, last about z",
+        "ostatni … względem osi z",
+        matrix_of("zyz", *CIRCLES),
+        spoilt=matrix_of("zyx"),
+        corrected=matrix_of("zyx"),
+        note="The last is about x, as 2.2.3 defines Euler angles and rotationMatrixZYX has them.",
+    ),
+    claim(
+        "C3.4.3-e",
+        "spin3dmatrixrotation-variables",
+        "number",
+        "three arguments (speed, euler_angle, time)",
+        "trzy zmienne",
+        listed(("speed", "euler_angle", "time"), 3, "the list of variables"),
+        spoilt=listed(("speed", "angle", "axis_rotation", "time"), 3, "the list of variables"),
+        note="The list is counted: the thesis does not show the function.",
+    ),
+    claim(
+        "C3.4.3-f",
+        "frames-of-figure-3.4",
+        "number",
+        "500 frames at 50 fps; 10 frames shown 0..449",
+        "500, 50",
+        film_shows(SHOWN),
+        spoilt=film_shows((*SHOWN[1:], 499)),
+        note="As in figure 3.3. The last of the 500 frames, number 499, is not shown.",
+    ),
+)

@@ -1,0 +1,213 @@
+"""Section 3.4.2: one quaternion for two rotations, and Theorem 7.
+
+p and q are q₁ and q₂ of the thesis, v the point. Of the functions, what they return is found by running
+those of :mod:`rotation.thesis` on symbols.
+"""
+
+from dataclasses import replace
+from typing import Any
+
+from anim.ledger.counting import RING, takes
+from hfield.ledger.claim import Claim
+from hfield.ledger.computed import Computed, Finding
+from hfield.ledger.propositions import Statement
+from rotation.ledger.programs import claim
+from rotation.ledger.symbols import (
+    InWords,
+    Symbol,
+    Vector,
+    code,
+    coordinates,
+    point,
+    quaternion,
+    scalar,
+)
+
+BOTH = ("norm(p) != 0", "norm(q) != 0")
+FORMULA = "p*q*v*inv(q)*inv(p)"
+
+# A quaternion that turns about the z axis, and a point.
+SPIN, POINT = "(y + z*k)", "(v[1]*i + v[2]*j + v[3]*k)"
+SPUN = f"{SPIN}*{POINT}*inv({SPIN})"
+AS_PRINTED = f"{SPIN}*q*{POINT}*inv(q)*inv({SPIN})"
+EXCHANGED = f"q*{SPIN}*{POINT}*inv({SPIN})*inv(q)"
+
+THEOREM_7 = "inv(p*q) == inv(q)*inv(p)"
+PROOF = (
+    "inv(p*q) == conj(p*q)/norm(p*q)"
+    " and conj(p*q)/norm(p*q) == conj(q)*conj(p)/(norm(q)*norm(p))"
+    " and conj(q)*conj(p)/(norm(q)*norm(p)) == inv(q)*inv(p)"
+)
+
+Parts = tuple[Symbol, Vector]
+Q1, Q2 = ((scalar(name), coordinates(name)) for name in "pq")
+ELEMENT = coordinates("v")
+TWICE = code("rotationquaternionChaged")(
+    *Q2, code("rotationquaternionChaged")(*Q1, ELEMENT)
+)  # first about z
+
+
+def first_about_z(turned: str) -> Statement:
+    """Say that a term is the point turned about the z axis, and then by q."""
+    return Statement(f"{turned} == q*({SPUN})*inv(q)", (f"norm({SPIN}) != 0", "norm(q) != 0"))
+
+
+def once(first: Parts, second: Parts, name: str) -> InWords:
+    """Say that turning twice is turning once by the product; ``name`` says which product."""
+    product = code("multiQuaternion")(*second, *first)
+    turned = code("rotationquaternionChaged")(*product, ELEMENT)
+    return InWords(
+        f"{point(TWICE)} == {point(turned)}",
+        words=f"turning by q1 and then by q2 is rotationquaternionChaged({name}, x)",
+    )
+
+
+PRODUCT = code("multiQuaternion")(*Q1, *Q2)
+INVERSE = InWords(
+    f"{quaternion(*PRODUCT)}*{quaternion(*code('conjugateQuaternion')(*PRODUCT))} == e",
+    ("norm(p) == 1", "norm(q) == 1"),
+    "if |q1| = |q2| = 1, conjugateQuaternion of the product is its inverse",
+)
+
+
+class Tally:
+    """A scalar without a value; it counts the multiplications it takes part in."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def __mul__(self, other: object) -> "Tally":
+        self.count += 1
+        return self
+
+    def _other(self, *other: object) -> "Tally":
+        return self
+
+    __rmul__ = __mul__
+    __add__ = __radd__ = __sub__ = __rsub__ = __neg__ = _other
+
+
+def work(points: int) -> tuple[int, int]:
+    """Return the multiplications that so many points take, by spin3d and by spin3dOptimized.
+
+    Of a frame: two rotations a point; or one a point, and the product of the two quaternions once.
+    """
+    read: dict[str, Any] = {"cos": lambda x: x, "sin": lambda x: x}
+    t = Tally()
+    v = [t, t, t]
+    code("rotationquaternion", **read)(t, v, code("rotationquaternion", **read)(t, v, v))
+    twice, t.count = t.count, 0
+    code("rotationquaternionChaged")(t, v, v)
+    single, t.count = t.count, 0
+    halves = [code("scalarVector")(0.5 * t, v) for _ in range(2)]  # cos, and sin times the axis
+    code("multiQuaternion")(t, halves[0], t, halves[1])
+    return twice * points, single * points + t.count
+
+
+def saves(factor: int) -> Computed:
+    """Say that spin3dOptimized turns the points of the model by so many times fewer multiplications."""
+
+    def look() -> Finding:
+        from anim.model import Model
+
+        points = len(Model(ring=RING).points)
+        before, after = work(points)
+        steps = (
+            f"{points} points: {2 * points} rotations, {before} multiplications by spin3d",
+            f"{points} rotations, {after} multiplications by spin3dOptimized",
+        )
+        return Finding(before >= factor * after, steps, {"multiplications": [str(after)]})
+
+    return Computed(f"spin3dOptimized takes {factor} times fewer multiplications than spin3d", look)
+
+
+CLAIMS = (
+    Claim(
+        "C3.4.2-a",
+        "order-of-the-rotations",
+        "formula",
+        "x_Δ=q1q2 x q2^{-1}q1^{-1} with q1 = z rotation, q2 = axis; described: first z, then axis",
+        "x_Δ = q1 q2 x q2^{-1} q1^{-1}",
+        first_about_z(AS_PRINTED),
+        spoilt=first_about_z(EXCHANGED),
+        corrected=first_about_z(EXCHANGED),
+        note="The formula turns by q2 first, about the axis. What is described, first about z and then "
+        "about the axis, is q2·q1·x·q1⁻¹·q2⁻¹ (`hfield render --order` has both).",
+        headline=True,
+    ),
+    Claim(
+        "C3.4.2-b",
+        "combined-rotation",
+        "formula",
+        "x_Δ=qxq^{-1}, q=q1q2",
+        "(as stated)",
+        Statement(f"{FORMULA} == (p*q)*v*inv(p*q)", BOTH),
+        spoilt=Statement(f"{FORMULA} == (q*p)*v*inv(q*p)", BOTH),
+        note="Of the formula for x_Δ as printed.",
+    ),
+    Claim(
+        "C3.4.2-c",
+        "theorem-7",
+        "theorem 7",
+        "(q1q2)^{-1}=q2^{-1}q1^{-1}",
+        "(q1q2)^{-1}=q2^{-1}q1^{-1}, q∈H_n(F)",
+        Statement(THEOREM_7, BOTH),
+        spoilt=Statement(THEOREM_7),
+        note="H_n(F), a sign that the thesis uses nowhere else, is read as H(F). Without inverses (the "
+        "twin) there is nothing to compare.",
+        headline=True,
+    ),
+    Claim(
+        "C3.4.2-d",
+        "theorem-7-proof",
+        "proof",
+        "conj(q1q2)/N(q1q2)=q̄2q̄1/(N(q2)N(q1))",
+        "(as stated)",
+        Statement(PROOF, BOTH),
+        spoilt=Statement(PROOF.replace("conj(q)*conj(p)", "conj(p)*conj(q)"), BOTH),
+    ),
+    claim(
+        "C3.4.2-e",
+        "spin3d-optimized",
+        "spec",
+        "spin3dOptimized multiplies the two quaternions once and rotates with the product",
+        "(as stated)",
+        once(Q1, Q2, "q2·q1"),
+        spoilt=once(Q2, Q1, "q1·q2"),
+        note="In the order in which spin3d turns, so by q2·q1; q1·q2, as the formula has it, is another "
+        "rotation (C3.4.2-a).",
+    ),
+    claim(
+        "C3.4.2-f",
+        "rotationquaternionchaged-variables",
+        "number",
+        "rotationquaternionChaged takes four variables: list shows scalar, rotation_axis, element",
+        "cztery zmienne",
+        takes("rotationquaternionChaged", 4),
+        spoilt=takes("rotationquaternionChaged", 3),
+        corrected=takes("rotationquaternionChaged", 3),
+        note="Three are listed, and three it takes: a scalar, a vector and the point.",
+    ),
+    claim(
+        "C3.4.2-g",
+        "vector-part-as-axis",
+        "spec",
+        "“rotation_axis” receives the vector part of the product; inverse via conjugate",
+        "część wektorową przypisujemy",
+        INVERSE,
+        spoilt=replace(INVERSE, given=("norm(p) == 1",), words=""),
+        note="The vector part need not have length 1: it is the product that has, and so its conjugate is "
+        "its inverse.",
+    ),
+    claim(
+        "C3.4.2-h",
+        "half-the-rotations",
+        "claim",
+        "2× fewer rotations; should be significantly faster",
+        "2 razy mniej",
+        saves(2),
+        spoilt=saves(3),
+        note="Counted in multiplications for the points of one frame. How fast it is on a machine is "
+        "a timing, and not decided.",
+    ),
+)

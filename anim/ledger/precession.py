@@ -1,0 +1,287 @@
+"""Section 3.4.1: the motion by two quaternions.
+
+The axis of the second rotation is u = (r·cos x, r·sin x, √(1 − r²)); here y is r, z the root, and
+(p[0], p[1]) the point (cos x, sin x) of the circle, so that there is an algebraic core over every
+commutative ring. A rotation is met through the cosine and the sine of its angle, by Rodrigues' formula.
+"""
+
+from anim.ledger.counting import SHOWN, film_shows, listed, loop
+from anim.ledger.turning import UP, axis, rotation, turned
+from hfield.ledger.claim import Claim
+from hfield.ledger.computed import Computed, Finding
+from hfield.ledger.propositions import Every, Over, Statement
+from hfield.ledger.real import Angles
+from rotation.ledger.entries import Vector, apply, both, equal, negative, product
+from rotation.ledger.order import Less, between
+from rotation.ledger.programs import claim
+from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, rodrigues
+from rotation.ledger.symbols import InWords, Symbol, code, read_as
+from rotation.ledger.symbols import equal as same_lists
+
+ON_CIRCLE = "p[0]**2 + p[1]**2 == 1"
+ROOT = "z**2 == 1 - y**2"
+U = axis("p[0]", "p[1]")
+LEANING = turned(U, UP, "0", "1")  # by π/2
+AT_FIRST = turned(axis("1", "0"), UP, "0", "1")
+
+
+def own_spin(cosine: str, sine: str, equals: str, *given: str) -> Angles:
+    """Say what the top's angular velocity about its own axis is, that of the precession being 1.
+
+    With q = (1 + u)/√2, the rotation by π/2 about u, the angular velocity in the top's own frame is
+    2·q̄·q' = (1 − u)·u', where ' is the derivative by x.
+    """
+    x, y, z = axis(cosine, sine)
+    velocity = f"({product(negative(sine), 'y')}*i + {product(cosine, 'y')}*j)"
+    return Angles(Statement(f"((1 - ({x}*i + {y}*j + {z}*k))*{velocity})[3] == {equals}", given))
+
+
+def precession(cosine: str, sine: str) -> Angles:
+    """Say that the top's axis for the angle x is that for 0, turned about the vertical.
+
+    By x if the cosine and sine are those of x.
+    """
+    return Angles(
+        Statement(equal(LEANING, apply(rotation("z", cosine, sine), AT_FIRST)), (ON_CIRCLE, ROOT))
+    )
+
+
+def height(of_apex: str) -> Every:
+    """Say how high the end of the unit vector on the top's axis is, and that it is upright for r = 0."""
+    upright = Statement(equal(LEANING, UP), ("y == 0", "z == 1"))
+    return Every((Statement(f"{LEANING[2]} == {of_apex}", (ROOT,)), upright))
+
+
+# spin3d on symbols: s and t are the cosine and sine of half an angle.
+SPUN = code("rotationquaternion", **HALF)(Symbol("angle"), [0, 0, 1], Q)
+DOUBLE = {
+    "cos": read_as({"angle": "(s**2 - t**2)"}),
+    "sin": read_as({"angle": "(2*s*t)"}),
+}
+
+
+def spin_about(letter: str) -> Every:
+    """Say that ``speed`` and ``angle`` are the angles about one of the axes x, y, z and ``axis_rotation``."""
+    matrix = code(f"{letter}axisMatrixrotation", **DOUBLE)(Symbol("angle"))
+    spins = same_lists(SPUN, code("rotationbyMatrix")(matrix, Q))
+    return Every(
+        (
+            InWords(
+                spins,
+                (CIRCLE,),
+                f"rotationquaternion(speed, [0, 0, 1], x) turns x about the {letter} axis by speed",
+            ),
+            InWords(
+                f"{TURNED} == {rodrigues('s**2 - t**2', '2*s*t')}",
+                (CIRCLE, UNIT),
+                "rotationquaternion(angle, u, x) turns x about u by angle if |u| = 1",
+            ),
+        )
+    )
+
+
+def drawn(falling: bool) -> Computed:
+    """Say what values :class:`anim.timeline.Timeline` takes over 500 frames; ``falling`` is the speed.
+
+    500 of each set, equally spaced up to rounding, from one end of the printed interval to the other.
+    """
+
+    def look() -> Finding:
+        import numpy as np
+
+        from anim.timeline import Timeline
+
+        now = Timeline().at(np.linspace(0, 1, 500), 10.0)
+        radius = np.hypot(now.axes[:, 0], now.axes[:, 1])
+        turn = np.unwrap(np.arctan2(now.axes[1:, 1], now.axes[1:, 0]))  # r is 0 at first
+        speed = (np.pi / 8, 16 * np.pi)
+        wanted = {
+            "axisAngle": (turn, np.linspace(0, 32 * np.pi, 500)[1:]),
+            "radius": (radius, np.linspace(0, 1 / 4, 500)),
+            "speedValue": (now.spin, np.linspace(*(speed[::-1] if falling else speed), 500)),
+        }
+        off = {name: float(abs(a - b).max()) for name, (a, b) in wanted.items()}
+        steps = tuple(f"{name}: at most {most:.1e} from its place" for name, most in off.items())
+        return Finding(max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]})
+
+    order = "decreasing" if falling else "increasing"
+    return Computed(
+        f"500 values each of [0, 32π], [0, 1/4] and [π/8, 16π], equally spaced, the last {order}",
+        look,
+    )
+
+
+def spin(frame: str) -> str:
+    """Return the angle of the spin in a frame, in units of π: from 16 to 1/8 in 499 equal steps."""
+    return f"(16 - ({frame})*(16 - 1/8)/499)"
+
+
+def turn(frame: str) -> str:
+    """Return by how much the spin's angle is smaller one frame later."""
+    return f"({spin(frame)} - {spin(f'{frame} + 1')})"
+
+
+FIRST_TURN, LAST_TURN = "the turn from frame 0 to 1", "the turn from frame 498 to 499"
+SLOWER = Less(turn("498"), turn("0"), f"{LAST_TURN} < {FIRST_TURN}")
+LARGER = Less(spin("499"), spin("0"), "the angle in frame 499 < the angle in frame 0")
+CONSTANT = InWords(
+    f"{turn('s')} == {turn('0')}", (), "the turn from each frame to the next is the same"
+)
+
+
+def azimuth_steps(parts: int) -> Over:
+    """Say that 32π in so many steps makes 11.54° a step, and 16 turns in all."""
+    whole = Statement(f"{parts}*(32/{parts}) == 2*16")
+    degrees = between("11.535", f"180*32/{parts}", "11.545", "the step in degrees")
+    return Over("QQ", Every((whole, degrees)))
+
+
+def unit(vector: Vector) -> Angles:
+    """Say that an axis has length 1."""
+    squares = " + ".join(f"({x})**2" for x in vector)
+    return Angles(Statement(f"{squares} == 1", (ON_CIRCLE, ROOT)))
+
+
+FILM = both("500*20 == 10*1000", "1000/20 == 50")
+
+CLAIMS = (
+    Claim(
+        "C3.4.1-a",
+        "axes-of-length-1",
+        "formula",
+        "axes [r cos x_i, r sin x_i, √(1−r²)], r=1/2, x_i=π/2·i, i=1..4",
+        "(as stated)",
+        unit(U),
+        spoilt=unit((U[0], U[1], "y")),
+        note="They have length 1, as the axis of a rotation must; for every r and x.",
+    ),
+    Claim(
+        "C3.4.1-b",
+        "precession",
+        "claim",
+        "rotating by the constant angle π/2 about these gives precession",
+        "ruch precesyjny",
+        precession("p[0]", "p[1]"),
+        spoilt=precession("p[0]", "-p[1]"),
+        note="What the rotation makes of the top's axis turns about the vertical as the axis u does, "
+        "for every r.",
+    ),
+    Claim(
+        "C3.4.1-c",
+        "no-spin-of-its-own",
+        "claim",
+        "the (tilted) top does not rotate about its own axis",
+        "nie obraca się wokół własnej osi",
+        own_spin("1", "0", "0", "2*y == 1", ROOT),
+        spoilt=own_spin("p[0]", "p[1]", "-y**2", ON_CIRCLE, ROOT),
+        corrected=own_spin("p[0]", "p[1]", "-y**2", ON_CIRCLE, ROOT),
+        note="Read: the angular velocity about its own axis, 2·q̄·q' along it with q = (1 + u)/√2, is 0. It "
+        "is −r² times that of the precession, a quarter backwards for r = 1/2 (decided as printed for the "
+        "axis with x = 2π; a field without √3 has no such axis). Still, after each round of the precession "
+        "the top stands as before.",
+    ),
+    Claim(
+        "C3.4.1-d",
+        "falling",
+        "claim",
+        "r should grow from 0 so that the top falls",
+        "r z 0 zwiększać",
+        height("1 - y**2"),
+        spoilt=height("1 + y**2"),
+        note="The apex is at 3·(1 − r²): the larger r, the lower. r = 1/4, where the film ends, makes a tilt "
+        "of 20.4°; the rim of this top would touch the ground at 45°, so it does not fall.",
+    ),
+    claim(
+        "C3.4.1-e",
+        "spin3d-variables",
+        "number",
+        "spin3d takes 4 variables (speed, angle, axis_rotation, time)",
+        "4 zmienne",
+        listed(("speed", "angle", "axis_rotation", "time"), 4, "the list of variables"),
+        spoilt=listed(("speed", "axis_rotation", "time"), 4, "the list of variables"),
+        note="The list is counted: the thesis does not show the function.",
+    ),
+    claim(
+        "C3.4.1-f",
+        "spin3d-angles",
+        "spec",
+        "speed, angle: angles of rotation about z and axis_rotation",
+        "speed oraz angle",
+        spin_about("z"),
+        spoilt=spin_about("y"),
+        note="With the functions of 3.1.1; s and t are the cosine and sine of half the angle.",
+    ),
+    claim(
+        "C3.4.1-g",
+        "value-of-angle",
+        "spec",
+        "value supplied for `angle`",
+        "angle ∈ axisAngle",
+        note="The text does not say it: axisAngle, of which it calls an element “angle”, is the angle x in "
+        "the axis. Read as the constant π/2 of figure 3.2 in the film; `anim.Timeline` has π and the "
+        "element of axisAngle too, with which the top would stand upright again after every turn.",
+    ),
+    claim(
+        "C3.4.1-h",
+        "ten-seconds-of-film",
+        "number",
+        "500 frames × 20 ms = 10 s, 50 fps",
+        "500, 20 ms, 10 s, 50 kl/s",
+        Over("QQ", Statement(FILM)),
+        spoilt=Over("QQ", Statement(FILM.replace("20", "25"))),
+    ),
+    claim(
+        "C3.4.1-i",
+        "values-of-the-film",
+        "number",
+        "axisAngle=[0,32π], radius=[0,1/4], speedValue=[π/8,16π]; 500 each, speedValue decreasing",
+        "(ranges)",
+        drawn(falling=True),
+        spoilt=drawn(falling=False),
+        note="That our film takes these values is decided.",
+    ),
+    claim(
+        "C3.4.1-j",
+        "angle-as-speed",
+        "claim",
+        "larger rotation angle means larger speed; speedValue decreasing ⇒ top slows",
+        "Im większą prędkość … tym większy kąt",
+        Over("QQ", Every((LARGER, SLOWER))),
+        spoilt=Over("QQ", Every((LARGER, CONSTANT))),
+        corrected=Over("QQ", Every((LARGER, CONSTANT))),
+        note="`speed` is the angle in the frame, not the turn since the frame before. It falls by the same "
+        "amount from each frame to the next (5.7°, at 50 frames a second 5 rad/s): the top turns backwards "
+        "at a constant speed, and does not slow down. `hfield render --spin accumulated` adds up the "
+        "angles instead.",
+        headline=True,
+    ),
+    claim(
+        "C3.4.1-k",
+        "precession-step",
+        "number",
+        "precession step: axisAngle step 32π/499 rad/frame (11.54°), 16 turns",
+        "32π",
+        azimuth_steps(499),
+        spoilt=azimuth_steps(500),
+        note="500 values with both ends have 499 steps.",
+    ),
+    claim(
+        "C3.4.1-l",
+        "film-loop",
+        "number",
+        "while time<500 with increment 1 → 500 frames",
+        "time < 500",
+        loop(499),
+        spoilt=loop(500),
+    ),
+    claim(
+        "C3.4.1-m",
+        "frames-of-figure-3.3",
+        "number",
+        "10 frames shown: 0,49,99,149,…,449",
+        "10 klatek",
+        film_shows(SHOWN),
+        spoilt=film_shows((0, *range(50, 500, 50))),
+        note="The first frame, and the last one of each tenth of the film but the last.",
+    ),
+)

@@ -1,0 +1,165 @@
+"""Section 3.4.4: the matrix of a unit quaternion, and the function that makes it.
+
+q = a + bi + cj + dk, and v a point. The function is run on symbols.
+"""
+
+from anim.ledger.counting import takes
+from hfield.ledger.claim import Claim
+from hfield.ledger.propositions import Every, Statement
+from rotation.ledger.entries import Matrix, matrix, orthogonal, transpose
+from rotation.ledger.programs import claim
+from rotation.ledger.symbols import InWords, Symbol, code, coordinates, point, read_as
+
+LETTERS = {ord(letter): f"q[{n}]" for n, letter in enumerate("abcd")}
+
+
+def quaternion_matrix(sixth: str) -> Matrix:
+    """Return the matrix of a quaternion with an entry for the second row and third column."""
+    rows = (
+        "a**2 + b**2 - c**2 - d**2, 2*(b*c - a*d), 2*(b*d + a*c);"
+        f"2*(b*c + a*d), a**2 - b**2 + c**2 - d**2, {sixth};"
+        "2*(b*d - a*c), 2*(c*d + a*b), a**2 - b**2 - c**2 + d**2"
+    )
+    return matrix(rows.translate(LETTERS))
+
+
+PRINTED = quaternion_matrix("2*(c*d + a*b)")
+MENDED = quaternion_matrix("2*(c*d - a*b)")
+UNIT = ("norm(q) == 1",)
+
+
+def turns(m: Matrix) -> Statement:
+    """Say that a matrix turns i, j and k, and so every point, as the unit quaternion q does."""
+    columns = zip("ijk", transpose(m), strict=True)
+    turned = [f"({x})*i + ({y})*j + ({z})*k == q*{b}*conj(q)" for b, (x, y, z) in columns]
+    return Statement(" and ".join(turned), UNIT)
+
+
+def is_orthogonal(m: Matrix, sixth: str) -> InWords:
+    """Say that a matrix of the unit quaternion q is orthogonal; ``sixth`` names its sixth entry."""
+    return InWords(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
+
+
+EQUAL = ("q[1] == q[0]", "q[2] == q[0]", "q[3] == q[0]")
+
+
+def above_all(claim: Statement) -> Every:
+    """Return the claim with a case of it in front: unit quaternions of four equal coordinates.
+
+    Where the claim is wrong the case shows it, over fields with few unit quaternions too.
+    """
+    return Every((Statement(claim.formula, (*EQUAL, *claim.given)), claim), claim.text)
+
+
+# rotationMatrixFromQuaternion(angle, p): s and t are the cosine and sine of half the angle, y the length
+# of the vector part of p.
+P, V = coordinates("p"), coordinates("v")
+READ = {
+    "cos": read_as({"0.5*angle": "s"}),
+    "sin": read_as({"0.5*angle": "t"}),
+    "sqrt": lambda square: Symbol("y"),
+}
+MATRIX = code("rotationMatrixFromQuaternion", **READ)(Symbol("angle"), P)
+TURNED = point(code("rotationbyMatrix")(MATRIX, V))
+CIRCLE = "s**2 + t**2 == 1"
+LENGTH = (f"y**2 == norm({point(P)})", "y != 0")
+
+
+def made_of(quaternion: str, words: str, *given: str) -> InWords:
+    """Say that the function's matrix turns points as a quaternion does."""
+    h = f"({quaternion})"
+    return InWords(f"{TURNED} == {h}*{point(V)}*conj{h}", (*LENGTH, *given), words)
+
+
+NORMALISED = made_of(
+    f"s + (t/y)*{point(P)}",
+    "rotationMatrixFromQuaternion(angle, p)·x = h·x·h̄ for h = cos(angle/2) + sin(angle/2)·p/|p|",
+    CIRCLE,
+)
+UNNORMALISED = made_of(
+    f"s + t*{point(P)}", "the same for h = cos(angle/2) + sin(angle/2)·p", CIRCLE
+)
+
+# The scalar part of the product in the place of the angle. For the scalar part 0 the cosine of half the
+# "angle" 0 is s = 1, the sine t = 0.
+AS_ANGLE = made_of(
+    "p",
+    "rotationMatrixFromQuaternion(Sc p, Vec p)·x = p·x·p̄ for |p| = 1 and Sc p = 0",
+    *("norm(p) == 1", "p[0] == 0", "s == 1", "t == 0"),
+)
+OF_ANGLE = made_of(
+    "p",
+    "rotationMatrixFromQuaternion(angle, Vec p)·x = p·x·p̄ for |p| = 1, Vec p ≠ 0 and "
+    "cos(angle/2) = Sc p, sin(angle/2) = |Vec p|",
+    *("norm(p) == 1", "s == p[0]", "t == y"),
+)
+
+CLAIMS = (
+    Claim(
+        "C3.4.4-a",
+        "matrix-of-a-quaternion",
+        "matrix",
+        "Rotation matrix of the unit quaternion a+bi+cj+dk",
+        "[[a²+b²−c²−d²,2(bc−ad),2(bd+ac)],[2(bc+ad),a²−b²+c²−d²,2(cd+ab)],"
+        "[2(bd−ac),2(cd+ab),a²−b²−c²+d²]]",
+        above_all(turns(PRINTED)),
+        spoilt=turns(MENDED),
+        corrected=turns(MENDED),
+        note="The entry of the second row and third column is 2(cd−ab). (In characteristic 2 the sign "
+        "does not matter.)",
+        headline=True,
+    ),
+    Claim(
+        "C3.4.4-a2",
+        "matrix-of-a-quaternion-orthogonal",
+        "claim",
+        "the printed matrix is orthogonal (“Macierz ortogonalna”)",
+        "Macierz ortogonalna …",
+        above_all(is_orthogonal(PRINTED, "2(cd + ab)")),
+        spoilt=is_orthogonal(MENDED, "2(cd − ab)"),
+        corrected=is_orthogonal(MENDED, "2(cd − ab)"),
+        note="Not with the misprint of C3.4.4-a.",
+    ),
+    claim(
+        "C3.4.4-b",
+        "rotationmatrixfromquaternion-variables",
+        "number",
+        "rotationMatrixFromQuaternion takes 2 arguments: angle float, rotation_axis list",
+        "dwa argumenty",
+        takes("rotationMatrixFromQuaternion", 2),
+        spoilt=takes("rotationMatrixFromQuaternion", 3),
+    ),
+    claim(
+        "C3.4.4-c",
+        "normalises-the-axis",
+        "spec",
+        "normalises rotation_axis, computes quaternion coefficients, returns matrix",
+        "(as stated)",
+        NORMALISED,
+        spoilt=UNNORMALISED,
+        note="With the matrix as corrected, for an axis that is not 0.",
+    ),
+    claim(
+        "C3.4.4-d",
+        "product-as-angle-and-axis",
+        "spec",
+        "spin3dMatrixRotationFromQuaternion uses the PRODUCT quaternion to generate the matrix via "
+        "rotationMatrixFromQuaternion",
+        "(as stated)",
+        AS_ANGLE,
+        spoilt=OF_ANGLE,
+        corrected=OF_ANGLE,
+        note="The function asks for an angle and an axis, and a product has a scalar part and a vector part. "
+        "Read as handing these over as they are, as 3.4.2 does: the half turn about p, with the scalar "
+        "part 0, becomes the turn by the angle 0. The angle is 2·arccos of the scalar part. (A product ±1 "
+        "has no axis, and the function fails.)",
+    ),
+    claim(
+        "C3.4.4-e",
+        "readability",
+        "claim",
+        "matrix model: axis arises from rotations about main axes, harder to read",
+        "(as stated)",
+        note="A matter of taste.",
+    ),
+)

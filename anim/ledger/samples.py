@@ -1,0 +1,146 @@
+"""Section 3.4: numpy's ``linspace``, inspected and run, and the points made of what it returns."""
+
+from collections.abc import Callable
+from fractions import Fraction
+from inspect import Parameter, signature
+
+from anim.ledger.counting import RING
+from hfield.ledger.computed import Computed, Finding
+from rotation.ledger.programs import claim
+
+# The calls of sections 3.4 and 3.4.1, as start, stop and num; angles in units of π.
+CALLS = ((0, 2, 1000), (0, 32, 500), (16, Fraction(1, 8), 500), (0, Fraction(1, 4), 500))
+ROUNDING = 2.0**-50
+"""How far, relative to the ends, rounding may move a value that is the result of a few operations."""
+
+
+def parameters(all_of_them: int, needed: int) -> Computed:
+    """Say how many arguments ``linspace`` takes by position, and that all after the first have defaults.
+
+    ``needed`` are those that the thesis gives.
+    """
+
+    def look() -> Finding:
+        from numpy import linspace
+
+        found = signature(linspace).parameters.values()
+        placed = [p for p in found if p.kind is not Parameter.KEYWORD_ONLY]
+        optional = [p.name for p in placed[needed:] if p.default is not Parameter.empty]
+        named = [p.name for p in found if p.kind is Parameter.KEYWORD_ONLY]
+        steps = (
+            f"by position: {', '.join(p.name for p in placed)}",
+            f"by name only: {', '.join(named) or 'none'}",
+            f"optional after the first {needed}: {', '.join(optional)}",
+        )
+        holds = len(placed) == all_of_them and len(optional) == all_of_them - needed
+        return Finding(holds, steps, {"arguments": [str(len(placed))]})
+
+    rest = all_of_them - needed
+    return Computed(
+        f"linspace takes {all_of_them} arguments by position; {rest} may be left out", look
+    )
+
+
+def spaced(steps: Callable[[int], int], interval: str) -> Computed:
+    """Say that ``linspace`` returns ``num`` numbers, the n-th n steps from the start.
+
+    ``steps`` tells into how many steps it divides the interval, from ``num``. It is asked for all that
+    the thesis asks for, up to rounding.
+    """
+
+    def look() -> Finding:
+        from numpy import linspace
+
+        found, holds = [], True
+        for start, stop, num in CALLS:
+            values = linspace(float(start), float(stop), num)
+            exact = [start + Fraction(stop - start) * n / steps(num) for n in range(num)]
+            most = max(abs(Fraction(x) - y) for x, y in zip(values.tolist(), exact, strict=False))
+            holds = holds and len(values) == num and most <= ROUNDING * max(start, stop)
+            found.append(
+                f"linspace({start}, {stop}, {num}): {len(values)} numbers from {values[0]:g} to "
+                f"{values[-1]:g}, at most {float(most):.1e} from their places"
+            )
+        return Finding(holds, tuple(found))
+
+    return Computed(f"linspace returns num equally spaced numbers of {interval}", look)
+
+
+def circle_points(different: bool) -> Computed:
+    """Say that ``linspace(0, 2π, 1000)`` gives 1000 points on each circle, or that they are different."""
+
+    def look() -> Finding:
+        import numpy as np
+
+        from anim.model import READINGS
+
+        angles = np.linspace(0, 2 * np.pi, RING)
+        circle = np.column_stack([np.cos(angles), np.sin(angles)])
+        off = max(
+            float(abs(np.sum((radius * circle) ** 2, axis=1) - radius**2).max())
+            for radius in (1.0, READINGS["printed"])
+        )
+        # The n-th angle is n/999 of a full turn.
+        places = {Fraction(n, RING - 1) % 1 for n in range(len(angles))}
+        count = len(places) if different else len(angles)
+        steps = (
+            f"{len(angles)} angles, {len(places)} of them different up to full turns",
+            f"the points are on x² + y² = 1 and (1/3)³ up to {off:.1e}",
+        )
+        return Finding(count == RING and off < ROUNDING, steps, {"different": [str(len(places))]})
+
+    which = "different points" if different else "points"
+    return Computed(f"linspace(0, 2π, {RING}) gives {RING} {which} on each of P1 and P2", look)
+
+
+CLAIMS = (
+    claim(
+        "C3.4-a",
+        "linspace-arguments",
+        "fact",
+        "linspace takes 7 parameters, 3 needed, 4 optional",
+        "7 zmiennych … 3 … 4 opcjonalne",
+        parameters(7, 3),
+        spoilt=parameters(8, 3),
+        note="By position; since version 2 numpy has an eighth by name, device. Of the three the last, "
+        "num, is optional too.",
+    ),
+    claim(
+        "C3.4-b",
+        "linspace-spacing",
+        "spec",
+        "linspace returns num equally spaced points of [start, stop]",
+        "[start, stop]",
+        spaced(lambda num: num - 1, "[start, stop]"),
+        spoilt=spaced(lambda num: num, "[start, stop)"),
+        note="Both ends are among them, so that the step is (stop − start)/(num − 1). What is returned is "
+        "an array, not a list.",
+    ),
+    claim(
+        "C3.4-c",
+        "thousand-angles",
+        "number",
+        "1000 equally spaced points of [0,2π] → two lists on P1 and P2",
+        "1000",
+        circle_points(different=False),
+        spoilt=circle_points(different=True),
+        note="The angles 0 and 2π give the same point: of the 1000 in each list 999 are different, and "
+        "the polygons between the last point and the first are empty.",
+    ),
+    claim(
+        "C3.4-d",
+        "yellow-and-black",
+        "spec",
+        "color_change_frequency int, colours yellow and black",
+        "żółty oraz czarny",
+        note="What a program is to do, neither true nor false. `anim.Model` has these colours.",
+    ),
+    claim(
+        "C3.4-e",
+        "poly3dcollection",
+        "function",
+        "Poly3DCollection from the same package",
+        "z tego samego pakietu",
+        note="A fact about another program: matplotlib brings it, as mpl_toolkits.mplot3d.art3d.",
+    ),
+)

@@ -1,0 +1,213 @@
+"""Section 3.3: the shape of the top.
+
+Points of space are the coordinates 1, 2, 3 of quaternions. The polygons are those of
+:class:`anim.model.Model`, counted.
+"""
+
+from collections import Counter
+from itertools import pairwise
+
+from anim.ledger.counting import model_has
+from hfield.certificates.ledger import CIRCLE
+from hfield.ledger.claim import Claim
+from hfield.ledger.computed import Computed, Finding
+from hfield.ledger.propositions import Every, Only, Statement
+from hfield.ledger.real import REAL
+from rotation.ledger.programs import claim
+
+
+def cone(apex: str, radius2: str, height: str, base: str = "") -> Every:
+    """Say that the lines from (0, 0, apex) to a circle about the z axis make a cone about it.
+
+    ``radius2`` is the square of the circle's radius, ``height`` its z; ``base`` is another square in the
+    place of the first. The cone is (height − apex)²·(x² + y²) = radius2·(z − apex)²: the circle is on it, and
+    with each of its points the line from there to the apex.
+    """
+
+    def on_cone(x: str, y: str, z: str) -> str:
+        return f"({height} - {apex})**2*(({x})**2 + ({y})**2) == {radius2}*({z})**2"
+
+    here = on_cone("p[1]", "p[2]", f"p[3] - {apex}")
+    line = on_cone("s*p[1]", "s*p[2]", f"s*(p[3] - {apex})")
+    circle = f"p[1]**2 + p[2]**2 == {base or radius2}"
+    through = f"p[3] == {height} => not ({circle}) or {here}"
+    return Every((Statement(through), Statement(f"{here} => {line}")))
+
+
+# cos(π/n) = y is the distance from the axis to the middle of a side of the polygon in P₁, and z that
+# for twice as many points. y and 1 − y are squares, and 1 − y is not 0, as n is 2 or more.
+HALVED = ("2*z**2 == 1 + y", "y == q[0]**2", "1 - y == q[1]**2")
+GAP = "(q[1]**2 + 2*(q[0]*q[1])**2)"
+POLYGONS = "Inscribed polygons of the real circle are meant."
+
+
+def nearer(sign: str) -> Only:
+    """Say that z² − y² is GAP/2, and that GAP, or −GAP, is positive: no norm is its negative."""
+    parts = (
+        Statement(f"2*(z**2 - y**2) == {GAP}", HALVED),
+        Statement(f"norm(p) != {sign}{GAP}", ("q[1] != 0",)),
+    )
+    return Only(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
+
+
+TURNED = "q*(w[1]*p + w[2]*r + w[3]*v)*conj(q)"
+CORNERS = "w[1]*(q*p*conj(q)) + w[2]*(q*r*conj(q))"
+
+
+def closed(band: bool) -> Computed:
+    """Say that the two cones, with or without the band that joins them, make one closed surface.
+
+    A surface is closed if each side of a polygon is the side of one other, met the other way round.
+    """
+
+    def look() -> Finding:
+        from anim.model import Model
+
+        model = Model()
+        parts = (model.lower, model.upper, *((model.sides,) if band else ()))
+        polygons = [tuple(p) for part in parts for p in part.tolist()]
+        sides = Counter(side for p in polygons for side in pairwise((*p, p[0])))
+        alone = [(a, b) for a, b in sides if sides[a, b] != 1 or sides[b, a] != 1]
+        bulge = len(model.points) - len(sides) // 2 + len(polygons)
+        steps = (
+            f"{len(polygons)} polygons, {len(alone)} of their sides without a partner",
+            f"corners − edges + polygons = {bulge}",
+        )
+        return Finding(not alone and bulge == 2, steps, {"sides": [str(len(alone))]})
+
+    joined = "with their bases joined point by point" if band else "not joined"
+    return Computed(f"the two cones, {joined}, make one closed surface", look)
+
+
+def corners(allowed: tuple[int, ...]) -> Computed:
+    """Say that every polygon has one of these numbers of corners, and each number occurs."""
+
+    def look() -> Finding:
+        from anim.model import Model
+
+        found = Counter(map(len, Model(ring=10).polygons))
+        steps = tuple(f"{n} polygons with {size} corners" for size, n in sorted(found.items()))
+        return Finding(set(found) == set(allowed), steps, {"corners": [*map(str, sorted(found))]})
+
+    return Computed(f"the polygons have {' and '.join(map(str, allowed))} corners", look)
+
+
+CLAIMS = (
+    Claim(
+        "C3.3-a",
+        "first-cone",
+        "definition",
+        "Cone 1: apex (0,0,0), base P1={x²+y²=1, z=1}",
+        "P1",
+        cone("0", "1", "1"),
+        spoilt=cone("0", "1", "1", base="2"),
+        note="A definition. That the lines from the apex to P1 make a cone about the z axis, "
+        "x² + y² = z², is decided.",
+    ),
+    Claim(
+        "C3.3-b",
+        "second-cone",
+        "definition",
+        "Cone 2: apex (0,0,3), base P2={x²+y²=(1/3)³, z=11/10}",
+        "(1/3)^3",
+        cone("3", "(1/3)**3", "11/10"),
+        spoilt=cone("3", "(1/3)**3", "11/10", base="(1/3)**2"),
+        note="A definition, decided as for P1. As it stands the radius of P2 is (1/3)√(1/3) ≈ 0.192, "
+        "about a fifth of that of P1; perhaps (1/3)² was meant, with the radius 1/3 (the twin). "
+        "`hfield render --p2` has both.",
+    ),
+    Claim(
+        "C3.3-c",
+        "more-points-more-accurate",
+        "claim",
+        "bases are uncountable; more points = more accurate",
+        "nieprzeliczalne",
+        nearer("-"),
+        spoilt=nearer(""),
+        note="Read: with twice as many points the sides of the polygon come nearer to the circle: "
+        "cos(π/2n) > cos(π/n). That a circle is uncountable is Cantor's theorem, and not checked.",
+    ),
+    claim(
+        "C3.3-d",
+        "cones-joined",
+        "claim",
+        "two cones glued at bases (bases joined pointwise)",
+        "po połączeniu podstaw",
+        closed(band=True),
+        spoilt=closed(band=False),
+        note="The bases are different circles, so that it is not the cones that touch: a band between "
+        "P1 and P2, part of a third cone, closes the surface.",
+    ),
+    claim(
+        "C3.3-e",
+        "thirty-polygons",
+        "number",
+        "10 points from P1 and P2: model has 30 polygons",
+        "30 wielokątów",
+        model_has(30, "polygons", ring=10),
+        spoilt=model_has(30, "polygons", ring=5),
+        note="Read: 10 points from each; the twin takes 10 from both together.",
+    ),
+    claim(
+        "C3.3-f",
+        "plot3d",
+        "fact",
+        "plot3d from matplotlib",
+        "plot3d",
+        note="A fact about another program. In matplotlib the method is called plot, or plot3D, of axes "
+        "in three dimensions.",
+    ),
+    claim(
+        "C3.3-g",
+        "triangles-and-quadrilaterals",
+        "claim",
+        "model consists of triangles and quads",
+        "trójkątów oraz czworokątów",
+        corners((3, 4)),
+        spoilt=corners((3,)),
+    ),
+    Claim(
+        "C3.3-h",
+        "rotating-corners",
+        "claim",
+        "rotate polygons by rotating their vertices",
+        "obrócić punkty",
+        Statement(f"{TURNED} == {CORNERS} + w[3]*(q*v*conj(q))"),
+        spoilt=Statement(f"{TURNED} == {CORNERS} + w[3]*(conj(q)*v*q)"),
+        note="A point of a polygon is w1·p + w2·r + w3·v with three of its corners, and turns with the "
+        "same w; all corners by the same q (the twin turns one of them the other way).",
+    ),
+    Claim(
+        "C3.3-i",
+        "fixed-tip",
+        "claim",
+        "(0,0,0) does not change under rotation",
+        "nie zmieni się",
+        Statement("norm(q) != 0 => q*(0*i + 0*j + 0*k)*inv(q) == 0*i + 0*j + 0*k"),
+        spoilt=Statement("norm(q) != 0 => q*(0*i + 0*j + 1*k)*inv(q) == 0*i + 0*j + 1*k"),
+    ),
+    claim(
+        "C3.3-j",
+        "points-of-the-top",
+        "number",
+        "final model: “1000 elements together from P1 and P2” + apexes = 2002 points",
+        "łącznie 1000 … 2002 punktów",
+        model_has(2002, "points", ring=500),
+        spoilt=model_has(2002, "points"),
+        corrected=model_has(2002, "points"),
+        note="1000 together and the two apexes are 1002. 2002 points take 1000 from each of P1 and P2. "
+        "(They come from linspace with both ends, so that two of the 2002 stand twice: C3.4-c.)",
+    ),
+    claim(
+        "C3.3-k",
+        "six-thousand-polygons",
+        "number",
+        "model has 6 thousand polygons",
+        "6 tys.",
+        model_has(6000, "polygons"),
+        spoilt=model_has(3000, "polygons"),
+        corrected=model_has(3000, "polygons"),
+        note="Three for each of the 1000 points of a circle, as the 30 for 10 have it; even with the "
+        "quadrilaterals cut in two there are only 4000 triangles.",
+    ),
+)

@@ -1,0 +1,36 @@
+"""Turning vectors whose entries are terms, by angles of which the cosine and the sine are terms."""
+
+from rotation.ledger.entries import (
+    Matrix,
+    Vector,
+    cross,
+    difference,
+    dot,
+    identity,
+    negative,
+    plus,
+    product,
+    scaled,
+)
+
+UP: Vector = ("0", "0", "1")
+
+
+def axis(cosine: str, sine: str) -> Vector:
+    """Return the axis (r·cos x, r·sin x, √(1 − r²)) of section 3.4.1, with y for r and z for the root."""
+    return (product(cosine, "y"), product(sine, "y"), "z")
+
+
+def turned(about: Vector, v: Vector, cosine: str, sine: str) -> Vector:
+    """Return ``v`` turned about a vector of length 1: Rodrigues' formula."""
+    along = scaled(product(difference("1", cosine), dot(about, v)), about)
+    return plus(plus(scaled(cosine, v), scaled(sine, cross(about, v))), along)
+
+
+def rotation(letter: str, cosine: str, sine: str) -> Matrix:
+    """Return the matrix of the rotation about an axis of space, x, y or z."""
+    rows = [list(row) for row in identity(3)]
+    a, b = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[letter]
+    rows[a][a] = rows[b][b] = cosine
+    rows[a][b], rows[b][a] = negative(sine), sine
+    return tuple(map(tuple, rows))

@@ -1,0 +1,156 @@
+"""A motion: one attitude a frame, and any attitude between frames."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from anim import attitude
+from anim.checks import whole
+from anim.errors import AnimationError
+from anim.film import Clip
+from anim.model import APEX_HEIGHT
+from rotation.matrices import from_matrix, to_matrix
+from rotation.quaternions import inverse, normalised, product
+
+Floats = NDArray[np.float64]
+
+Sampler = Callable[[Floats], Floats]
+"""From instants (n,) in seconds of the motion to unit quaternions (n, 4) or matrices (n, 3, 3)."""
+
+# Two instants this far apart, in seconds, tell the angular velocity: a top turns less than half a turn
+# between them up to 10⁵ rad/s.
+APART = 2e-5
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """What physics knows of each frame; arrays (frames,), read-only."""
+
+    energies: Floats
+    """Kinetic and potential energy in J, the potential 0 at the height of the tip."""
+    momenta: Floats
+    """The angular momentum about the vertical through the tip, L_z, in kg·m²/s."""
+    spins: Floats
+    """The angular velocity about the top's own axis, ω₃, in rad/s."""
+    landed: float | None
+    """When the rim touched the ground, in seconds of the motion; None if it did not."""
+
+    def __post_init__(self) -> None:
+        for values in (self.energies, self.momenta, self.spins):
+            values.flags.writeable = False
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """How the top stands in each frame of a film. Immutable; made by :meth:`sample` or :meth:`through`.
+
+    Attitudes turn the model's coordinates into space: the tip stays at the origin, the ground is z = 0.
+    """
+
+    name: str
+    clip: Clip
+    attitudes: Floats
+    """Unit quaternions (frames, 4), scalar first, signs chosen so that neighbours are close. Read-only."""
+    matrices: Floats
+    """Rotation matrices (frames, 3, 3), as computed by the motion's own method. Read-only."""
+    sampler: Sampler
+    record: Record | None = None
+
+    @classmethod
+    def sample(
+        cls, name: str, clip: Clip, sampler: Sampler, record: Record | None = None
+    ) -> "Motion":
+        """Return the motion whose attitude at each instant ``sampler`` gives."""
+        quaternions, matrices = _both(sampler(clip.times))
+        for values in (quaternions, matrices):
+            values.flags.writeable = False
+        return cls(name, clip, quaternions, matrices, sampler, record)
+
+    @classmethod
+    def through(cls, name: str, clip: Clip, attitudes: ArrayLike) -> "Motion":
+        """Return the motion through given attitudes (frames, 4), by the shortest turns between them.
+
+        Raises :class:`~anim.errors.AnimationError` unless there is one nonzero quaternion a frame.
+        """
+        q = np.array(attitudes, dtype=np.float64)
+        if q.shape != (clip.frames, 4):
+            raise AnimationError(f"attitudes of shape {q.shape}; expected ({clip.frames}, 4)")
+        if not (np.isfinite(q).all() and np.all(np.any(q != 0, axis=-1))):
+            raise AnimationError("attitudes hold a quaternion that is 0 or not finite")
+        return cls.sample(name, clip, Shortest(normalised(q), clip))
+
+    @property
+    def frames(self) -> int:
+        """The number of frames."""
+        return self.clip.frames
+
+    @property
+    def fps(self) -> float:
+        """Frames a second of the film."""
+        return self.clip.fps
+
+    @property
+    def duration(self) -> float:
+        """The length of the film in seconds."""
+        return self.clip.duration
+
+    @property
+    def times(self) -> Floats:
+        """The instants of the frames in seconds of the motion, (frames,)."""
+        return self.clip.times
+
+    @property
+    def tilts(self) -> Floats:
+        """The angles between the top's axis and the vertical, (frames,), in radians."""
+        return attitude.tilts(self.matrices[:, :, 2])
+
+    def apex(self, height: float = APEX_HEIGHT) -> Floats:
+        """Return the path (frames, 3) of the point at ``height`` on the top's axis, by default the apex."""
+        return np.asarray(height * self.matrices[:, :, 2])
+
+    def at(self, times: ArrayLike) -> Floats:
+        """Return unit quaternions (n, 4) at any instants (n,) in seconds of the motion, held at its ends."""
+        instants = np.clip(np.asarray(times, dtype=np.float64), 0.0, self.clip.seconds)
+        return _both(self.sampler(instants))[0]
+
+    def between(self, frame: int, fractions: ArrayLike) -> Floats:
+        """Return attitudes (n, 4) near ``frame``, at ``fractions`` (n,) of the interval between frames.
+
+        Fraction 0 is the frame itself, 1 the next frame, −1 the one before; for motion blur one takes some in
+        (−½, ½). Raises :class:`~anim.errors.AnimationError` for a frame that is not in the film.
+        """
+        number = whole("frame", frame, 0, self.frames - 1)
+        return self.at(self.times[number] + np.asarray(fractions) * self.clip.interval)
+
+    def spin_rates(self, times: ArrayLike) -> Floats:
+        """Return the angular velocity about the top's own axis (n,) at instants (n,), in rad/s."""
+        middle = np.asarray(times, dtype=np.float64)
+        before = np.clip(middle - APART / 2, 0.0, self.clip.seconds)
+        after = np.clip(middle + APART / 2, 0.0, self.clip.seconds)
+        turned = np.asarray(product(inverse(self.at(before)), self.at(after)))
+        return attitude.twist(turned) / (after - before)
+
+
+@dataclass(frozen=True, eq=False)
+class Shortest:
+    """The sampler that turns the shortest way from each attitude (frames, 4) to the next."""
+
+    attitudes: Floats
+    clip: Clip
+
+    def __call__(self, times: Floats) -> Floats:
+        """Return the quaternions (n, 4) at ``times`` (n,)."""
+        if self.clip.frames == 1:
+            return np.repeat(self.attitudes, len(times), axis=0)
+        place = times / self.clip.interval
+        frame = np.clip(place.astype(np.int64), 0, self.clip.frames - 2)
+        return attitude.between(self.attitudes[frame], self.attitudes[frame + 1], place - frame)
+
+
+def _both(values: Floats) -> tuple[Floats, Floats]:
+    """Return quaternions and matrices of attitudes given as either."""
+    if values.ndim == 3:
+        return attitude.continuous(np.asarray(from_matrix(values))), values
+    return attitude.continuous(values), np.asarray(to_matrix(values))

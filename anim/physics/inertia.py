@@ -1,0 +1,98 @@
+"""The top as a rigid body: mass, centre and moments of inertia of a solid of revolution of one density."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import atan2, pi
+
+from numpy.polynomial import Polynomial
+
+from anim.checks import real
+from anim.errors import AnimationError
+
+Profile = Sequence[tuple[float, float]]
+
+# The thesis's unit of length in m. A top of this size spins slowly enough for 50 frames a second to show.
+SCALE = 0.5
+
+
+@dataclass(frozen=True)
+class Body:
+    """What the equations of motion need to know of a top whose tip is fixed. SI units."""
+
+    mass: float
+    """In kg."""
+    height: float
+    """From the tip to the centre of mass, in m."""
+    axial: float
+    """The moment of inertia about the top's axis, I₃, in kg·m²."""
+    transverse: float
+    """The moment about an axis through the tip perpendicular to it, I₁, in kg·m²."""
+    reach: float
+    """The tilt at which the surface touches the ground, in radians."""
+
+    @classmethod
+    def turned(
+        cls,
+        profile: Profile,
+        scale: float = SCALE,
+        mass: float | None = None,
+        density: float | None = None,
+    ) -> "Body":
+        """Return the solid whose outline is ``profile``, pairs ``(radius, z)`` from the tip at (0, 0) up.
+
+        ``scale`` is the length of the profile's unit in m. Give the ``mass`` in kg or the ``density`` in
+        kg/m³; without either the mass is 1 kg. The moments are integrals of the polynomials r², z·r², r⁴
+        and z²·r² over each frustum, in closed form. Raises :class:`~anim.errors.AnimationError`
+        for both, for what is not positive, and for an outline that holds no volume above the ground.
+        """
+        if mass is not None and density is not None:
+            raise AnimationError("mass and density are both given; the size makes one of the other")
+        size = real("scale", scale, above=0)
+        volume, moment, axial, equatorial = _moments(profile)
+        if mass is None and density is not None:
+            weight = real("density", density, above=0) * volume * size**3
+        else:
+            weight = real("mass", 1.0 if mass is None else mass, above=0)
+        unit = weight / volume
+        return cls(
+            weight,
+            size * moment / volume,
+            unit * size**2 * axial,
+            unit * size**2 * equatorial,
+            reach(profile),
+        )
+
+
+def reach(profile: Profile) -> float:
+    """Return the tilt in radians at which the solid, tip on the ground, touches it a second time.
+
+    Tilted by θ, the lowest point of the circle of radius r at height z is at z·cos θ − r·sin θ.
+
+    >>> round(reach([(0, 0), (1, 1), (0.2, 1.1), (0, 3)]) / pi, 6)
+    0.25
+    """
+    angles = [atan2(z, r) for r, z in profile if r > 0]
+    if not angles or min(angles) <= 0:
+        raise AnimationError(f"the outline {list(profile)} is not above the ground around its tip")
+    return min(angles)
+
+
+def _moments(profile: Profile) -> tuple[float, float, float, float]:
+    """Return the integrals of 1, z, x² + y² and x² + z² over the solid."""
+    volume = moment = axial = equatorial = 0.0
+    for (r0, z0), (r1, z1) in pairwise(profile):
+        r, z = Polynomial([r0, r1 - r0]), Polynomial([z0, z1 - z0])
+        rise = pi * (z1 - z0)
+        squares, fourths = _integral(r**2), _integral(r**4)
+        volume += rise * squares
+        moment += rise * _integral(z * r**2)
+        axial += rise * fourths / 2
+        equatorial += rise * (fourths / 4 + _integral(z**2 * r**2))
+    if not volume > 0:
+        raise AnimationError(f"the outline {list(profile)} holds no volume")
+    return volume, moment, axial, equatorial
+
+
+def _integral(p: Polynomial) -> float:
+    return float(p.integ()(1.0))

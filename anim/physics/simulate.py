@@ -1,0 +1,221 @@
+"""A film of the heavy top: launched, and followed to the film's end or until its rim touches the ground."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import ceil, cos, inf, sin, sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.checks import real
+from anim.errors import AnimationError
+from anim.film import Clip
+from anim.model import Model
+from anim.motion import Motion, Record
+from anim.physics.inertia import Body
+from rotation.matrices import to_matrix
+from rotation.quaternions import product
+
+if TYPE_CHECKING:
+    from anim.physics.splitting import Rates
+
+Floats = NDArray[np.float64]
+
+ACCURACY = 0.02
+"""The step times the greatest rate of the motion: half of what keeps the energy to 1e-9."""
+MOST_STEPS = 20_000_000
+EVERY = 32  # steps from one kept state to the next
+
+
+@dataclass(frozen=True)
+class Launch:
+    """How a top is set going, and what slows it down. SI units.
+
+    Raises :class:`~anim.errors.AnimationError` for what is not a number, for a negative tilt or gravity, and
+    for decay times that are not positive.
+    """
+
+    spin: float | None = None
+    """The angular velocity about its own axis, ω₃, in rad/s; None: a tenth above the spin that sleeps."""
+    tilt: float = 0.1
+    """The angle between its axis and the vertical, in radians."""
+    precession: float = 0.0
+    """The angular velocity with which its axis goes round the vertical, in rad/s."""
+    gravity: float = 9.80665
+    """In m/s²."""
+    spin_decay: float = 40.0
+    """I₃/k₃, the time in s in which friction alone brings ω₃ down to 1/e; infinite: no friction."""
+    tilt_decay: float = 12.0
+    """I₁/k₁, the same for the angular velocity of the axis."""
+    heading: float = 0.0
+    """The side to which it leans, an angle from the x axis in radians."""
+
+    def __post_init__(self) -> None:
+        if self.spin is not None:
+            real("spin", self.spin)
+        real("heading", self.heading)
+        real("precession", self.precession)
+        real("tilt", self.tilt, least=0)
+        real("gravity", self.gravity, least=0)
+        for name in ("spin_decay", "tilt_decay"):
+            time = getattr(self, name)
+            if time != inf:
+                real(name, time, above=0)
+
+    def without_friction(self) -> "Launch":
+        """Return the same launch of a top that nothing slows down."""
+        return replace(self, spin_decay=inf, tilt_decay=inf)
+
+
+@dataclass(frozen=True)
+class HeavyTop:
+    """A body on its tip, launched, and followed for ``seconds``: the sampler of its motion.
+
+    Raises :class:`~anim.errors.AnimationError` for a tilt beyond that at which the rim is on the ground, and
+    for a motion of more than 20 million steps.
+    """
+
+    body: Body
+    launch: Launch
+    seconds: float
+
+    def __post_init__(self) -> None:
+        if self.launch.tilt > self.body.reach:
+            raise AnimationError(
+                f"tilt is {self.launch.tilt:.4g} rad; the rim is on the ground "
+                f"at {self.body.reach:.4g} rad"
+            )
+        steps = self.seconds / self.longest_step
+        if not steps <= MOST_STEPS:
+            raise AnimationError(
+                f"{self.seconds:g} s of this motion take {steps:.3g} steps, expected {MOST_STEPS:.0e} "
+                "at most: choose less spin, a larger top or a shorter film"
+            )
+
+    @property
+    def torque(self) -> float:
+        """The greatest torque of gravity about the tip, mgl, in N·m."""
+        return self.body.mass * self.launch.gravity * self.body.height
+
+    @property
+    def sleeping_spin(self) -> float:
+        """The spin in rad/s above which the upright top is stable: ω₃² = 4mglI₁/I₃²."""
+        return 2 * sqrt(self.torque * self.body.transverse) / self.body.axial
+
+    @property
+    def spin(self) -> float:
+        """The angular velocity about its own axis at the start, in rad/s."""
+        return 1.1 * self.sleeping_spin if self.launch.spin is None else self.launch.spin
+
+    @property
+    def longest_step(self) -> float:
+        """The longest step in s: ACCURACY over the greatest rate, of nutation, swing, fall or decay."""
+        body, launch = self.body, self.launch
+        fastest = max(
+            abs(self.spin) * body.axial / body.transverse,
+            abs(launch.precession) * sin(launch.tilt),
+            sqrt(self.torque / body.transverse),
+            1 / launch.spin_decay,
+            1 / launch.tilt_decay,
+        )
+        return ACCURACY / fastest if fastest > 0 else inf
+
+    @property
+    def steps(self) -> int:
+        """The number of equal steps that are taken."""
+        return max(1, ceil(self.seconds / self.longest_step))
+
+    @property
+    def step(self) -> float:
+        """Their length in s."""
+        return self.seconds / self.steps
+
+    @property
+    def start(self) -> Floats:
+        """The state at the start, (7,): attitude, and the angular velocity in the body's axes."""
+        tilt, heading = self.launch.tilt, self.launch.heading
+        turn = [cos(heading / 2), 0.0, 0.0, sin(heading / 2)]
+        lean = [cos(tilt / 2), 0.0, sin(tilt / 2), 0.0]
+        velocity = [-self.launch.precession * sin(tilt), 0.0, self.spin]
+        return np.concatenate([product(np.array(turn), np.array(lean)), velocity])
+
+    @cached_property
+    def landed(self) -> float | None:
+        """When the rim touches the ground, in s; None if it does not while the film lasts."""
+        landed = self._followed[1]
+        return landed if 0 <= landed <= self.seconds else None
+
+    def states(self, times: Floats) -> Floats:
+        """Return the states (n, 7) at instants (n,): attitudes and angular velocities in the body's axes."""
+        from anim.physics.splitting import visit_compiled
+
+        kept, landed = self._followed
+        return np.asarray(
+            visit_compiled(
+                kept,
+                EVERY * self.step,
+                np.asarray(times, dtype=np.float64),
+                self.step,
+                landed if landed >= 0 else inf,
+                self._rates,
+            )
+        )
+
+    def __call__(self, times: Floats) -> Floats:
+        """Return the attitudes (n, 4) at instants (n,)."""
+        return self.states(times)[:, :4]
+
+    def energies(self, states: Floats) -> Floats:
+        """Return the kinetic and potential energies (n,) of states (n, 7), in J."""
+        up, moments = self._vertical(states), self._moments
+        return np.asarray((states[:, 4:] ** 2 @ moments) / 2 + self.torque * up[:, 2])
+
+    def vertical_momenta(self, states: Floats) -> Floats:
+        """Return the angular momenta about the vertical, L_z (n,), of states (n, 7), in kg·m²/s."""
+        return np.asarray(np.sum(states[:, 4:] * self._vertical(states) * self._moments, axis=1))
+
+    @property
+    def _moments(self) -> Floats:
+        return np.array([self.body.transverse, self.body.transverse, self.body.axial])
+
+    @property
+    def _rates(self) -> "Rates":
+        from anim.physics.splitting import Rates
+
+        body, launch = self.body, self.launch
+        return Rates(
+            body.axial / body.transverse,
+            self.torque / body.transverse,
+            1 / launch.tilt_decay,
+            1 / launch.spin_decay,
+            cos(body.reach),
+        )
+
+    @cached_property
+    def _followed(self) -> tuple[Floats, float]:
+        """The states after every EVERY steps, and when the rim touched, or −1."""
+        from anim.physics.splitting import run_compiled
+
+        kept, landed = run_compiled(self.start, self.step, self.steps, EVERY, self._rates)
+        return kept, float(landed)
+
+    @staticmethod
+    def _vertical(states: Floats) -> Floats:
+        return np.asarray(to_matrix(states[:, :4]))[:, 2, :]
+
+
+def physical(
+    clip: Clip | None = None, body: Body | None = None, launch: Launch | None = None
+) -> Motion:
+    """Return the film of a heavy symmetric top; by default the thesis's model in metres.
+
+    Raises :class:`~anim.errors.AnimationError` where :class:`HeavyTop` does.
+    """
+    film = clip or Clip()
+    top = HeavyTop(body or Body.turned(Model().profile), launch or Launch(), film.seconds)
+    states = top.states(film.times)
+    record = Record(
+        top.energies(states), top.vertical_momenta(states), states[:, 6].copy(), top.landed
+    )
+    return Motion.sample("physics", film, top, record)

@@ -1,0 +1,177 @@
+"""The heavy symmetric top, step by step: compiled, and the same lines in plain Python.
+
+The state is the attitude q, a unit quaternion, and the angular velocity ω in the body's axes. With
+Γ = R⁻¹e_z, the vertical seen from the body,
+
+    q̇ = ½qω,   I₁ω̇₁ = (I₁ − I₃)ω₂ω₃ + mgl·Γ₂ − k₁ω₁,   I₁ω̇₂ = (I₃ − I₁)ω₃ω₁ − mgl·Γ₁ − k₁ω₂,   I₃ω̇₃ = −k₃ω₃.
+
+Friction alone, gravity alone (the attitude stays) and the free top are each followed exactly. Their
+symmetric composition is of second order; three of those, with Yoshida's steps, of fourth (H. Yoshida,
+"Construction of higher order symplectic integrators", Physics Letters A 150, 1990). Without friction the
+whole is symplectic and keeps L_z and ω₃ to rounding.
+"""
+
+from collections.abc import Callable
+from math import cos, exp, sin, sqrt
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+from numba.extending import register_jitable
+from numpy.typing import NDArray
+
+from hfield.product import Constants, conjugate, multiply
+from rotation.kernels.compiled.compiling import kernel
+
+F = TypeVar("F", bound=Callable[..., Any])
+Floats = NDArray[np.float64]
+Four = tuple[float, float, float, float]
+Three = tuple[float, float, float]
+
+HAMILTON = Constants(-1.0, 0.0, -1.0)
+OUTER = 1 / (2 - 2 ** (1 / 3))
+INNER = 1 - 2 * OUTER
+HALVINGS = 60
+
+
+class Rates(NamedTuple):
+    """The top's constants, divided by its moments of inertia."""
+
+    shape: float
+    """I₃/I₁."""
+    gravity: float
+    """mgl/I₁ in s⁻²."""
+    tumbling: float
+    """k₁/I₁ in s⁻¹."""
+    spinning: float
+    """k₃/I₃ in s⁻¹."""
+    floor: float
+    """The cosine of the tilt at which the rim touches the ground."""
+
+
+def callable_from_kernels(function: F) -> F:
+    """Return ``function`` as it is, known to numba as well: a kernel that calls it compiles it too."""
+    register_jitable(function)
+    return function
+
+
+callable_from_kernels(multiply)  # the one product of quaternions
+callable_from_kernels(conjugate)
+
+
+@callable_from_kernels
+def vertical(q: Four) -> Three:
+    """Return Γ, the unit vector upwards in the body's axes: the vector part of q̄·k·q."""
+    half = multiply(HAMILTON, conjugate(HAMILTON, q), (0.0, 0.0, 0.0, 1.0))
+    _, x, y, z = multiply(HAMILTON, half, q)
+    return x, y, z
+
+
+@callable_from_kernels
+def rotor(x: float, y: float, z: float) -> Four:
+    """Return the quaternion of the turn by the rotation vector (x, y, z)."""
+    angle = sqrt(x * x + y * y + z * z)
+    half = angle / 2
+    ratio = 0.5 - half * half / 12 if half < 1e-4 else sin(half) / angle
+    return cos(half), x * ratio, y * ratio, z * ratio
+
+
+@callable_from_kernels
+def second_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three]:
+    """Return the state after ``h`` seconds: half friction, half gravity, free top, gravity, friction."""
+    shape, gravity, tumbling, spinning, _ = rates
+    w1, w2, w3 = w
+    across, along = exp(-tumbling * h / 2), exp(-spinning * h / 2)
+    pull = gravity * h / 2
+
+    g1, g2, _ = vertical(q)
+    w1, w2, w3 = w1 * across + pull * g2, w2 * across - pull * g1, w3 * along
+
+    # The free top turns about its fixed angular momentum, and in itself about its axis at the rate `own`.
+    own = (1 - shape) * w3 * h
+    q = multiply(HAMILTON, q, rotor(w1 * h, w2 * h, shape * w3 * h))
+    q = multiply(HAMILTON, q, (cos(own / 2), 0.0, 0.0, sin(own / 2)))
+    c, s = cos(own), sin(own)
+    w1, w2 = c * w1 + s * w2, c * w2 - s * w1
+
+    g1, g2, _ = vertical(q)
+    return q, ((w1 + pull * g2) * across, (w2 - pull * g1) * across, w3 * along)
+
+
+@callable_from_kernels
+def fourth_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three]:
+    """Return the state after ``h`` seconds by Yoshida's composition, the quaternion of norm 1."""
+    q, w = second_order(q, w, OUTER * h, rates)
+    q, w = second_order(q, w, INNER * h, rates)
+    q, w = second_order(q, w, OUTER * h, rates)
+    a, b, c, d = q
+    steady = (3 - (a * a + b * b + c * c + d * d)) / 2  # 1/|q| to first order
+    return (a * steady, b * steady, c * steady, d * steady), w
+
+
+@callable_from_kernels
+def touching(q: Four, w: Three, h: float, rates: Rates) -> float:
+    """Return when, within ``h`` seconds, the tilt reaches the floor, by halving the time."""
+    before, after = 0.0, h
+    for _ in range(HALVINGS):
+        middle = (before + after) / 2
+        there, _w = fourth_order(q, w, middle, rates)
+        if vertical(there)[2] < rates.floor:
+            after = middle
+        else:
+            before = middle
+    return before
+
+
+def run(start: Floats, h: float, steps: int, every: int, rates: Rates) -> tuple[Floats, float]:
+    """Return the states (steps // every + 1, 7) from ``start`` (7,) on, and when the rim touched or −1.
+
+    A state is (w, x, y, z, ω₁, ω₂, ω₃). From the touch on the top rests where it fell.
+    """
+    q = (start[0], start[1], start[2], start[3])
+    w = (start[4], start[5], start[6])
+    states = np.empty((steps // every + 1, 7))
+    landed = 0.0 if vertical(q)[2] < rates.floor else -1.0
+    for step in range(steps + 1):
+        if step % every == 0:
+            row = states[step // every]
+            row[0], row[1], row[2], row[3] = q
+            row[4], row[5], row[6] = w
+        if landed < 0:
+            there, then = fourth_order(q, w, h, rates)
+            if vertical(there)[2] < rates.floor:
+                rest = touching(q, w, h, rates)
+                landed = step * h + rest
+                there, then = fourth_order(q, w, rest, rates)
+            q, w = there, then
+        if landed >= 0:
+            w = (0.0, 0.0, 0.0)
+    return states, landed
+
+
+def visit(
+    states: Floats, spacing: float, times: Floats, h: float, landed: float, rates: Rates
+) -> Floats:
+    """Return the states (n, 7) at ``times`` (n,), each from the last of ``states``, ``spacing`` apart.
+
+    ``landed`` is when the rim touches, infinite if it does not.
+    """
+    found = np.empty((len(times), 7))
+    for n in range(len(times)):
+        moment = min(times[n], landed)
+        last = min(int(moment / spacing), len(states) - 1)
+        row = states[last]
+        q = (row[0], row[1], row[2], row[3])
+        w = (row[4], row[5], row[6])
+        whole = int((moment - last * spacing) / h)
+        for _ in range(whole):
+            q, w = fourth_order(q, w, h, rates)
+        q, w = fourth_order(q, w, moment - last * spacing - whole * h, rates)
+        if times[n] >= landed:
+            w = (0.0, 0.0, 0.0)
+        found[n, 0], found[n, 1], found[n, 2], found[n, 3] = q
+        found[n, 4], found[n, 5], found[n, 6] = w
+    return found
+
+
+run_compiled = kernel(run)
+visit_compiled = kernel(visit)

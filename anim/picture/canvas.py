@@ -1,0 +1,105 @@
+"""A canvas over matplotlib's Agg renderer that is made once and drawn on again and again.
+
+No figure, no axes, no artists: outlines go straight to the renderer, and before each picture only the
+pixels touched by the last one are put back from the background.
+"""
+
+from collections.abc import Sequence
+from math import ceil, floor
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.picture.look import RGB
+
+Floats = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
+
+MARK = 2
+"""Pixels beyond the points given that a smoothed edge can touch."""
+
+
+class Canvas:
+    """An RGB picture over a fixed background (height, width, 3); coordinates are pixels, y upwards."""
+
+    def __init__(self, background: Pixels, smooth: bool = True) -> None:
+        from matplotlib.backend_bases import GraphicsContextBase
+        from matplotlib.backends.backend_agg import RendererAgg
+        from matplotlib.transforms import IdentityTransform
+
+        self.height, self.width = background.shape[:2]
+        self._background = np.ascontiguousarray(background)
+        self._renderer = RendererAgg(self.width, self.height, 72)
+        self.pixels: Pixels = np.asarray(self._renderer.buffer_rgba())
+        """The renderer's own memory, (height, width, 4), top row first; the fourth channel stays 255."""
+        self.pixels[..., :3], self.pixels[..., 3] = background, 255
+        # A pixel as one number: whole rows are put back at the speed of memory.
+        self._words = self.pixels.view(np.uint32)[..., 0]
+        self._blank = self._words.copy()
+        self._context = GraphicsContextBase()
+        self._context.set_snap(False)
+        self._context.set_antialiased(smooth)
+        self._context.set_joinstyle("round")
+        self._context.set_capstyle("round")
+        self._identity = IdentityTransform()
+        self._touched = (self.width, self.height, 0, 0)
+
+    def clear(self) -> None:
+        """Put the background back."""
+        left, top, right, bottom = self._touched
+        self._words[top:bottom, left:right] = self._blank[top:bottom, left:right]
+        self._touched = (self.width, self.height, 0, 0)
+
+    def fill(
+        self, loops: Sequence[Floats], colour: RGB, opacity: float = 1.0, touched: bool = False
+    ) -> None:
+        """Fill closed polygons (k, 2) together, by the nonzero winding rule.
+
+        ``touched`` says that :meth:`touch` has been told of them already.
+        """
+        from matplotlib.path import Path
+
+        points = loops[0] if len(loops) == 1 else np.concatenate(loops)
+        codes = None
+        if len(loops) > 1:
+            codes = np.full(len(points), Path.LINETO, dtype=Path.code_type)
+            codes[np.cumsum([0, *map(len, loops[:-1])])] = Path.MOVETO
+        if not touched:
+            self.touch(points, 0)
+        self._context.set_linewidth(0)
+        self._context.set_alpha(opacity)
+        face = tuple(channel / 255 for channel in colour)
+        self._renderer.draw_path(self._context, Path(points, codes), self._identity, face)
+
+    def stroke(self, line: Floats, colour: RGB, width: float) -> None:
+        """Draw an open line through the points (k, 2), ``width`` pixels wide, with round ends."""
+        from matplotlib.path import Path
+
+        self.touch(line, width)
+        self._context.set_alpha(1.0)
+        self._context.set_linewidth(width)
+        self._context.set_foreground(tuple(channel / 255 for channel in colour), isRGBA=False)
+        self._renderer.draw_path(self._context, Path(line), self._identity)
+
+    def touch(self, points: Floats, width: float) -> tuple[int, int, int, int]:
+        """Note that the box around ``points`` (k, 2) is drawn on; return it: left, top, right, bottom."""
+        edge = width / 2 + MARK
+        (west, south), (east, north) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+        box = (
+            min(self.width, max(0, floor(west - edge))),
+            min(self.height, max(0, floor(self.height - north - edge))),
+            max(0, min(self.width, ceil(east + edge))),
+            max(0, min(self.height, ceil(self.height - south + edge))),
+        )
+        t = self._touched
+        self._touched = (min(t[0], box[0]), min(t[1], box[1]), max(t[2], box[2]), max(t[3], box[3]))
+        return box
+
+    def rgb(self) -> Pixels:
+        """Return a fresh copy of the picture, (height, width, 3)."""
+        left, top, right, bottom = self._touched
+        picture = self._background.copy()
+        for channel in range(3):  # one by one: numpy copies triples five times slower
+            box = (slice(top, bottom), slice(left, right), channel)
+            picture[box] = self.pixels[box]
+        return picture

@@ -1,0 +1,198 @@
+"""The compiled z-buffer: triangles with a light interpolated over them, several samples a pixel.
+
+The picture is made in stripes of a few rows, so that the samples stay in the cache and memory does not grow
+with the picture. One thread, no reassociation: the same input gives the same bytes.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotation.kernels.compiled.compiling import called, kernel
+
+Bytes = NDArray[np.uint8]
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Samples = NDArray[np.float32]
+
+LEAST = 1e-9
+"""Twice the area, in pixels, below which a triangle is a line seen from its side and covers nothing."""
+ROWS = 32
+"""Rows of pixels in a stripe."""
+
+
+@kernel
+def paint(
+    pixels: Bytes,
+    box: tuple[int, int, int, int],
+    samples: int,
+    corners: Floats,
+    triangles: Indices,
+    lit: Indices,
+    light: Floats,
+    paints: Floats,
+    linear: Floats,
+    encoded: Bytes,
+) -> None:
+    """Draw the triangles that face the viewer over ``pixels`` (height, width, 4), inside ``box``.
+
+    ``corners`` (k, 3) are x and y in pixels, y downwards, and a depth growing towards the viewer;
+    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside; ``lit`` (m, 3) index ``light``
+    (l, 2), the share of its own colour and the white that each corner sends; ``paints`` (m, 3) are linear
+    colours. ``linear`` (256,) decodes sRGB, ``encoded`` encodes equal steps of linear light. ``samples``
+    is per pixel and axis.
+    """
+    left, top, right, bottom = box
+    s = samples
+    wide = (right - left) * s
+    depth = np.empty((ROWS * s, wide), np.float32)
+    colours = np.empty((ROWS * s, wide, 3), np.float32)
+    front = np.empty(len(triangles), np.int64)
+    spans = np.empty((len(triangles), 2), np.int64)
+    xs, ys = np.empty(3), np.empty(3)
+    found = 0
+    for t in range(len(triangles)):
+        a, b, c = triangles[t]
+        ax, ay, bx, by = corners[a, 0], corners[a, 1], corners[b, 0], corners[b, 1]
+        cx, cy = corners[c, 0], corners[c, 1]
+        # With y downwards the triangles that face the viewer turn clockwise.
+        if (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < -LEAST:
+            front[found] = t
+            spans[found, 0] = math.ceil(min(ay, by, cy) * s - 0.5)
+            spans[found, 1] = math.ceil(max(ay, by, cy) * s - 0.5)
+            found += 1
+    for row in range(top, bottom, ROWS):
+        rows = min(ROWS, bottom - row)
+        first, last = row * s, (row + rows) * s
+        depth[:] = -np.inf
+        for f in range(found):
+            start, stop = max(spans[f, 0], first), min(spans[f, 1], last)
+            if start < stop:
+                t = front[f]
+                scan(
+                    xs,
+                    ys,
+                    depth,
+                    colours,
+                    first,
+                    start,
+                    stop,
+                    left * s,
+                    s,
+                    corners,
+                    triangles[t],
+                    lit[t],
+                    light,
+                    paints[t],
+                )
+        resolve(pixels, depth, colours, row, rows, left, right, s, linear, encoded)
+
+
+@called
+def scan(
+    xs: Floats,
+    ys: Floats,
+    depth: Samples,
+    colours: Samples,
+    first: int,
+    start: int,
+    stop: int,
+    left: int,
+    s: int,
+    corners: Floats,
+    triangle: Indices,
+    lit: Indices,
+    light: Floats,
+    paint: Floats,
+) -> None:
+    """Fill the samples of one triangle in the rows of samples ``start`` … ``stop`` − 1."""
+    for k in range(3):
+        xs[k], ys[k] = corners[triangle[k], 0] * s - left, corners[triangle[k], 1] * s
+    ux, uy, vx, vy = xs[1] - xs[0], ys[1] - ys[0], xs[2] - xs[0], ys[2] - ys[0]
+    area = ux * vy - vx * uy
+    z0, p0, g0 = corners[triangle[0], 2], light[lit[0], 0], light[lit[0], 1]
+    zu, zv = corners[triangle[1], 2] - z0, corners[triangle[2], 2] - z0
+    pu, pv = light[lit[1], 0] - p0, light[lit[2], 0] - p0
+    gu, gv = light[lit[1], 1] - g0, light[lit[2], 1] - g0
+    zx, px, gx = (zu * vy - zv * uy) / area, (pu * vy - pv * uy) / area, (gu * vy - gv * uy) / area
+    zy, py, gy = (zv * ux - zu * vx) / area, (pv * ux - pu * vx) / area, (gv * ux - gu * vx) / area
+    # The corners by height. Each edge is reckoned from its upper end, so that both its triangles get the
+    # same crossings and no sample is lost or drawn twice between them.
+    u, m, d = 0, 1, 2
+    if ys[u] > ys[m]:
+        u, m = m, u
+    if ys[m] > ys[d]:
+        m, d = d, m
+    if ys[u] > ys[m]:
+        u, m = m, u
+    long, upper, lower = slope(xs, ys, u, d), slope(xs, ys, u, m), slope(xs, ys, m, d)
+    wide = depth.shape[1]
+    for y in range(start, stop):
+        middle = y + 0.5
+        near = xs[u] + (middle - ys[u]) * long
+        k, side = (u, upper) if middle < ys[m] else (m, lower)
+        far = xs[k] + (middle - ys[k]) * side
+        begin, end = math.ceil(min(near, far) - 0.5), math.ceil(max(near, far) - 0.5)
+        begin, end = max(0, begin), min(wide, end)
+        if begin >= end:
+            continue
+        across, down = begin + 0.5 - xs[0], middle - ys[0]
+        z = z0 + zx * across + zy * down
+        p = p0 + px * across + py * down
+        g = g0 + gx * across + gy * down
+        for x in range(begin, end):
+            if z > depth[y - first, x]:
+                depth[y - first, x] = z
+                colours[y - first, x, 0] = paint[0] * p + g
+                colours[y - first, x, 1] = paint[1] * p + g
+                colours[y - first, x, 2] = paint[2] * p + g
+            z += zx
+            p += px
+            g += gx
+
+
+@called
+def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
+    """Return how far the edge between two corners moves sideways in a row; 0 where it is level."""
+    return (xs[j] - xs[i]) / (ys[j] - ys[i]) if ys[i] != ys[j] else 0.0
+
+
+@called
+def resolve(
+    pixels: Bytes,
+    depth: Samples,
+    colours: Samples,
+    row: int,
+    rows: int,
+    left: int,
+    right: int,
+    s: int,
+    linear: Floats,
+    encoded: Bytes,
+) -> None:
+    """Average the samples of each pixel of a stripe, in linear light, over what is there already."""
+    steps = len(encoded) - 1
+    share = 1.0 / (s * s)
+    for y in range(rows):
+        for x in range(right - left):
+            covered, red, green, blue = 0, 0.0, 0.0, 0.0
+            for j in range(y * s, (y + 1) * s):
+                for i in range(x * s, (x + 1) * s):
+                    if depth[j, i] > -np.inf:
+                        covered += 1
+                        red += colours[j, i, 0]
+                        green += colours[j, i, 1]
+                        blue += colours[j, i, 2]
+            if covered:
+                pixel = pixels[row + y, left + x]
+                rest = 1.0 - covered * share
+                pixel[0] = encoded[
+                    int(min(1.0, max(0.0, red * share + rest * linear[pixel[0]])) * steps)
+                ]
+                pixel[1] = encoded[
+                    int(min(1.0, max(0.0, green * share + rest * linear[pixel[1]])) * steps)
+                ]
+                pixel[2] = encoded[
+                    int(min(1.0, max(0.0, blue * share + rest * linear[pixel[2]])) * steps)
+                ]

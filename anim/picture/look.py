@@ -1,0 +1,147 @@
+"""What a picture shall look like: camera, size, style, colours. Plain values, checked once."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from anim.checks import one_of, real, whole
+from anim.errors import AnimationError
+
+RGB = tuple[int, int, int]
+
+STYLES = ("flat", "classic", "shaded")
+"""flat: even colours; classic: matplotlib's three-dimensional axes, as in the thesis; shaded: lit cones."""
+
+NEAREST = 6.0
+"""A camera nearer to its target than this could be inside the turning top."""
+LARGEST_SIDE = 16_384
+CLOSEST = 100.0
+"""The greatest zoom: a pixel is then a ten-thousandth of the top."""
+MOST_PIXELS = 7680 * 4320
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the picture is taken from; it always looks at the top and holds z upright.
+
+    ``azimuth`` and ``elevation`` in degrees as in matplotlib (azimuth from the x axis towards the y
+    axis, elevation above the ground, −90 to 90); ``distance`` from the top in the thesis's unit (6 or
+    more; without effect when ``perspective`` is false: parallel rays); ``zoom`` enlarges the picture, 1
+    being the largest at which the top stays in frame. Raises :class:`~anim.errors.AnimationError`.
+    """
+
+    azimuth: float = -60.0
+    elevation: float = 20.0
+    distance: float = 12.0
+    zoom: float = 1.0
+    perspective: bool = True
+
+    def __post_init__(self) -> None:
+        elevation = real("the camera's elevation", self.elevation, least=-90)
+        if elevation > 90:
+            raise AnimationError(f"the camera's elevation is {elevation:g}; expected -90 to 90")
+        zoom = real("the camera's zoom", self.zoom, above=0)
+        if zoom > CLOSEST:
+            raise AnimationError(f"the camera's zoom is {zoom:g}; expected at most {CLOSEST:g}")
+        values = {
+            "azimuth": real("the camera's azimuth", self.azimuth),
+            "elevation": elevation,
+            "distance": real("the camera's distance", self.distance, least=NEAREST),
+            "zoom": zoom,
+            "perspective": bool(self.perspective),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
+    @classmethod
+    def parse(cls, text: str) -> "Camera":
+        """Return the camera written as ``azimuth,elevation[,distance[,zoom]][,parallel]``.
+
+        >>> Camera.parse("30, 15, 10")
+        Camera(azimuth=30.0, elevation=15.0, distance=10.0, zoom=1.0, perspective=True)
+        >>> Camera.parse("-60,20,parallel").perspective
+        False
+        """
+        words = [word.strip() for word in text.split(",")]
+        perspective = words[-1] not in ("parallel", "orthographic")
+        numbers = words if perspective else words[:-1]
+        if not 1 <= len(numbers) <= 4:
+            raise AnimationError(
+                f"camera {text!r} cannot be read; expected azimuth,elevation[,distance[,zoom]][,parallel]"
+            )
+        names = ("azimuth", "elevation", "distance", "zoom")
+        values = {n: real(f"the camera's {n}", w) for n, w in zip(names, numbers, strict=False)}
+        return cls(**values, perspective=perspective)
+
+
+@dataclass(frozen=True)
+class Look:
+    """All that decides a picture besides the model and its attitude. Immutable, hashable, picklable.
+
+    ``size`` is (width, height) in pixels, ``style`` one of :data:`STYLES`. ``background`` is a colour
+    that matplotlib knows ("white", "#f5f2ea") or None for the style's own; ``colours`` replaces the
+    model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the ground. ``quality``
+    is 1 (jagged edges) to 4; shaded pictures take quality² samples a pixel. ``tilt`` is the greatest
+    angle in degrees between the axis and the vertical at which the whole top is to stay in frame.
+    Raises :class:`~anim.errors.AnimationError`.
+    """
+
+    size: tuple[int, int] = (640, 480)
+    style: str = "flat"
+    camera: Camera = field(default_factory=Camera)
+    background: str | None = None
+    colours: tuple[str, str] | None = None
+    trace: bool = False
+    shadow: bool = False
+    quality: int = 2
+    tilt: float = 90.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "size", _size(self.size))
+        one_of("style", self.style, STYLES)
+        if not isinstance(self.camera, Camera):
+            raise AnimationError(f"camera is {self.camera!r}; expected a Camera")
+        if self.background is not None:
+            colour("background", self.background)
+        if self.colours is not None:
+            object.__setattr__(self, "colours", _two(self.colours))
+        object.__setattr__(self, "quality", whole("quality", self.quality, 1, 4))
+        tilt = real("tilt", self.tilt, least=0)
+        if tilt > 180:
+            raise AnimationError(f"tilt is {tilt:g}; expected 0 to 180 degrees")
+        object.__setattr__(self, "tilt", tilt)
+
+
+def colour(name: str, value: Any) -> RGB:
+    """Return a colour as 8-bit sRGB; ``name`` says in an error what it is the colour of."""
+    from matplotlib.colors import to_rgb
+
+    try:
+        red, green, blue = to_rgb(value)
+    except (ValueError, TypeError):
+        raise AnimationError(
+            f"{name} is {value!r}; expected a colour, such as white or #f5f2ea"
+        ) from None
+    return round(255 * red), round(255 * green), round(255 * blue)
+
+
+def _size(size: Any) -> tuple[int, int]:
+    sides = tuple(size) if isinstance(size, Iterable) and not isinstance(size, str) else ()
+    if len(sides) != 2:
+        raise AnimationError(f"size is {size!r}; expected (width, height) in pixels")
+    width = whole("the width", sides[0], 1, LARGEST_SIDE)
+    height = whole("the height", sides[1], 1, LARGEST_SIDE)
+    if width * height > MOST_PIXELS:
+        raise AnimationError(
+            f"a picture of {width} x {height} has too many pixels; expected at most {MOST_PIXELS:,}"
+        )
+    return width, height
+
+
+def _two(colours: Any) -> tuple[str, str]:
+    values = tuple(colours) if isinstance(colours, (tuple, list)) else ()
+    if len(values) != 2:
+        raise AnimationError(f"colours is {colours!r}; expected two colours")
+    for value in values:
+        colour("a colour of the top", value)
+    return values[0], values[1]

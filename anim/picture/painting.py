@@ -1,0 +1,137 @@
+"""One painter for all styles: background, shadow, the trace behind, the top, the trace before it."""
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from anim.errors import AnimationError
+from anim.model import Model
+from anim.picture import light
+from anim.picture.canvas import Canvas
+from anim.picture.classic import axes_and_view
+from anim.picture.flat import FlatBody, tinted
+from anim.picture.look import RGB, Look, colour
+from anim.picture.projection import View, view
+from anim.picture.shaded import ShadedBody
+from anim.picture.solid import pieces
+from anim.picture.trace import near_and_far
+
+Floats = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
+
+WHITE: RGB = (255, 255, 255)
+PAPER: RGB = (246, 243, 236)
+WALL_TOP: RGB = (244, 243, 240)
+WALL_FOOT: RGB = (206, 205, 202)
+TRACE: RGB = (214, 57, 72)
+SHADE: RGB = (0, 0, 0)
+SHADE_OPACITY = 0.2
+
+
+class Body(Protocol):
+    """What draws the top itself."""
+
+    def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
+        """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
+
+
+class Painter:
+    """Draws a model in a look, one attitude a call.
+
+    What :meth:`draw` returns depends on its arguments only. A painter reuses one canvas: use one a
+    thread; it pickles as its model and look, so that other processes can have their own.
+    """
+
+    def __init__(self, model: Model, look: Look) -> None:
+        self.model, self.look = model, look
+        self._parts = pieces(model)
+        self._light = light.direction(look.camera)
+        self.view, background, self._body = _scene(model, look)
+        self._canvas = Canvas(background, smooth=look.quality > 1)
+        self._pen = max(1.0, min(look.size) / 320)
+
+    def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
+        return Painter, (self.model, self.look)
+
+    def draw(self, matrix: ArrayLike, trail: ArrayLike | None = None) -> Pixels:
+        """Return the picture, uint8 (height, width, 3), sRGB, top row first.
+
+        ``matrix`` (3, 3) is the rotation that takes the model to its attitude, ``trail`` (k, 3) the
+        places of the apex up to now; they are drawn when the look asks for the trace. Raises
+        :class:`~anim.errors.AnimationError` for anything but a rotation and finite points.
+        """
+        rotation = _rotation(matrix)
+        canvas = self._canvas
+        canvas.clear()
+        near: list[Floats] = []
+        from_above = self.view.eye[2] >= 0
+        if self.look.shadow and from_above:
+            self._draw_shadow(rotation)
+        if self.look.trace and trail is not None:
+            near, far = near_and_far(_points(trail), self.view)
+            for line in far:
+                canvas.stroke(line, TRACE, self._pen)
+        self._body.draw(canvas, self.view.turned(rotation), rotation)
+        for line in near:
+            canvas.stroke(line, TRACE, self._pen)
+        if self.look.shadow and not from_above:
+            self._draw_shadow(rotation)
+        return canvas.rgb()
+
+    def _draw_shadow(self, rotation: Floats) -> None:
+        loops = light.shadow(self.model, self._parts, rotation, self._light, self.view)
+        if loops:
+            self._canvas.fill(loops, SHADE, SHADE_OPACITY)
+
+
+def painter(model: Model, look: Look | None = None) -> Painter:
+    """Return the painter of a model in a look (by default ``Look()``)."""
+    return Painter(model, Look() if look is None else look)
+
+
+def _scene(model: Model, look: Look) -> tuple[View, Pixels, Body]:
+    colours = model.palette
+    if look.colours is not None:
+        first, second = (colour("a colour of the top", c) for c in look.colours)
+        colours = (first, second)
+    if look.style == "classic":
+        paper = WHITE if look.background is None else colour("background", look.background)
+        seen, background = axes_and_view(model, look, paper)
+        return seen, background, FlatBody(model, [colours] * 3)
+    width, height = look.size
+    seen = view(look.camera, look.size, model, look.tilt)
+    paper = PAPER if look.background is None else colour("background", look.background)
+    if look.style == "shaded":
+        body = ShadedBody(model, colours, light.direction(look.camera), look.quality)
+        return seen, _wall(look), body
+    background = np.full((height, width, 3), paper, dtype=np.uint8)
+    return seen, background, FlatBody(model, tinted(colours))
+
+
+def _wall(look: Look) -> Pixels:
+    """Return a wall a little brighter at its top, or the look's even background."""
+    width, height = look.size
+    if look.background is not None:
+        return np.full((height, width, 3), colour("background", look.background), dtype=np.uint8)
+    down = np.linspace(0, 1, height)[:, None, None]
+    rows = np.round(np.array(WALL_TOP) + down * np.subtract(WALL_FOOT, WALL_TOP)).astype(np.uint8)
+    return np.repeat(rows, width, axis=1)
+
+
+def _rotation(matrix: ArrayLike) -> Floats:
+    values = np.asarray(matrix, dtype=np.float64)
+    if values.shape != (3, 3):
+        raise AnimationError(f"the attitude has the shape {values.shape}; expected (3, 3)")
+    if not (np.abs(values @ values.T - np.eye(3)).max() < 1e-6 and np.linalg.det(values) > 0):
+        raise AnimationError("the attitude is not a rotation matrix: its rows are not orthonormal")
+    return values
+
+
+def _points(trail: ArrayLike) -> Floats:
+    values = np.asarray(trail, dtype=np.float64)
+    if values.ndim != 2 or values.shape[1] != 3 or not np.isfinite(values).all():
+        raise AnimationError(
+            f"the trail has the shape {values.shape}; expected (k, 3), finite numbers"
+        )
+    return values

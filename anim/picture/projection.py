@@ -1,0 +1,133 @@
+"""From the room to the picture: one 4 × 4 projective matrix, and the point it is seen from.
+
+A :class:`View` maps homogeneous points (x, y, z, 1) of the room to (u·w, v·w, d·w, w): u and v are pixels
+from the picture's lower left corner, and d grows towards the eye and is linear over a plane face. The
+eye is a homogeneous point too, so that parallel rays (an eye at infinity) need no case of their own
+(Hartley and Zisserman, Multiple View Geometry, chapter 6).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import cos, radians, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.errors import AnimationError
+from anim.model import Model
+from anim.picture.look import Camera
+
+Floats = NDArray[np.float64]
+
+MARGIN = 0.03
+"""The share of the picture left free at each edge."""
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """A projection of the room into a picture; see the module for what ``matrix`` (4, 4) means."""
+
+    matrix: Floats
+
+    @cached_property
+    def eye(self) -> Floats:
+        """The eye, homogeneous (4,): (position, 1), or (direction towards it, 0) for parallel rays."""
+        rows = self.matrix[[0, 1, 3]]
+        minors = [np.linalg.det(np.delete(rows, n, axis=1)) for n in range(4)]
+        eye = np.array([-minors[0], minors[1], -minors[2], minors[3]])
+        eye = -eye if eye[3] < 0 else eye
+        length = float(np.linalg.norm(eye[:3]))
+        # An eye further off than a million units is at infinity; the sign says on which side.
+        if eye[3] * 1e6 > length:
+            return np.asarray(eye / eye[3])
+        towards = np.cross(rows[0, :3], rows[1, :3]) * np.sign(rows[2, 3])
+        return np.append(towards / np.linalg.norm(towards), 0.0)
+
+    def turned(self, rotation: Floats) -> "View":
+        """Return the view of the turned top's own coordinates: a body at rest, the eye moved instead."""
+        turn = np.eye(4)
+        turn[:3, :3] = rotation
+        view = View(self.matrix @ turn)
+        # The eye need not be found again: it turns the other way.
+        view.__dict__["eye"] = np.append(self.eye[:3] @ rotation, self.eye[3])
+        return view
+
+    def project(self, points: Floats) -> Floats:
+        """Return the pixels (k, 2), x to the right and y upwards, of ``points`` (k, 3)."""
+        rows = self.matrix[[0, 1, 3]]
+        u, v, w = rows[:, :3] @ points.T + rows[:, 3:]
+        return np.column_stack([u / w, v / w])
+
+    def project_with_depth(self, points: Floats) -> Floats:
+        """Return pixels and depth (k, 3); the depth grows towards the eye."""
+        u, v, d, w = self.matrix[:, :3] @ points.T + self.matrix[:, 3:]
+        return np.column_stack([u / w, v / w, d / w])
+
+
+def view(camera: Camera, size: tuple[int, int], model: Model, tilt: float) -> View:
+    """Return the camera's view, scaled so that the top, leaning up to ``tilt`` degrees, stays in frame."""
+    places = reached(model, tilt)
+    raw = View(_camera_matrix(camera))
+    reach = float(np.linalg.norm(places, axis=1).max())
+    if raw.eye[3] and np.linalg.norm(raw.eye[:3]) < 1.2 * reach:
+        raise AnimationError(
+            f"a camera at a distance of {camera.distance:g} is too near to a top that reaches {reach:.3g} far"
+        )
+    scale, shift = fitting(raw.project(places), size, MARGIN, camera.zoom)
+    place = np.array(
+        [[scale, 0, 0, shift[0]], [0, scale, 0, shift[1]], [0, 0, 1, 0], [0, 0, 0, 1]], dtype=float
+    )
+    return View(place @ raw.matrix)
+
+
+def fitting(
+    seen: Floats, size: tuple[int, int], margin: float, zoom: float
+) -> tuple[float, Floats]:
+    """Return the scale and the shift (2,) that centre the points ``seen`` (k, 2) in a picture and fill it.
+
+    ``margin`` is the share of the picture left free at each edge; ``zoom`` enlarges about the middle.
+    """
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    scale = float(np.min(np.array(size) * (1 - 2 * margin) / (high - low))) * zoom
+    return scale, np.array(size) / 2 - scale * (low + high) / 2
+
+
+def reached(model: Model, tilt: float) -> Floats:
+    """Return points (k, 3) spread over all places of the top that leans up to ``tilt`` degrees."""
+    around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
+    circle = np.column_stack([np.cos(around), np.sin(around)])
+    rims = [
+        np.column_stack([r * circle, np.full(len(circle), z)]) if r else np.array([[0, 0, z]])
+        for r, z in model.profile
+    ]
+    body = np.concatenate(rims)
+    turns = [_about_z(turn).T for turn in around[::2]]
+    leans = [body @ _about_y(lean).T for lean in np.radians(np.linspace(0, tilt, 10))]
+    return np.concatenate([leaning @ turn for leaning in leans for turn in turns])
+
+
+def frame(camera: Camera) -> Floats:
+    """Return the camera's axes as rows (3, 3): to the right, upwards in the picture, towards the eye."""
+    a, e = radians(camera.azimuth), radians(camera.elevation)
+    right = np.array([-sin(a), cos(a), 0.0])
+    towards = np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])
+    return np.array([right, np.cross(towards, right), towards])
+
+
+def _camera_matrix(camera: Camera) -> Floats:
+    target = np.array([0.0, 0.0, 1.2])
+    axes = frame(camera)
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = axes, -axes @ target
+    if camera.perspective:
+        matrix[3] = -matrix[2] / camera.distance
+        matrix[3, 3] += 1
+    return matrix
+
+
+def _about_z(angle: float) -> Floats:
+    return np.array([[cos(angle), -sin(angle), 0], [sin(angle), cos(angle), 0], [0, 0, 1]])
+
+
+def _about_y(angle: float) -> Floats:
+    return np.array([[cos(angle), 0, sin(angle)], [0, 1, 0], [-sin(angle), 0, cos(angle)]])

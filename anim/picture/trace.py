@@ -1,0 +1,27 @@
+"""The path of the apex, in two parts: what the top may hide, and what may hide the top.
+
+The apex moves on a sphere about the tip, and the top lies inside that sphere. Nothing inside a ball hides
+a point of the ball's near side, and such a point may hide everything inside; for the far side it is the
+other way round. So a piece of the trace is drawn after the top when it lies on the near side, else before.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.picture.projection import View
+
+Floats = NDArray[np.float64]
+
+
+def near_and_far(trail: Floats, view: View) -> tuple[list[Floats], list[Floats]]:
+    """Return the polylines (k, 2) in pixels on the near side of the sphere, and those on the far side."""
+    if len(trail) < 2:
+        return [], []
+    seen = view.project(trail)
+    eye = view.eye
+    near = trail @ eye[:3] > eye[3] * np.sum(trail * trail, axis=1)
+    in_front = near[1:] & near[:-1]
+    cuts = np.flatnonzero(in_front[1:] != in_front[:-1]) + 1
+    starts, stops = [0, *cuts.tolist()], [*cuts.tolist(), len(in_front)]
+    lines = [(in_front[a], seen[a : b + 1]) for a, b in zip(starts, stops, strict=True)]
+    return [line for front, line in lines if front], [line for front, line in lines if not front]

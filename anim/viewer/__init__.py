@@ -1,0 +1,5 @@
+"""The web page: one self-contained file with a hand-written WebGL viewer, fed one quaternion a frame."""
+
+from anim.viewer.page import Curve, Show, page
+
+__all__ = ["Curve", "Show", "page"]

@@ -1,0 +1,121 @@
+"""The page as text: the viewer's own files put into one, with the motion as JSON beside them.
+
+The page asks the network for nothing (its content security policy forbids it), so it works from a
+file. Attitudes travel as float32, four numbers a frame: 500 frames take 11 KB.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from base64 import b64encode
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+from anim.errors import AnimationError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from anim.model import Model
+
+SCRIPTS = ("vectors.js", "scene.js", "curves.js", "player.js")
+PAPER = "#eceff1"
+
+
+@dataclass(frozen=True)
+class Show:
+    """One top on the page: a label, and unit quaternions (frames, 4), scalar first."""
+
+    label: str
+    attitudes: ArrayLike
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A quantity over the frames, such as the energy: its name, values (frames,) and unit."""
+
+    name: str
+    values: ArrayLike
+    unit: str = ""
+
+
+def page(
+    model: Model,
+    shows: Sequence[Show],
+    fps: float,
+    *,
+    curves: Sequence[Curve] = (),
+    title: str = "The spinning top",
+    camera: tuple[float, float] = (-60.0, 20.0),
+    zoom: float = 1.0,
+    background: str | None = None,
+) -> str:
+    """Return the page on which the tops of ``shows`` spin side by side.
+
+    ``camera`` is azimuth and elevation in degrees, ``zoom`` magnifies, ``background`` is a colour as
+    ``#rrggbb``; without it the page follows the reader's light or dark scheme. Raises
+    :class:`AnimationError` for no show, attitudes of another shape, or values that are not finite.
+    """
+    if not shows:
+        raise AnimationError("a page needs at least one top to show")
+    azimuth, elevation = (math.radians(angle) for angle in camera)
+    data = {
+        "fps": fps,
+        "camera": {"azimuth": azimuth, "elevation": elevation, "distance": 9.5 / zoom},
+        "model": _shape(model),
+        "shows": [
+            {"label": show.label, "quaternions": _packed(show.attitudes, 4)} for show in shows
+        ],
+        "curves": [
+            {"name": curve.name, "unit": curve.unit, "values": _packed(curve.values, None)}
+            for curve in curves
+        ],
+    }
+    text = _file("page.html")
+    if background is None:
+        text = text.replace('<html lang="en">', '<html lang="en" class="adaptive">')
+    style = _file("page.css").replace("{{paper}}", background or PAPER)
+    script = "\n".join(_file(name) for name in SCRIPTS)
+    # A "<" inside the JSON could end the element that holds it.
+    parts = {
+        "title": escape(title),
+        "style": style.rstrip(),
+        "script": script.rstrip(),
+        "data": json.dumps(data, separators=(",", ":")).replace("<", "\\u003c"),
+    }
+    for name, part in parts.items():
+        text = text.replace(f"{{{{{name}}}}}", part)
+    return text
+
+
+def _shape(model: Model) -> dict[str, Any]:
+    """Describe the top by its profile, and the colour of each sector by its place in a list."""
+    return {
+        "profile": model.profile,
+        "sectors": "".join(str(band % len(model.palette)) for band in model.sectors.tolist()),
+        "colours": [[round(part / 255, 4) for part in colour] for colour in model.palette],
+    }
+
+
+def _packed(values: ArrayLike, columns: int | None) -> str:
+    """Write an array (frames,) or (frames, columns) as float32 in base64."""
+    import numpy as np
+
+    array = np.asarray(values, dtype=np.float64)
+    wanted = (len(array),) if columns is None else (len(array), columns)
+    if array.shape != wanted or not len(array):
+        raise AnimationError(
+            f"an array of shape {array.shape} does not fit: expected "
+            f"({'frames,' if columns is None else f'frames, {columns}'}) with at least one frame"
+        )
+    if not np.isfinite(array).all():
+        raise AnimationError("the page cannot show values that are not finite")
+    return b64encode(array.astype("<f4").tobytes()).decode()
+
+
+def _file(name: str) -> str:
+    return (files(__package__) / name).read_text(encoding="utf-8")

@@ -1,0 +1,104 @@
+"""The whole of `hfield render`, process tree, against ffmpeg on the same frames; and its memory.
+
+    python benchmarks/top_film.py [FRAMES]
+
+Renders a warm-up film, then 500 frames of 640 × 480 as mp4 three times (crf 18, preset medium), and lets
+ffmpeg encode the same raw frames from a file three times. Prints the CPU seconds of both, the least of
+three, and their ratio. Then it renders 500 and FRAMES frames (default 3000) as mp4 and gif, and prints the
+largest memory of the process tree (proportional set size, sampled).
+"""
+
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from anim.model import Model
+from anim.output.encoder import BT709, TO_BT709, ffmpeg
+from anim.picture import Look
+from anim.pipelines import kinematic
+from anim.render import Scene, frames
+
+ROUNDS = 3
+
+
+def cpu(words: list[str]) -> float:
+    """Run a command to its end; return the CPU seconds of it and its children."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def tree(process: int) -> list[int]:
+    """Return a process and all below it."""
+    found = [process]
+    try:
+        for task in Path(f"/proc/{process}/task").iterdir():
+            for child in (task / "children").read_text().split():
+                found += tree(int(child))
+    except OSError:
+        pass
+    return found
+
+
+def memory(process: int) -> int:
+    """Return the bytes that a process tree holds, shared pages divided among those who share them."""
+    total = 0
+    for number in tree(process):
+        try:
+            text = Path(f"/proc/{number}/smaps_rollup").read_text()
+        except OSError:
+            continue
+        total += sum(int(line.split()[1]) for line in text.splitlines() if line.startswith("Pss:"))
+    return total * 1024
+
+
+def largest(words: list[str]) -> int:
+    """Run a command; return the largest memory of its process tree."""
+    process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
+    most = 0
+    while process.poll() is None:
+        most = max(most, memory(process.pid))
+        time.sleep(0.05)
+    assert process.returncode == 0
+    return most
+
+
+def main(words: list[str]) -> None:
+    """Measure and print."""
+    many = int(words[0]) if words else 3000
+    hfield = [sys.executable, "-m", "hfield", "render", "--force"]
+    with tempfile.TemporaryDirectory() as folder:
+        film, raw = os.path.join(folder, "top.mp4"), os.path.join(folder, "top.raw")
+        cpu([*hfield, "-o", film, "--frames", "20"])
+        ours = min(cpu([*hfield, "-o", film]) for _ in range(ROUNDS))
+        look = Look(size=(640, 480), tilt=25)
+        with open(raw, "wb") as out:
+            for frame in frames(Scene(Model(), kinematic("quaternions"), look)):
+                out.write(frame.tobytes())
+        encode = [ffmpeg(), "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+        encode += ["-s", "640x480", "-r", "50", "-i", raw, "-c:v", "libx264", "-crf", "18"]
+        encode += ["-preset", "medium", "-vf", TO_BT709, "-pix_fmt", "yuv420p", *BT709]
+        theirs = min(cpu([*encode, "-movflags", "+faststart", film]) for _ in range(ROUNDS))
+        print("500 frames, 640x480, mp4; CPU seconds of the process tree, least of three")
+        print(f"  hfield render       {ours:6.2f}")
+        print(f"  ffmpeg, raw frames  {theirs:6.2f}")
+        print(f"  ratio               {ours / theirs:6.2f}")
+        os.remove(raw)
+        print("largest memory of the process tree, MB")
+        for suffix in ("mp4", "gif"):
+            sizes = [
+                largest([*hfield, "-o", os.path.join(folder, f"top.{suffix}"), "--frames", str(n)])
+                for n in (500, many)
+            ]
+            print(
+                f"  {suffix}: 500 frames {sizes[0] / 1e6:.0f}, {many} frames {sizes[1] / 1e6:.0f}"
+            )
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

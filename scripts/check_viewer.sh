@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Lets a browser look at the web page that `hfield render -o top.html` writes: the tests that drive
+# headless Chromium. Run it in an environment where hfield and pytest are installed. Debian's chromium is
+# installed where it is missing and where that is possible; where it is not, the tests are skipped and
+# say so (REQUIRE_CHROMIUM=1 makes that an error).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+if ! command -v chromium >/dev/null && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+    echo "installing chromium (about 400 MB)"
+    { apt-get update -qq && apt-get install -qq -y --no-install-recommends chromium; } >/dev/null || true
+fi
+if ! command -v chromium >/dev/null; then
+    echo "chromium is missing and could not be installed: what it draws is not checked" >&2
+    [ -z "${REQUIRE_CHROMIUM:-}" ] || exit 1
+fi
+python -m pytest -rs tests/anim/test_viewer.py

@@ -1,0 +1,212 @@
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from anim.errors import AnimationError
+from anim.model import Model
+from anim.picture import STYLES, Camera, Look, painter
+from anim.picture.painting import TRACE
+from tests.anim.cones import cone_hits, interior, random_rotation, rays
+from tests.anim.test_picture_projection import about_y, about_z
+
+MODEL = Model(ring=200)
+SIZE = (240, 180)
+APEX = np.array([0, 0, 3.0])
+
+
+def spiral(count=200, lean=0.7):
+    """Return apex positions along a spiral from the top of the sphere outwards."""
+    turns, leans = np.linspace(0, 8 * np.pi, count), np.linspace(0, lean, count)
+    return 3 * np.column_stack(
+        [np.sin(leans) * np.cos(turns), np.sin(leans) * np.sin(turns), np.cos(leans)]
+    )
+
+
+def reddish(picture):
+    """Tell which pixels have the colour of the trace."""
+    return (np.abs(picture.astype(int) - TRACE) < 30).all(axis=-1)
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_pictures_depend_on_the_arguments_only(style):
+    look = Look(SIZE, style, trace=True, shadow=True)
+    rng = np.random.default_rng(1)
+    rotations = [random_rotation(rng) for _ in range(4)]
+    trails = [spiral(n) for n in (1, 3, 100, 200)]
+    jobs = list(zip(rotations, trails, strict=True))
+    brush = painter(MODEL, look)
+    first = [brush.draw(*job).tobytes() for job in jobs]
+    backwards = [brush.draw(*job).tobytes() for job in reversed(jobs)]
+    assert first == backwards[::-1]
+    copy = pickle.loads(pickle.dumps(brush))
+    assert first == [copy.draw(*job).tobytes() for job in jobs]
+    with ThreadPoolExecutor(4) as pool:
+        own = pool.map(lambda job: painter(MODEL, look).draw(*job).tobytes(), jobs)
+        assert first == list(own)
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_a_picture_handed_out_is_left_alone(style):
+    brush = painter(MODEL, Look(SIZE, style))
+    picture = brush.draw(np.eye(3))
+    kept = picture.copy()
+    brush.draw(about_y(1.0))
+    np.testing.assert_array_equal(picture, kept)
+    picture[:] = 0
+    np.testing.assert_array_equal(brush.draw(np.eye(3)), kept)
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_background_is_what_was_asked_for(style):
+    picture = painter(MODEL, Look(SIZE, style, background="#102030")).draw(np.eye(3))
+    assert tuple(picture[0, 0]) == (16, 32, 48)
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_colours_are_what_was_asked_for(style):
+    picture = painter(MODEL, Look(SIZE, style, colours=("#3060ff", "white"), tilt=0)).draw(
+        np.eye(3)
+    )
+    blue = picture[..., 2].astype(int) - picture[..., 0]
+    yellow = picture[..., 0].astype(int) - picture[..., 2]
+    assert (blue > 60).sum() > 500
+    assert (yellow > 60).sum() == 0
+
+
+def test_without_smoothing_there_are_no_mixed_colours():
+    picture = painter(MODEL, Look(SIZE, quality=1)).draw(about_y(0.4))
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) <= 7
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_trace_is_drawn_when_asked_for(style):
+    bare = painter(MODEL, Look(SIZE, style)).draw(np.eye(3), spiral())
+    np.testing.assert_array_equal(bare, painter(MODEL, Look(SIZE, style)).draw(np.eye(3)))
+    assert not reddish(bare).any()
+    assert reddish(painter(MODEL, Look(SIZE, style, trace=True)).draw(np.eye(3), spiral())).any()
+
+
+@pytest.mark.parametrize("style", STYLES)
+@pytest.mark.parametrize("perspective", [True, False])
+def test_the_top_hides_the_trace_behind_it_and_not_before_it(style, perspective):
+    # From above the ground, level with the upper cone: the trace runs round the sphere at a height of 2.
+    camera = Camera(0, 5, perspective=perspective)
+    look = Look((400, 300), style, camera, trace=True, tilt=10)
+    brush = painter(MODEL, look)
+    turns = np.linspace(-0.15, 0.15, 30)
+    ring = np.column_stack([np.cos(turns), np.sin(turns), np.zeros(30)]) * np.sqrt(5)
+    before, behind = (ring * (side, 1, 0) + np.array([0, 0, 2.0]) for side in (1, -1))
+    bare = brush.draw(np.eye(3)).astype(int)
+    top = (bare != painter(MODEL, look)._canvas.rgb()).any(axis=-1)
+    near, far = (
+        np.abs(brush.draw(np.eye(3), trail) - bare).max(axis=-1) > 20 for trail in (before, behind)
+    )
+    assert near[top].sum() > 5
+    assert far.sum() > 5
+    assert not far[interior(top.astype(int)) & top].any()
+
+
+def test_shadow_is_where_no_light_comes():
+    look = Look((320, 240), "flat", Camera(40, 35), shadow=True, tilt=45)
+    model = Model()
+    brush = painter(model, look)
+    for rotation in (np.eye(3), about_z(1.0) @ about_y(0.5) @ about_z(2.0), about_y(-0.78)):
+        picture = brush.draw(rotation).astype(int)
+        bare = painter(model, Look((320, 240), "flat", Camera(40, 35), tilt=45)).draw(rotation)
+        x, y = np.meshgrid(np.arange(320) + 0.5, 239.5 - np.arange(240))
+        origin, direction = rays(brush.view.matrix, x.ravel(), y.ravel())
+        ground = origin - (origin[:, 2] / direction[:, 2])[:, None] * direction
+        light = np.broadcast_to(brush._light, ground.shape) @ rotation
+        rims = list(zip(model.profile, model.profile[1:], strict=False))
+        start = ground @ rotation + 1e-6 * light
+        times = [cone_hits(start, light, a, b, least=0) for a, b in rims]
+        shaded = np.isfinite(np.min(times, axis=0)).reshape(240, 320)
+        free = (bare == bare[0, 0]).all(axis=-1)
+        inside = interior(shaded.astype(int)) & interior(free.astype(int)) & free
+        dark = picture.sum(axis=-1) < bare[0, 0].astype(int).sum() - 60
+        assert (dark & inside).sum() > 200
+        assert ((dark != shaded) & inside).sum() <= 0.002 * (inside & shaded).sum()
+
+
+def test_seen_from_below_the_shadow_lies_over_the_top():
+    below = Look(SIZE, "flat", Camera(0, -30), shadow=True)
+    bare = painter(MODEL, Look(SIZE, "flat", Camera(0, -30))).draw(np.eye(3)).astype(int)
+    picture = painter(MODEL, below).draw(np.eye(3)).astype(int)
+    on_the_top = (bare != bare[0, 0]).any(axis=-1)
+    assert (picture[on_the_top] < bare[on_the_top] - 20).any()
+
+
+def test_a_top_sunk_into_the_ground_throws_the_shadow_of_what_is_above():
+    look = Look(SIZE, "flat", shadow=True, tilt=180)
+    brush = painter(MODEL, look)
+    for lean in (1.2, 2.0, np.pi):
+        assert brush.draw(about_y(lean)).shape == (180, 240, 3)
+    upside_down = brush.draw(np.diag([1.0, -1.0, -1.0]))
+    bare = painter(MODEL, Look(SIZE, "flat", tilt=180)).draw(np.diag([1.0, -1.0, -1.0]))
+    np.testing.assert_array_equal(upside_down, bare)
+
+
+@pytest.mark.parametrize("spin", [0.0, 2.0, np.pi])
+def test_the_side_to_the_light_is_brighter_however_the_top_has_turned(spin):
+    look = Look(SIZE, "shaded", Camera(0, 10), colours=("grey", "grey"), tilt=0)
+    brush = painter(MODEL, look)
+    empty = brush._canvas.rgb()
+    picture = brush.draw(about_z(spin))
+    body = np.flatnonzero((picture != empty).any(axis=-1)[100])
+    row = picture[100, :, 1].astype(int)
+    assert row[body[len(body) // 8]] > row[body[-len(body) // 8]] + 20
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        np.eye(2),
+        np.eye(4),
+        2 * np.eye(3),
+        np.diag([1.0, 1.0, -1.0]),
+        np.full((3, 3), np.nan),
+        np.ones((3, 3)),
+    ],
+    ids=str,
+)
+def test_what_is_no_rotation_is_refused(matrix):
+    with pytest.raises(AnimationError, match="attitude"):
+        painter(MODEL, Look((16, 16))).draw(matrix)
+
+
+@pytest.mark.parametrize("trail", [[0, 0, 3], [[0, 0]], [[0, 0, np.inf]]], ids=str)
+def test_what_is_no_trail_is_refused(trail):
+    with pytest.raises(AnimationError, match="trail"):
+        painter(MODEL, Look((16, 16), trace=True)).draw(np.eye(3), trail)
+
+
+def test_figures_of_the_thesis(tmp_path):
+    from PIL import Image
+
+    from anim.picture import figures
+
+    paths = figures(tmp_path / "new")
+    assert [path.stem for path in paths] == [
+        "points",
+        "skeleton",
+        "coloured",
+        "turned-about-z",
+        "turned-about-both",
+        "figure-3.1",
+        "figure-3.2",
+    ]
+    assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(
+        path.name for path in paths
+    )
+    pictures = {path.stem: np.asarray(Image.open(path)).astype(int) for path in paths}
+    assert pictures["points"].shape == (480, 640, 3)
+    assert pictures["figure-3.2"].shape == (960, 1280, 3)
+    points = pictures["points"]
+    green = (points[..., 1] > points[..., 0] + 80) & (points[..., 1] > points[..., 2] + 40)
+    red = (points[..., 0] > points[..., 1] + 80) & (points[..., 0] > points[..., 2] + 80)
+    assert green.sum() > 10 * 40
+    assert red.sum() > 5 * 40
+    yellow = pictures["figure-3.1"]
+    assert ((yellow[..., 0] > 200) & (yellow[..., 2] < 60)).sum() > 2000
