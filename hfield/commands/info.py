@@ -69,9 +69,13 @@ def _primes(text: str | None) -> list[int] | None:
 def page(d: Description, width: int) -> list[str]:
     """Lay out the page in lines of at most ``width`` characters, tables apart."""
     A = d.algebra
-    lines = [A.name, "─" * min(len(A.name), width), ""]
-    lines += [f"  {',   '.join(d.relations)}", ""]
-    lines += [f" {line}" for line in A.table_text("unicode").splitlines()]
+    name = shorten(A.name, width)
+    lines = [name, "─" * len(name), ""]
+    lines += [f"  {',   '.join(shorten(relation, width // 2) for relation in d.relations)}", ""]
+    table = [f" {line}" for line in A.table_text("unicode").splitlines()]
+    if max(map(len, table)) > width:
+        table = ["  The table is wider than this page; `hfield table` prints it."]
+    lines += table
     for title, rows in (("Base ring", _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))):
         if rows:
             lines += ["", "Base field" if title == "Base ring" and A.ring.is_field else title]

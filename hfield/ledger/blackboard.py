@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from hfield.errors import NotationError
+from hfield.errors import NotationError, shorten
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.ledger.columns import SelectionError, rows_to_decide, split_columns
 from hfield.ledger.evaluated import evaluated
@@ -19,6 +19,7 @@ from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.printing import to_latex
 from hfield.syntax import Logic, Node, parse
 
+_MOST = 600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
 _LABEL = 12
 
 
@@ -126,7 +127,8 @@ def _decision(
     yield from _wrap("verdict", verdict + method, style, plain=False)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
-        yield from _wrap(f"{n}. ".rjust(_LABEL), step.strip(), style, indent=indent)
+        told = shorten(step.strip(), _MOST)
+        yield from _wrap(f"{n}. ".rjust(_LABEL), told, style, indent=indent)
     witness = witness_text(decision.witness, field)
     if witness:
         yield from _wrap("witness", witness, style)

@@ -55,6 +55,9 @@ def test_factors_that_are_known_spare_the_factorisation(capsys):
     assert data["ramified_places"] == [2, p]
     assert data["division"] is True
     assert data["discriminant"] == 2 * p
+    text = page(capsys, "info", f"(-1,{p * q}|QQ)", "--factors", f"{p},{q}")
+    assert max(map(len, text.splitlines())) <= 100
+    assert "The table is wider than this page" in text
     status, _, err = run(capsys, "info", "(-1,15|QQ)", "--factors", "3;5")
     assert status == 2
     assert "expected primes such as 3,5,1000003" in err
