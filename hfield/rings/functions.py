@@ -139,7 +139,7 @@ class FunctionField(Ring):
         top, bottom = _root(monic), _root(x.den)
         if top is None or bottom is None:
             return None
-        return Quotient(self, top * self._polynomial([c]), bottom)
+        return self.quotient(top * self._polynomial([c]), bottom)  # flint's root may be −(a monic one)
 
     @property
     def level(self) -> Known:

@@ -2,10 +2,10 @@
 
 Over the real and complex numbers by square roots. Over ℚ, i is a zero of a form in four variables.
 Elsewhere, for division algebras, by a common slot: isomorphic algebras (a, b) and (p, q) have an e with
-(a, b) = (a, e) = (p, e) = (p, q), and likewise [a, b) and [p, q) in characteristic 2. Given e, three
-conics with a point give the elements. Over a quadratic field e is built from its local classes. Over a
-function field it is searched for: it runs through q times norms from F(i), so that (p, e) = (p, q)
-holds of itself, until (a, e) = (a, b) holds too.
+(a, b) = (a, e) = (p, e) = (p, q). Given e, three conics with a point give the elements. Over a quadratic
+field and over GF(q)(t), q odd, e is built from its local classes. Over ℚ(x) it is searched for: it
+runs through q times norms from F(i), so that (p, e) = (p, q) holds of itself, until (a, e) = (a, b)
+holds too. In characteristic 2 one conic is enough (`inseparable`).
 """
 
 import functools
@@ -18,9 +18,12 @@ from hfield.product import Constants, Coordinates, multiply, norm
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
+from hfield.structure.bundle import solve_conic_functions
 from hfield.structure.commutators import basis_of
 from hfield.structure.compare import same_class
 from hfield.structure.forms import normal_form
+from hfield.structure.function_slots import common_slot_functions
+from hfield.structure.inseparable import embed_even
 from hfield.structure.integers import Factors, fraction
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic_conic import solve_conic_quadratic
@@ -44,13 +47,14 @@ def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordin
         i, j = _closed(ring, outer, inner)
     elif ring.name == "QQ":
         i, j = _rational(ring, outer, inner)
-    elif isinstance(ring, QuadraticField):
-        e, primes = common_slot(ring, outer, [outer.a, inner.a])
-        point = functools.partial(_quadratic_point, ring, primes)
-        i, j = _through_slot(ring, outer, inner, e, point)
+    elif isinstance(ring, FunctionField) and ring.characteristic == 2:
+        i, j = embed_even(ring, outer, inner)
     else:
-        point = functools.partial(conic_point, ring)
-        i, j = _through_slot(ring, outer, inner, _slot(ring, outer, inner), point)
+        built = _local_slot(ring, outer, [outer.a, inner.a])
+        if built is None:
+            assert isinstance(ring, FunctionField), "no other field has a theory of isomorphism"
+            built = _slot(ring, outer, inner), functools.partial(conic_point, ring)
+        i, j = _through_slot(ring, outer, inner, *built)
     # back from the normal forms: i of c is a combination of e and the normal i
     one, given, _, _ = basis_of(ring)
     scalar, factor, _, _ = source.forth(given)
@@ -91,15 +95,14 @@ def _rational(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinat
     return i, _times_norm(ring, inner, i, v, split, functools.partial(conic_point, ring))
 
 
-def _slot(ring: Ring, outer: Constants, inner: Constants) -> Any:
-    """Return a common slot of two isomorphic algebras in normal form."""
-    t = outer.t
+def _slot(ring: FunctionField, outer: Constants, inner: Constants) -> Any:
+    """Return a common slot of two isomorphic algebras (a, b | ℚ(x)) by search."""
     for m, n in itertools.islice(_small_pairs(ring), TRIALS):
         for first, second in ((inner, outer), (outer, inner)):
-            e = first.b * (m * m + t * (m * n) - first.a * (n * n))
+            e = first.b * (m * m - first.a * (n * n))
             if ring.is_zero(e):
                 continue
-            forms = [normal_form(ring, Constants(second.a, t, x)) for x in (e, second.b)]
+            forms = [normal_form(ring, Constants(second.a, ring.zero, x)) for x in (e, second.b)]
             if same_class(ring, *forms):
                 return e
     raise UndecidedError(
@@ -112,27 +115,21 @@ def _through_slot(
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``."""
     big_i, slot = _generator(ring, outer.a, inner, e, point)
-    split = Constants(outer.a, inner.t, ring.divide(outer.b, e))
+    split = Constants(outer.a, ring.zero, ring.divide(outer.b, e))
     return big_i, _times_norm(ring, inner, big_i, slot, split, point)
 
 
 def _generator(
     ring: Ring, a: Any, inner: Constants, e: Any, point: Point
 ) -> tuple[Coordinates, Coordinates]:
-    """Return I and J in ``inner`` with ``I² = a + t·I, J² = e, JI = (t − I)J``, for a common slot e."""
-    zero, one, t = ring.zero, ring.one, inner.t
+    """Return I and J in ``inner`` with ``I² = a, J² = e, JI = −IJ``, for a common slot e."""
+    zero, one = ring.zero, ring.one
     i, j = (zero, one, zero, zero), (zero, zero, one, zero)
-    split = Constants(inner.a, t, ring.divide(e, inner.b))
+    split = Constants(inner.a, zero, ring.divide(e, inner.b))
     slot = _times_norm(ring, inner, i, j, split, point)
-    if ring.is_zero(t):
-        # ((x + y·slot)·i)² = (x² − e·y²)·inner.a
-        split = Constants(e, zero, ring.divide(a, inner.a))
-        return _times_norm(ring, inner, slot, i, split, point), slot
-    # x + i + y·slot has trace 1 and norm x² + x + inner.a + e·y²
-    w, x, y = point(Constants(inner.a + a, one, e))
-    scale = ring.inverse(x)
-    p, q, r, s = (scale * y * u for u in slot)
-    return (p + scale * w, q + one, r, s), slot
+    # ((x + y·slot)·i)² = (x² − e·y²)·inner.a
+    split = Constants(e, zero, ring.divide(a, inner.a))
+    return _times_norm(ring, inner, slot, i, split, point), slot
 
 
 def _times_norm(
@@ -151,10 +148,24 @@ def _quadratic_point(field: QuadraticField, factors: Factors, c: Constants) -> t
     return w, x, y
 
 
-def traceless_root_quadratic(field: QuadraticField, c: Constants, s: Any) -> Coordinates:
-    """Return some x of trace 0 with ``x² = s`` in a division algebra (a, b | ℚ(√d)) that has one."""
-    e, primes = common_slot(field, c, [c.a, s])
-    return _generator(field, s, c, e, functools.partial(_quadratic_point, field, primes))[0]
+def _local_slot(ring: Ring, c: Constants, numbers: list[Any]) -> tuple[Any, Point] | None:
+    """Return a common slot built from local classes, and what solves conics; None if there is none."""
+    if isinstance(ring, QuadraticField):
+        e, primes = common_slot(ring, c, numbers)
+        return e, functools.partial(_quadratic_point, ring, primes)
+    if isinstance(ring, FunctionField) and ring.base.order is not None:
+        e = common_slot_functions(ring, c, numbers)
+        return None if e is None else (e, functools.partial(solve_conic_functions, ring))
+    return None
+
+
+def traceless_root_by_slot(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+    """Return some x of trace 0 with ``x² = s`` in a division algebra (a, b), or None.
+
+    Over GF(q)(t), q odd, None is a proof that there is none. Over a quadratic field there has to be one.
+    """
+    built = _local_slot(ring, c, [c.a, s])
+    return None if built is None else _generator(ring, s, c, *built)[0]
 
 
 def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
@@ -176,8 +187,8 @@ def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
     return w, x, y
 
 
-def _small_pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
-    """Run through pairs of small elements of a function field, not both 0."""
+def _small_pairs(ring: FunctionField) -> Iterator[tuple[Any, Any]]:
+    """Run through pairs of small polynomials over ℚ, not both 0."""
     seen: list[Any] = []
     for x in _small(ring):
         seen.append(x)
@@ -186,22 +197,15 @@ def _small_pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
             yield y, x
 
 
-def _small(ring: Ring) -> Iterator[Any]:
-    """Run through small integral elements, 0 and 1 first."""
+def _small(ring: FunctionField) -> Iterator[Any]:
+    """Run through small polynomials, 0 and 1 first."""
     yield ring.zero
     yield ring.one
-    if isinstance(ring, FunctionField):
-        finite = ring.base.order is not None
-        some = list(itertools.islice(ring.base.elements(), 5)) if finite else [0, 1, -1, 2]
-        digits = [ring.constant(ring.base(x)) for x in some]
-        for degree in itertools.count(1):
-            for leading, *rest in itertools.product(digits, repeat=degree + 1):
-                if not ring.is_zero(leading):
-                    value = leading
-                    for x in rest:
-                        value = value * ring.gen + x
-                    yield value
-    else:
-        raise UndecidedError(
-            f"isomorphisms of division algebras over {ring.name} are not constructed"
-        )
+    digits = [ring(x) for x in (0, 1, -1, 2)]
+    for degree in itertools.count(1):
+        for leading, *rest in itertools.product(digits, repeat=degree + 1):
+            if not ring.is_zero(leading):
+                value = leading
+                for x in rest:
+                    value = value * ring.gen + x
+                yield value

@@ -74,21 +74,25 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     m, n = square_class(a), square_class(b)
     known = None if factors is None else list(factors)
     in_m, in_n = factorise(m, known), factorise(n, known)
-    places: list[Place] = [INFINITE] if m < 0 and n < 0 else []
+    whole_m, whole_n = flint.fmpz(m), flint.fmpz(n)
+    primes = []
     for p, alpha in in_m.items():
-        beta = in_n.get(p, 0)
-        if p != 2 and (alpha | beta) & 1:
-            v = n // p**beta if beta else n
-            if _symbol(p, alpha, m // p**alpha if beta & 1 else 1, beta, v) < 0:
-                places.append(p)
+        if p != 2:
+            beta = in_n.get(p)
+            if beta:
+                sign = _symbol(p, alpha, m // p**alpha, beta, n // p**beta)
+            else:
+                sign = whole_n.jacobi(p) if alpha & 1 else 1
+            if sign < 0:
+                primes.append(p)
     for p, beta in in_n.items():
-        if p != 2 and beta & 1 and p not in in_m and flint.fmpz(m).jacobi(p) < 0:
-            places.append(p)
-    if len(places) & 1:  # the number of ramified places is even: the law of reciprocity
-        places.append(2)
-    if len(places) > 1:
-        places.sort(key=lambda v: math.inf if v == INFINITE else v)
-    return tuple(places)
+        if p != 2 and beta & 1 and p not in in_m and whole_m.jacobi(p) < 0:
+            primes.append(p)
+    infinite = m < 0 and n < 0
+    if (len(primes) + infinite) & 1:  # the number of ramified places is even: reciprocity
+        primes.append(2)
+    primes.sort()
+    return (*primes, INFINITE) if infinite else tuple(primes)
 
 
 def discriminant_q(places: Iterable[Place]) -> int:

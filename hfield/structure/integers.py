@@ -39,7 +39,7 @@ def square_class(x: Any) -> int:
     if type(x) is int:
         n = x
     elif type(x) is flint.fmpq:
-        n = int(x.p) * int(x.q)
+        n = int(x.p * x.q)
     else:
         f = fraction(x)
         n = f.numerator * f.denominator

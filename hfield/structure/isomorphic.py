@@ -8,9 +8,10 @@ from hfield.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.rings.base import Ring
 from hfield.structure.commutators import basis_of
 from hfield.structure.compare import same_class
+from hfield.structure.degenerate import embed_degenerate
 from hfield.structure.embed import embed_generator
 from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
-from hfield.structure.linear import apply
+from hfield.structure.linear import apply, kernel
 from hfield.structure.splitting import division_or_splitting, from_zero_divisor
 from hfield.structure.zero import is_division, zero_norm
 
@@ -34,8 +35,12 @@ class Isomorphism:
 
     def inverse(self, q: Coordinates) -> Coordinates:
         """Return the coordinates of the element whose image is q."""
-        if self.images == basis_of(self.ring):
-            return q
+        if self.ring.is_zero(discriminant(self.source)):
+            columns = [*self.images, q]
+            (solution,) = kernel(self.ring, [list(row) for row in zip(*columns, strict=True)], 5)
+            scale = self.ring.zero - self.ring.inverse(solution[4])
+            w, x, y, z = (scale * s for s in solution[:4])
+            return w, x, y, z
         pairings = [_pairing(self.target, q, image) for image in self.images]
         return from_pairings(self.ring, self.source, pairings)
 
@@ -49,7 +54,8 @@ def verified(
 ) -> Isomorphism:
     """Return the isomorphism that sends i and j to the given elements, after checking it.
 
-    Checked are the relations, and independence: ``tr(p·conj(q))`` is as in the source on e, i, j, k.
+    Checked are the relations, and independence: ``tr(p·conj(q))`` is as in the source on e, i, j, k; for a
+    degenerate algebra, where that is not enough, by elimination.
     """
     e = basis_of(ring)[0]
     k = multiply(target, i, j)
@@ -62,6 +68,7 @@ def verified(
         )
 
     gram = pairing_matrix(ring, c)
+    rows = [list(row) for row in zip(*images, strict=True)]
     if not (
         equal(multiply(target, i, i), (c.a, e), (c.t, i))
         and equal(multiply(target, j, j), (c.b, e))
@@ -71,6 +78,7 @@ def verified(
             for r, p in enumerate(images)
             for s, q in enumerate(images)
         )
+        and not (ring.is_zero(discriminant(c)) and kernel(ring, rows, 4))
     ):
         raise AssertionError("the map found is not an isomorphism")
     return Isomorphism(ring, c, target, images)
@@ -79,8 +87,7 @@ def verified(
 def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
     """Tell whether two algebras over the same field are isomorphic.
 
-    Raises :class:`UndecidedError` where the field has no theory for it, and for degenerate algebras
-    that are not equal in an evident way.
+    Raises :class:`UndecidedError` where the field has no theory for it.
     """
     if all(ring.equal(x, y) for x, y in zip(c, other, strict=True)):
         return True
@@ -88,7 +95,7 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
         raise UndecidedError(f"{ring.name} is not a field: isomorphism is decided over fields only")
     degenerate = [ring.is_zero(discriminant(x)) for x in (c, other)]
     if any(degenerate):
-        return all(degenerate) and _degenerate(ring, c, other)
+        return all(degenerate) and embed_degenerate(ring, c, other) is not None
     if ring.order is not None:
         return True
     same = same_class(ring, normal_form(ring, c), normal_form(ring, other))
@@ -104,20 +111,6 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
     )
 
 
-def _degenerate(ring: Ring, c: Constants, other: Constants) -> bool:
-    """Compare degenerate algebras in characteristic not 2: F[√a] ⊕ radical, or all of e's complement."""
-    if ring.characteristic == 2:
-        raise UndecidedError("degenerate algebras of characteristic 2 are not compared")
-    classes: list[Any] = []
-    for x in (c, other):
-        form = normal_form(ring, x)
-        classes.append(next((s for s in form.constants if not ring.is_zero(s)), None))
-    first, second = classes
-    if first is None or second is None:
-        return first is second
-    return ring.sqrt(first * second) is not None
-
-
 def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | None:
     """Return an explicit isomorphism onto the algebra with constants ``other``, or None if there is none.
 
@@ -130,9 +123,9 @@ def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | Non
     if not is_isomorphic(ring, c, other):
         return None
     if ring.is_zero(discriminant(c)):
-        raise UndecidedError(
-            "the two are isomorphic, but for degenerate algebras no map is constructed"
-        )
+        found = embed_degenerate(ring, c, other)
+        assert found is not None, "the two are isomorphic"
+        return verified(ring, c, other, *found)
     if ring.name not in ("RR", "CC"):
         q, p = zero_norm(ring, c).element, zero_norm(ring, other).element
         if q is not None and p is not None:

@@ -7,10 +7,12 @@ from typing import Any
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring
+from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
-from hfield.structure.embed import traceless_root_quadratic
-from hfield.structure.forms import discriminant, normal_form
+from hfield.structure.embed import traceless_root_by_slot
+from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.inseparable import as_norm
 from hfield.structure.integers import fraction
 from hfield.structure.isomorphic import is_isomorphic, isomorphism
 from hfield.structure.qforms import isotropic_vector
@@ -103,29 +105,48 @@ def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
 
 def traceless_root(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
     """Return some x of trace 0 with ``x² = s``, s ≠ 0, or None when there is none."""
-    o = ring.zero
     if ring.characteristic == 2:
-        scalar = ring.sqrt(s)
-        if scalar is not None:  # scalars have trace 0 here
-            return scalar, o, o, o
-    for u, square in zip(basis_of(ring)[1:], (c.a, c.b, o - c.a * c.b), strict=True):
-        if ring.is_zero(trace(c, u)) and not ring.is_zero(square):
+        return _traceless_root_even(ring, c, s)
+    o, form = ring.zero, normal_form(ring, c)
+    a, b = form.constants
+    for u, square in zip(basis_of(ring)[1:], (a, b, o - a * b), strict=True):
+        if not ring.is_zero(square):
             ratio = ring.sqrt(ring.divide(s, square))
             if ratio is not None:
                 w, x, y, z = (ratio * v for v in u)
-                return w, x, y, z
+                return form.back((w, x, y, z))
     if ring.is_zero(discriminant(c)):
-        raise UndecidedError("whether s is the square of an element of trace 0 is not decided here")
+        return None  # every other element of trace 0 has one of these squares, up to squares, or 0
     splitting = split(ring, c)
     if splitting is not None:
         return splitting.from_matrix([[o, s], [ring.one, o]])
-    return _in_division_algebra(ring, c, s)
+    return _in_division_algebra(ring, form, s)
 
 
-def _in_division_algebra(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
-    if ring.characteristic == 2:
-        raise UndecidedError(f"inseparable subfields over {ring.name} are not searched for")
-    form = normal_form(ring, c)
+def _traceless_root_even(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+    """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0."""
+    o = ring.zero
+    scalar = ring.sqrt(s)
+    if scalar is not None:
+        return scalar, o, o, o
+    assert isinstance(ring, FunctionField), (
+        "finite fields of characteristic 2 have all square roots"
+    )
+    if ring.sqrt(c.b) is None:
+        w, r = as_norm(ring, s, c.b)
+        return w, o, r, o
+    if ring.is_zero(c.t) and ring.sqrt(c.a) is None:
+        w, r = as_norm(ring, s, c.a)
+        return w, r, o, o
+    if ring.is_zero(discriminant(c)):
+        return None  # all squares of elements of trace 0 are squares of scalars
+    splitting = split(ring, c)
+    assert splitting is not None, "j² is a square"
+    return splitting.from_matrix([[o, s], [ring.one, o]])
+
+
+def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | None:
+    """Return x in a division algebra (a, b | F), in the coordinates that it was given in."""
     a, b = form.constants
     o = ring.zero
     if ring.name == "QQ":
@@ -143,12 +164,15 @@ def _in_division_algebra(ring: Ring, c: Constants, s: Any) -> Coordinates | None
         ramified = ramification(ring, form) or ()
         if any(is_local_square(v, integral(pair(ring, s))) for v in ramified):
             return None
-        return form.back(traceless_root_quadratic(ring, Constants(a, o, b), s))
+    if isinstance(ring, QuadraticField) or ring.characteristic:
+        root = traceless_root_by_slot(ring, Constants(a, o, b), s)
+        return None if root is None else form.back(root)
+    c = Constants(a, o, b)
     for m, n in itertools.product(range(15), range(1, 15)):
         e = b * (ring(m * m) - a * ring(n * n))
         other = Constants(s, o, e)
         if not ring.is_zero(e) and is_isomorphic(ring, other, c):
             found = isomorphism(ring, other, c)
             assert found is not None
-            return found.images[1]
+            return form.back(found.images[1])
     raise UndecidedError(f"whether s has a square root of trace 0 over {ring.name} was not decided")

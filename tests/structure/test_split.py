@@ -150,12 +150,8 @@ def test_is_isomorphic(name, one, other, answer):
 
 
 def test_what_is_not_compared():
-    with pytest.raises(UndecidedError, match="characteristic 2"):
-        is_isomorphic(ring("GF(2)"), constants("GF(2)", 1, 0, 1), constants("GF(2)", 0, 0, 1))
     with pytest.raises(UndecidedError, match="fields only"):
         is_isomorphic(ring("ZZ"), constants("ZZ", 1, 0, 1), constants("ZZ", 0, 0, 1))
-    with pytest.raises(UndecidedError, match="no map"):
-        isomorphism(ring("QQ"), constants("QQ", 0, 0, 3), constants("QQ", 0, 0, 12))
     with pytest.raises(MixedParentsError, match="GF\\(5\\)"):
         same_parent(ring("GF(5)"), ring("GF(7)"))
     same_parent(ring("GF(5)"), ring("GF(5)"))
