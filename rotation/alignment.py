@@ -50,9 +50,10 @@ def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotatio
     """
     a, b, w = checked(target, source, weights)
     xp = namespace(a)
-    total = xp.sum(w, axis=-1)
-    refuse_rows(total == 0.0, "the sum of the weights", "is zero")
-    share = (w / total[..., None])[..., None]
+    heaviest = xp.max(w, axis=-1, keepdims=True)
+    refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
+    share = w / heaviest
+    share = (share / xp.sum(share, axis=-1, keepdims=True))[..., None]
     to, fro = (xp.sum(share * v, axis=-2) for v in (a, b))
     q, rssd = fitted(a - to[..., None, :], b - fro[..., None, :], w)
     rotation = Rotation._of(q)

@@ -3,11 +3,12 @@
 import math
 from typing import Any
 
-from rotation.namespaces import Array
+from rotation.namespaces import Array, quiet
 
 _RADIANS = math.pi / 180.0
 
 
+@quiet
 def radians(xp: Any, degrees: Array) -> Array:
     """Return degrees in radians, modulo two turns: 1e9 degrees lose nothing to the conversion.
 

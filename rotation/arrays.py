@@ -84,8 +84,11 @@ def components_last(array: Array, layout: Layout) -> Array:
 
 def common_batch(**batches: Shape) -> Shape:
     """Return the batch shape that all named ones broadcast to; raises `RotationError` naming them."""
+    first, *others = batches.values()
+    if all(shape == first for shape in others):
+        return first
     try:
-        return np.broadcast_shapes(*batches.values())
+        return np.broadcast_shapes(first, *others)
     except ValueError:
         shapes = ", ".join(f"{name} {shape}" for name, shape in batches.items())
         raise RotationError(
@@ -129,6 +132,8 @@ def destination(
 
 def require_nonzero(array: Array, name: str) -> None:
     """Raise `ZeroRotationError` naming the first row of ``array`` whose components are all zero."""
+    if array.all():  # as most are
+        return
     zero = ~array.any(axis=-1)
     if zero.any():
         raise ZeroRotationError(name, tuple(int(i) for i in np.argwhere(zero)[0]))

@@ -5,6 +5,7 @@ and Dynamics 30 (2007).
 """
 
 import math
+import operator
 from typing import Any
 
 from rotation.errors import RotationError
@@ -40,6 +41,10 @@ def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
         raise RotationError("no rotations to average")
     q = xp.reshape(xp.permute_dims(q, (*kept, *axes, len(batch))), (*shape, count, 4))
     w = xp.reshape(xp.permute_dims(w, (*kept, *axes)), (*shape, count))
+    heaviest = xp.max(w, axis=-1, keepdims=True)
+    w = w / xp.where(
+        heaviest > 0.0, heaviest, xp.ones_like(heaviest)
+    )  # their sum does not overflow
     total = xp.sum(w, axis=-1)
     refuse_rows(total == 0.0, "the sum of the weights", "is zero")
     weighted = q * (w / total[..., None])[..., None]
@@ -61,10 +66,13 @@ def _axes(axis: Any, ndim: int) -> tuple[int, ...]:
     """Nonnegative axes, each once, in order."""
     if axis is None:
         return tuple(range(ndim))
-    given = axis if isinstance(axis, tuple) else (axis,)
-    axes = tuple(a + ndim if a < 0 else a for a in given)
+    given = axis if isinstance(axis, tuple | list) else (axis,)
+    try:
+        axes = tuple(a + ndim if a < 0 else a for a in map(operator.index, given))
+    except TypeError:
+        axes = (-1,)
     if len(set(axes)) < len(axes) or not all(0 <= a < ndim for a in axes):
         raise RotationError(
-            f"axis {axis}: axes of a batch with {ndim} axes are expected, each once"
+            f"axis {axis!r}: axes of a batch with {ndim} axes are expected, each once"
         )
     return tuple(sorted(axes))

@@ -5,7 +5,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation.errors import RotationError
+from rotation.errors import DTypeError, RotationError
 from rotation.namespaces import Array, is_numpy, namespace
 
 
@@ -56,6 +56,8 @@ class Batch:
     def reshape(self, *shape: Any) -> Self:
         """Return the same rotations in another batch shape; one axis may be −1."""
         wanted = shape[0] if len(shape) == 1 and isinstance(shape[0], Sequence) else shape
+        if min(wanted, default=0) < -1:
+            raise RotationError(f"the shape {tuple(wanted)} has a negative length")
         if -1 in wanted:  # counted without the axis of four, so that no quaternion is cut
             known = int(np.prod([n for n in wanted if n != -1], dtype=np.int64))
             wanted = tuple(self.size // max(known, 1) if n == -1 else n for n in wanted)
@@ -72,9 +74,13 @@ class Batch:
         return True
 
     def __getitem__(self, index: Any) -> Self:
-        if self.single:
-            raise TypeError("a single rotation cannot be indexed")
         index = index if isinstance(index, tuple) else (index,)
+        if self.single and not all(i is None or i is Ellipsis for i in index):
+            raise TypeError("a single rotation cannot be indexed")
+        if len(index) == 1 and hasattr(index[0], "dtype"):
+            xp = namespace(self._q)  # in the array API a mask stands alone
+            if not is_numpy(xp) and xp.isdtype(index[0].dtype, "bool"):
+                return self._of(self._q[index[0]])
         if not any(i is Ellipsis for i in index):
             index = (*index, Ellipsis)
         return self._of(self._q[(*index, slice(None))])
@@ -119,6 +125,15 @@ class Batch:
 
     def __deepcopy__(self, memo: Any) -> Self:
         return self
+
+
+def expect_rotations(**named: Any) -> None:
+    """Raise `DTypeError` unless all values are rotations, and not their quaternions or matrices."""
+    for name, value in named.items():
+        if not isinstance(value, Batch):
+            raise DTypeError(
+                f"{name} is a {type(value).__name__}; expected a Rotation, such as from_quat makes"
+            )
 
 
 def _restore(cls: type[Batch], q: Array) -> Batch:

@@ -4,10 +4,10 @@ T. J. Dekker, "A floating-point technique for extending the available precision"
 (1971). Only + − × are used, so it runs on every array library; no fused multiply-add is needed.
 """
 
-import math
 from collections.abc import Iterable
 from typing import Any
 
+from rotation.kernels.compiled.series import SINE, VERSINE
 from rotation.namespaces import Array
 
 Pair = tuple[Array, Array]
@@ -63,7 +63,7 @@ def sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     """
     x, rest = 0.25 * angle[0], 0.25 * angle[1]
     t, e = two_product(xp, x, x)
-    odd, even = _series(_SINE, t), _series(_VERSINE, t)
+    odd, even = _series(SINE, t), _series(VERSINE, t)
     sine = two_sum(x, x * t * odd + rest * (1.0 - 0.5 * t))
     versine = two_sum(0.5 * t, (0.5 * e + x * rest) + t * t * even)
     for _ in range(2):
@@ -84,12 +84,7 @@ def angle(xp: Any, sine: Pair, cosine: Array) -> Pair:
     return a, (p - q) + (((e - f) + (sine[0] * c[1] + sine[1] * c[0])) - cosine * s[1])
 
 
-# Without their first terms, x and x²/2, which are carried as pairs.
-_SINE = [(-1.0) ** k / math.factorial(2 * k + 1) for k in range(1, 9)]
-_VERSINE = [(-1.0) ** (k + 1) / math.factorial(2 * k) for k in range(2, 10)]
-
-
-def _series(coefficients: list[float], t: Array) -> Array:
+def _series(coefficients: tuple[float, ...], t: Array) -> Array:
     total: Array = 0.0
     for c in reversed(coefficients):
         total = total * t + c
@@ -98,9 +93,7 @@ def _series(coefficients: list[float], t: Array) -> Array:
 
 def _halves(xp: Any, a: Array) -> Pair:
     """Two halves of the digits of each float."""
-    t = (2.0 ** ((_DIGITS[xp.finfo(a.dtype).bits] + 1) // 2) + 1.0) * a
+    single = hasattr(a, "dtype") and xp.finfo(a.dtype).bits == 32
+    t = (4097.0 if single else 134217729.0) * a  # 2¹² + 1, 2²⁷ + 1
     high = t - (t - a)
     return high, a - high
-
-
-_DIGITS = {64: 53, 32: 24}

@@ -5,7 +5,8 @@ from typing import Any, Self
 from rotation import euler, matrices, quaternions, vectors
 from rotation.angles import to_degrees
 from rotation.batch import Batch
-from rotation.namespaces import Array, expect_last, floats, namespace
+from rotation.errors import DTypeError
+from rotation.namespaces import Array, expect_last, floats, namespace, refuse_rows
 
 
 class Conversions(Batch):
@@ -29,11 +30,11 @@ class Conversions(Batch):
         RotationError
             A quaternion is zero (the message names its row), or the shape is wrong.
         """
-        q = floats(quat, "quaternions")
-        expect_last(q, (4,), "quaternions")
         if not scalar_first:
-            q = namespace(q).roll(q, 1, axis=-1)
-        return cls._of(quaternions.normalised(q))
+            quat = floats(quat, "quaternions")
+            expect_last(quat, (4,), "quaternions")
+            quat = namespace(quat).roll(quat, 1, axis=-1)
+        return cls._of(quaternions.normalised(quat))
 
     @classmethod
     def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False) -> Self:
@@ -111,14 +112,29 @@ class Conversions(Batch):
 
     @classmethod
     def from_scipy(cls, rotation: Any) -> Self:
-        """Make rotations from a `scipy.spatial.transform.Rotation`."""
+        """Make rotations from a `scipy.spatial.transform.Rotation`; anything else is a DTypeError."""
+        from scipy.spatial.transform import Rotation
+
+        if not isinstance(rotation, Rotation):
+            raise DTypeError(
+                f"{type(rotation).__name__}: a scipy.spatial.transform.Rotation is expected"
+            )
         return cls.from_quat(rotation.as_quat(), scalar_first=False)
 
     def to_scipy(self) -> Any:
-        """Return the same as a `scipy.spatial.transform.Rotation`; scipy must be installed."""
+        """Return the same as a `scipy.spatial.transform.Rotation`; scipy must be installed.
+
+        Raises
+        ------
+        RotationError
+            A row is NaN: scipy has no such rotations.
+        """
         from scipy.spatial.transform import Rotation
 
-        return Rotation.from_quat(self.as_quat(scalar_first=False))
+        q = self.as_quat(scalar_first=False)
+        invalid = namespace(q).isnan(q[..., 0])
+        refuse_rows(invalid, "the rotation", "is NaN, which scipy does not take; leave it out")
+        return Rotation.from_quat(q)
 
     def as_quat(self, *, scalar_first: bool = True, canonical: bool = False) -> Array:
         """Return the unit quaternions, shape (…, 4).

@@ -4,7 +4,9 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from rotation.namespaces import Array
+import numpy as np
+
+from rotation.namespaces import Array, finfo
 
 Coordinates = tuple[Array, ...]
 
@@ -16,6 +18,14 @@ def split(array: Array) -> Coordinates:
 
 def join(xp: Any, coordinates: Coordinates) -> Array:
     """Return the array whose last axis holds ``coordinates``, their shapes broadcast."""
+    if xp is np and isinstance(coordinates[0], np.ndarray):
+        joined = np.empty(
+            (*np.broadcast_shapes(*map(np.shape, coordinates)), len(coordinates)),
+            coordinates[0].dtype,
+        )
+        for n, c in enumerate(coordinates):
+            joined[..., n] = c
+        return joined
     return xp.stack(xp.broadcast_arrays(*coordinates), axis=-1)
 
 
@@ -29,7 +39,7 @@ def factor(xp: Any, coordinates: Coordinates) -> Array:
     largest = xp.abs(coordinates[0])
     for c in coordinates[1:]:
         largest = xp.maximum(largest, xp.abs(c))
-    info = xp.finfo(largest.dtype)
+    info = finfo(xp, largest)
     low = float(info.smallest_normal) ** 0.5 / float(info.eps)
     high = float(info.max) ** 0.5 / 4.0
     one, step = xp.ones_like(largest), _STEP[info.bits]

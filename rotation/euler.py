@@ -77,8 +77,8 @@ def from_euler(seq: str, angles: Any, degrees: bool = False) -> Array:
 
 def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
     xp = namespace(a)
-    half = 0.5 * (radians(xp, a) if degrees else a)
-    c, s = split(xp.cos(half)), split(xp.sin(half))
+    half = [0.5 * (radians(xp, x) if degrees else x) for x in split(a)]
+    c, s = [xp.cos(x) for x in half], [xp.sin(x) for x in half]
     zero = xp.zeros_like(c[0])
     turns = [
         (c[n], *(s[n] if axis == m else zero for m in range(3))) for n, axis in enumerate(axes)

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from rotation import quaternions, vectors
+from rotation.batch import expect_rotations
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_numpy, floats, namespace
+from rotation.namespaces import Array, expect_numpy, floats, namespace, quiet
 from rotation.rotation import Rotation
 
 
@@ -33,6 +34,7 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     >>> slerp(p, q, [0.0, 0.5, 1.0]).as_euler("ZYX", degrees=True)[:, 0].round(12)
     array([ 0., 45., 90.])
     """
+    expect_rotations(p=p, q=q)
     t = _parameter(t, p, q)
     return p * Rotation._of(quaternions.power((p.inv() * q)._q, t))
 
@@ -43,6 +45,7 @@ def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotatio
     ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``: at p it sets out towards a, at q it comes from
     b. `Squad` finds the inner points of a smooth curve through keyframes. Shapes broadcast.
     """
+    expect_rotations(p=p, q=q, a=a, b=b)
     q = _nearer(q, p)
     return _cubic(p, q, _nearer(a, p), _nearer(b, q), _parameter(t, p, q, a, b))
 
@@ -86,6 +89,7 @@ class Slerp:
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
+        expect_rotations(rotations=rotations)
         expect_numpy("a curve through keyframes", times, rotations._q)
         self.times = _times(times, rotations)
         self.rotations = rotations
@@ -156,13 +160,16 @@ def _turn(rotvec: Array) -> Rotation:
     return Rotation._of(vectors.from_rotvec(rotvec))
 
 
+@quiet
 def _times(times: Any, rotations: Rotation) -> Array:
-    x = floats(times, "times")
+    x = floats(times, "times").copy()  # which nobody else can change
     if rotations.single or len(rotations) < 2 or x.shape != rotations.shape[:1]:
         raise RotationError(
             f"times of shape {x.shape} for rotations of shape {rotations.shape}: "
             "one time for each of at least two keyframes is expected"
         )
-    if not (np.all(np.isfinite(x)) and np.all(np.diff(x) > 0.0)):
-        raise RotationError("the times of the keyframes must be finite and strictly increasing")
+    if not (np.all(np.isfinite(np.diff(x))) and np.all(np.diff(x) > 0.0)):
+        raise RotationError(
+            "the times of the keyframes must be finite, as their differences, and strictly increasing"
+        )
     return x

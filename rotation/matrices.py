@@ -6,7 +6,7 @@ from typing import Any
 
 from rotation.angles import radians
 from rotation.coordinates import Coordinates, join, split, sum_of_squares, unit
-from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_rows
+from rotation.namespaces import Array, expect_last, finfo, floats, namespace, quiet, refuse_rows
 from rotation.rowwise import in_pieces
 
 # How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
@@ -43,10 +43,10 @@ def _about(axis: int, angle: Any, degrees: bool) -> Array:
     a = floats(angle, "angles")
     xp = namespace(a)
     a = radians(xp, a) if degrees else a
-    c, s, zero = xp.cos(a), xp.sin(a), xp.zeros_like(a)
+    c, s, zero = xp.cos(a), xp.sin(a), 0.0 * xp.abs(a)  # NaN in the whole matrix where it is
     entries = [[zero] * 3 for _ in range(3)]
     j, k = (axis + 1) % 3, (axis + 2) % 3  # the plane that turns, from j towards k
-    entries[axis][axis] = xp.ones_like(a)
+    entries[axis][axis] = 1.0 + zero
     entries[j][j], entries[j][k] = c, -s
     entries[k][j], entries[k][k] = s, c
     return _assemble(xp, entries)
@@ -172,7 +172,7 @@ def _off(xp: Any, r: Entries) -> Array:
 
 def _polished(xp: Any, r: Entries) -> Entries:
     """The nearest orthogonal matrices to nearly orthogonal ones, by Newton and Schulz, row by row."""
-    rough = _off(xp, r) > 8.0 * float(xp.finfo(r[0][0].dtype).eps)
+    rough = _off(xp, r) > 8.0 * float(finfo(xp, r[0][0]).eps)
     for _ in range(3):  # 1e-3 → 1e-6 → 1e-12 → exact
         if not bool(xp.any(rough)):
             break

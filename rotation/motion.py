@@ -14,6 +14,7 @@ import numpy as np
 
 from rotation import vectors
 from rotation.arrays import common_batch
+from rotation.batch import expect_rotations
 from rotation.coordinates import join, split
 from rotation.errors import RotationError
 from rotation.namespaces import Array, expect_last, expect_numpy, floats
@@ -62,6 +63,8 @@ def integrate(
     array([0. , 1.5, 3. ])
     """
     check_frame(frame)
+    if initial is not None:
+        expect_rotations(initial=initial)
     expect_numpy("integrate", times, None if initial is None else initial._q)
     t = floats(times, "times")
     steps = np.diff(t) if t.ndim == 1 and t.size else np.array([np.nan])
@@ -90,6 +93,8 @@ def _values(omega: Any, times: Array, at: Array) -> Array:
     """The angular velocities at points of which one lies in each interval, (n − 1, …, 3)."""
     if callable(omega):
         values = [floats(omega(float(x)), "omega(t)") for x in at]
+        if len({v.shape for v in values}) > 1:
+            raise RotationError("omega(t) has different shapes at different times")
         w = np.stack(values) if values else np.empty((0, 3))
         expect_last(w, (3,), "omega(t) at all times")
     else:

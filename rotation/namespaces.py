@@ -12,12 +12,15 @@ from typing import Any
 
 import numpy as np
 
+from rotation import scalars
 from rotation.arrays import real
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 
 Array = Any  # an array of any library that follows the standard
 
 quiet = np.errstate(all="ignore")
+
+_PLAIN = (int, float, list, tuple, type(None))
 
 
 def namespace(*values: Any) -> Any:
@@ -28,6 +31,8 @@ def namespace(*values: Any) -> Any:
     ForeignArrayError
         The values are arrays of two libraries.
     """
+    if len(values) == 1:
+        return _own_namespace(values[0]) or np
     found: list[Any] = []
     for value in values:
         xp = _own_namespace(value)
@@ -46,6 +51,16 @@ def is_numpy(xp: Any) -> bool:
     return xp is np
 
 
+def is_plain(xp: Any) -> bool:
+    """Return whether a namespace computes at once, so that its conditions can be asked."""
+    return xp is np or xp is scalars
+
+
+def finfo(xp: Any, number: Array) -> Any:
+    """Return the limits of the kind of float that a coordinate has."""
+    return xp.finfo(getattr(number, "dtype", None))
+
+
 def expect_numpy(what: str, *values: Any) -> None:
     """Raise `ForeignArrayError` unless all ``values`` are numpy arrays or plain numbers and lists."""
     xp = namespace(*values)
@@ -54,9 +69,12 @@ def expect_numpy(what: str, *values: Any) -> None:
 
 
 def _own_namespace(value: Any) -> Any:
-    if isinstance(value, np.ndarray | np.generic):
+    kind = type(value)
+    if kind is np.ndarray or isinstance(value, np.ndarray | np.generic):
         return np
-    if value is None or isinstance(value, int | float | complex | str | bytes | Sequence):
+    if kind is scalars.Row:
+        return scalars
+    if kind in _PLAIN or isinstance(value, int | float | complex | str | bytes | Sequence):
         return None
     if hasattr(value, "__array_namespace__"):
         return value.__array_namespace__()
@@ -118,7 +136,10 @@ def first_row(bad: Array) -> tuple[int, ...] | None:
 
 def refuse_zeros(vectors: Array, what: str) -> None:
     """Raise `ZeroRotationError` naming the first row of ``vectors`` that is zero."""
-    row = first_row(namespace(vectors).all(vectors == 0.0, axis=-1))
+    xp = namespace(vectors)
+    if is_numpy(xp) and not (vectors[..., 0] == 0.0).any():  # which clears most arrays, for little
+        return
+    row = first_row(xp.all(vectors == 0.0, axis=-1))
     if row is not None:
         raise ZeroRotationError(what, row)
 

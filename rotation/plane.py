@@ -10,6 +10,8 @@ Multiples of 90 degrees are exact with ``degrees=True``: ``R2(90, degrees=True)`
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -76,8 +78,9 @@ def transform(matrices: ArrayLike, points: ArrayLike) -> Floats:
     common_batch(matrices=m.shape[:-2], points=p.shape[:-1])
     m = m.astype(p.dtype, copy=False)
     x, y = p[..., 0], p[..., 1]
-    with np.errstate(invalid="ignore", over="ignore"):  # inf − inf is NaN, in that row alone
-        rows = [m[..., n, 0] * x + m[..., n, 1] * y for n in (0, 1)]
+    with np.errstate(invalid="ignore", over="ignore"):
+        rest = _poison(x, y)
+        rows = [m[..., n, 0] * x + m[..., n, 1] * y + rest for n in (0, 1)]
     return np.stack(rows, axis=-1)
 
 
@@ -103,7 +106,9 @@ def to_polar(points: ArrayLike) -> tuple[Floats, Floats]:
     """
     p = _points(points)
     x, y = p[..., 0], p[..., 1]
-    return np.hypot(x, y), np.arctan2(y, x)
+    with np.errstate(invalid="ignore"):
+        rest = _poison(x, y)
+    return np.hypot(x, y) + rest, np.arctan2(y, x) + rest
 
 
 def from_polar(r: ArrayLike, theta: ArrayLike) -> Floats:
@@ -111,8 +116,9 @@ def from_polar(r: ArrayLike, theta: ArrayLike) -> Floats:
     r, theta = real(r, "radii"), _precise(theta)
     common_batch(radii=r.shape, angles=theta.shape)
     c, s = _cos_sin(theta)
-    with np.errstate(invalid="ignore"):  # inf times 0 is NaN
-        return np.stack([r * c, r * s], axis=-1).astype(r.dtype, copy=False)
+    with np.errstate(invalid="ignore"):
+        rest = _poison(r)
+        return np.stack([r * c + rest, r * s + rest], axis=-1).astype(r.dtype, copy=False)
 
 
 def printed_angle(points: ArrayLike) -> Floats:
@@ -191,6 +197,11 @@ def _cos_sin(angles: ArrayLike, degrees: bool = False) -> tuple[Floats, Floats]:
 def _precise(angles: ArrayLike) -> Floats:
     """Return angles as float64: the points' dtype decides the result, not the angles'."""
     return real(angles, "angles").astype(np.float64, copy=False)
+
+
+def _poison(*coordinates: Floats) -> Floats:
+    """Return NaN where a coordinate is NaN or inf, else −0, which changes no sum."""
+    return reduce(add, (np.abs(c) * c.dtype.type(-0.0) for c in coordinates))
 
 
 def _matrix(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:

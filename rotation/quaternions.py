@@ -10,7 +10,7 @@ from typing import Any
 from hfield import product as formula
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
-from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_zeros
+from rotation.namespaces import Array, expect_last, floats, is_plain, namespace, quiet, refuse_zeros
 from rotation.rowwise import in_pieces
 
 HAMILTON = formula.Constants(-1.0, 0.0, -1.0)
@@ -39,8 +39,11 @@ def normalised(q: Any) -> Array:
 
 def _normalised(q: Array) -> Array:
     xp, c = namespace(q), split(q)
-    error = xp.abs(formula.norm(HAMILTON, c) - 1.0)
-    exact = error <= 2.0 * float(xp.finfo(q.dtype).eps)
+    norm = sum_of_squares(c)
+    exact = xp.abs(norm - 1.0) <= 4.0 * float(xp.finfo(q.dtype).eps)
+    if is_plain(xp) and xp.all((norm > 1e-200) & (norm < 1e200)):  # no square was rounded off
+        modulus = xp.where(exact, 1.0, xp.sqrt(norm))
+        return join(xp, tuple(a / modulus for a in c))
     return join(xp, tuple(xp.where(exact, a, b) for a, b in zip(c, unit(xp, c), strict=True)))
 
 
@@ -55,8 +58,12 @@ def product(p: Array, q: Array) -> Array:
     p, q : array, shape (…, 4)
         Unit quaternions.
     """
-    xp = namespace(p, q)
-    return in_pieces(lambda p, q: join(xp, steadied(multiplied(split(p), split(q)))), p, q)
+    namespace(p, q)  # of two libraries it raises
+    return in_pieces(_product, p, q)
+
+
+def _product(p: Array, q: Array) -> Array:
+    return join(namespace(p), steadied(multiplied(split(p), split(q))))
 
 
 def multiplied(p: Coordinates, q: Coordinates) -> Coordinates:
@@ -72,24 +79,30 @@ def steadied(c: Coordinates) -> Coordinates:
 
 def inverse(q: Array) -> Array:
     """Return the conjugates of unit quaternions, which undo them (thesis, Definition 3 and 4)."""
-    xp = namespace(q)
-    return in_pieces(lambda q: join(xp, formula.conjugate(HAMILTON, split(q))), q)
+    return in_pieces(
+        lambda q: join(namespace(q), formula.conjugate(HAMILTON, split(q))),
+        q,
+    )
 
 
 def canonical(q: Array) -> Array:
     """Return of q and −q, which turn space alike, the one whose first nonzero coordinate is positive."""
-    xp = namespace(q)
-    w, x, y, z = split(q)
+    return in_pieces(lambda q: join(namespace(q), upright(namespace(q), split(q))), q)
+
+
+def upright(xp: Any, c: Coordinates) -> Coordinates:
+    """Return the coordinates of q or −q, the first nonzero one positive."""
+    w, x, y, z = c
     sign = xp.where(w != 0.0, w, xp.where(x != 0.0, x, xp.where(y != 0.0, y, z)))
-    return xp.where((sign < 0.0)[..., None], -q, q)
+    return tuple(xp.where(sign < 0.0, -a, a) for a in c)
 
 
 @quiet
 def angle(q: Array) -> Array:
     """Return the angle of rotation in [0, π], accurate for the smallest and the largest."""
-    xp = namespace(q)
 
     def of_rows(q: Array) -> Array:
+        xp = namespace(q)
         w, *u = split(q)
         return 2.0 * xp.atan2(length(xp, tuple(u)), xp.abs(w))
 
@@ -113,10 +126,11 @@ def power(q: Array, exponent: Any) -> Array:
 @quiet
 def direct_power(q: Array, exponent: Any) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
-    xp = namespace(q, exponent)
+    namespace(q, exponent)  # of two libraries it raises
     common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
 
     def of_rows(q: Array) -> Array:
+        xp = namespace(q)
         w, *u = split(q)
         n = length(xp, tuple(u))
         half = xp.atan2(n, w) * exponent

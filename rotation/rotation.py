@@ -6,7 +6,8 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import quaternions, sampling
-from rotation.arrays import common_batch
+from rotation.arrays import common_batch, real
+from rotation.batch import expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError
 from rotation.matrices import to_matrix
@@ -60,10 +61,15 @@ class Rotation(Conversions):
         shape : int or tuple of int, optional
             How many; by default a single one.
         rng, seed : int or numpy.random.Generator, optional
-            Either name: whatever `numpy.random.default_rng` takes. The same seed gives the same
-            rotations.
+            Either name, not both: whatever `numpy.random.default_rng` takes. The same seed gives
+            the same rotations.
+
+        Raises
+        ------
+        RotationError
+            No shape, no seed, or two.
         """
-        return cls._of(sampling.uniform(sampling.as_shape(shape), seed if rng is None else rng))
+        return cls._of(sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed)))
 
     # The group
 
@@ -88,6 +94,7 @@ class Rotation(Conversions):
 
         ``p.outer(q)[i, j]`` is ``p[i] * q[j]``, which applies ``q[j]`` first.
         """
+        expect_rotations(other=other)
         q = self._q[(..., *(None,) * other.ndim, slice(None))]
         return self._of(quaternions.product(q, other._q))
 
@@ -114,6 +121,7 @@ class Rotation(Conversions):
 
     def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Any:
         """Return where the angle from one rotation to the other is at most ``atol`` (radians)."""
+        expect_rotations(other=other)
         return (self.inv() * other).magnitude(degrees) <= atol
 
     # Points
@@ -157,7 +165,7 @@ class Rotation(Conversions):
     def apply_outer(self, points: Any) -> Array:
         """Rotate every point by every rotation: the shape is ``self.shape + points.shape``."""
         xp = namespace(self._q, points)
-        v = points if hasattr(points, "shape") else xp.asarray(points)
+        v = real(points, "points") if is_numpy(xp) else xp.asarray(points)
         q = self._q[(..., *(None,) * (len(v.shape) - 1), slice(None))]
         return self._of(q).apply(v)
 

@@ -27,8 +27,21 @@ def _listed(shape: int | Sequence[int]) -> Sequence[int]:
     return shape if isinstance(shape, Sequence) else (shape,)
 
 
-def uniform(shape: tuple[int, ...], rng: Any = None) -> npt.NDArray[np.float64]:
+def generator(rng: Any, seed: Any) -> np.random.Generator:
+    """Return the generator that one of the two stands for; raises RotationError where none can be."""
+    if rng is not None and seed is not None:
+        raise RotationError("rng and seed are two names of one thing; give one of them")
+    given = seed if rng is None else rng
+    try:
+        return np.random.default_rng(given)
+    except (TypeError, ValueError) as error:
+        raise RotationError(
+            f"seed {given!r}: a nonnegative whole number or a numpy Generator is expected ({error})"
+        ) from error
+
+
+def uniform(shape: tuple[int, ...], rng: np.random.Generator) -> npt.NDArray[np.float64]:
     """Return unit quaternions (…, 4) uniform on the sphere: normal coordinates, normalised."""
-    q = np.random.default_rng(rng).standard_normal((*shape, 4))
+    q = rng.standard_normal((*shape, 4))
     q /= np.sqrt(np.sum(q * q, axis=-1, keepdims=True))
     return q

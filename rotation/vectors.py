@@ -7,13 +7,27 @@ not overflow.
 import math
 from typing import Any
 
+import numpy as np
+
+from rotation import kernels
 from rotation.angles import radians, to_degrees
 from rotation.arrays import common_batch
 from rotation.compensated import Pair, angle, norm, quotient, sine_and_cosine, two_product
 from rotation.coordinates import Coordinates, factor, join, length, poison, split, unit
-from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, quiet, refuse_zeros
-from rotation.quaternions import canonical, multiplied
+from rotation.namespaces import (
+    Array,
+    expect_last,
+    floats,
+    is_numpy,
+    is_plain,
+    namespace,
+    quiet,
+    refuse_zeros,
+)
+from rotation.quaternions import multiplied, upright
 from rotation.rowwise import in_pieces
+
+_LONG = 50_000  # vectors for which numba need not be imported
 
 
 @quiet
@@ -25,7 +39,18 @@ def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
     """
     v = floats(vectors, "rotation vectors")
     expect_last(v, (3,), "rotation vectors")
+    if is_numpy(namespace(v)) and v.size > 3 * _LONG:
+        return _compiled(v, degrees)
     return in_pieces(lambda v: _from_rotvec(v, degrees), v)
+
+
+def _compiled(v: Array, degrees: bool) -> Array:
+    """The same, for what is worth a compiled loop; what that leaves out is done by the formula."""
+    q, left = kernels.rotation_vectors(v, math.radians(1.0) if degrees else 1.0)
+    if left:
+        rows = np.isnan(q[..., 0])
+        q[rows] = in_pieces(lambda v: _from_rotvec(v, degrees), v[rows])
+    return q
 
 
 def _from_rotvec(v: Array, degrees: bool) -> Array:
@@ -55,7 +80,7 @@ def _sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     near = a < 0.5 * math.pi
     zero = xp.zeros_like(a)
     (s, s_low), (c, c_low) = sine_and_cosine(xp, (xp.where(near, a, zero), b))
-    if is_numpy(xp) and near.all():
+    if is_plain(xp) and xp.all(near):
         return (s, s_low), (c, c_low)
     sa, ca, sb, cb = xp.sin(a), xp.cos(a), xp.sin(b), xp.cos(b)
     sine = xp.where(near, s, sa * cb + ca * sb)
@@ -71,7 +96,7 @@ def to_rotvec(q: Array, degrees: bool = False) -> Array:
 
 def _to_rotvec(q: Array, degrees: bool) -> Array:
     xp = namespace(q)
-    w, *u = split(canonical(q))
+    w, *u = upright(xp, split(q))
     f = factor(xp, tuple(u))
     c = tuple(f * a for a in u)
     n = norm(xp, c)
@@ -105,16 +130,22 @@ def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
     refuse_zeros(v, "axis")
     a = floats(angle, "angles", xp)
     common_batch(axes=tuple(v.shape[:-1]), angles=tuple(a.shape))
+    return in_pieces(lambda r: _from_axis_angle(r, degrees), join(xp, (*split(v), a)))
+
+
+def _from_axis_angle(rows: Array, degrees: bool) -> Array:
+    xp = namespace(rows)
+    *v, a = split(rows)
     half = 0.5 * (radians(xp, a) if degrees else a)
-    c, s = xp.cos(half) + poison(split(v)), xp.sin(half)
-    return join(xp, (c, *(s * a for a in unit(xp, split(v)))))
+    c, s = xp.cos(half) + poison(tuple(v)), xp.sin(half)
+    return join(xp, (c, *(s * x for x in unit(xp, tuple(v)))))
 
 
 @quiet
 def to_axis_angle(q: Array, degrees: bool = False) -> tuple[Array, Array]:
     """Return unit axes (…, 3) and angles (…) in [0, π]; the identity has the axis z and the angle 0."""
     xp = namespace(q)
-    w, *u = split(canonical(q))
+    w, *u = upright(xp, split(q))
     c = tuple(u)
     n = length(xp, c)
     still = n == 0.0
@@ -130,6 +161,10 @@ def from_mrp(parameters: Any) -> Array:
     """Return the unit quaternions of modified Rodrigues parameters (…, 3): ``tan(angle/4)·axis``."""
     v = floats(parameters, "modified Rodrigues parameters")
     expect_last(v, (3,), "modified Rodrigues parameters")
+    return in_pieces(_from_mrp, v)
+
+
+def _from_mrp(v: Array) -> Array:
     xp = namespace(v)
     c = split(v)
     n = length(xp, c)
@@ -141,8 +176,12 @@ def from_mrp(parameters: Any) -> Array:
 
 def to_mrp(q: Array) -> Array:
     """Return the modified Rodrigues parameters, of lengths in [0, 1], of unit quaternions."""
+    return in_pieces(_to_mrp, q)
+
+
+def _to_mrp(q: Array) -> Array:
     xp = namespace(q)
-    w, *u = split(canonical(q))
+    w, *u = upright(xp, split(q))
     return join(xp, tuple(c / (1.0 + w) for c in u))
 
 

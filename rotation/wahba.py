@@ -6,6 +6,7 @@ singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley 
 
 from typing import Any
 
+from rotation.coordinates import length, split
 from rotation.errors import RotationError
 from rotation.matrices import from_matrix, to_matrix
 from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_rows
@@ -34,8 +35,10 @@ def fitted(a: Array, b: Array, w: Array) -> tuple[Array, Array]:
     xp = namespace(a)
     q = _best(xp, a, b, w)
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
-    rest = xp.sum(w * xp.sum((a - turned) ** 2, axis=-1), axis=-1)
-    return q, xp.sqrt(rest)
+    rests = xp.sqrt(w) * length(xp, split(a - turned))
+    largest = xp.max(rests, axis=-1, keepdims=True)  # divided out, so that no square overflows
+    largest = xp.where(largest > 0.0, largest, xp.ones_like(largest))
+    return q, xp.sqrt(xp.sum((rests / largest) ** 2, axis=-1)) * largest[..., 0]
 
 
 def _weights(xp: Any, weights: Any, vectors: Array) -> Array:

@@ -3,12 +3,12 @@
 from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.claim import Claim
-from hfield.ledger.propositions import Over
+from hfield.ledger.propositions import Over, Statement
 from hfield.ledger.real import Angles
 from rotation.ledger.entries import Vector, apply, equal, product, times
 from rotation.ledger.matrix_functions import EULER
 from rotation.ledger.programs import claim
-from rotation.ledger.symbols import InWords, Symbol, code, coordinates
+from rotation.ledger.symbols import Symbol, code, coordinates
 from rotation.ledger.symbols import equal as same_lists
 
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))  # cos x and sin x for x = 0, π/2, π, 3π/2
@@ -30,7 +30,7 @@ def leaning(axes: str) -> Angles:
         "for x = 0, π/2, π and 3π/2 the Euler angle (0, r·sin x, r·cos x) turns (0, 0, 1) into "
         "(sin r·sin x, −sin r·cos x, cos r)"
     )
-    return Angles(InWords(" and ".join(equations), ("y**2 + s**2 == 1",), words))
+    return Angles(Statement(" and ".join(equations), ("y**2 + s**2 == 1",), words))
 
 
 # The last frame. x is 32π, so that u = (r, 0, √(1 − r²)), r = 1/4, is the axis of the quaternions; the
@@ -47,7 +47,7 @@ def by_quaternions(cosine: str, sine: str) -> Vector:
 
 ALIKE = Over(
     "RR",
-    InWords(
+    Statement(
         f"{by_quaternions('0', '1')[0]} == {BY_EULER[0]}",
         AXIS,
         "in the last frame both ways turn the top's axis to a place with the same x",
@@ -55,7 +55,7 @@ ALIKE = Over(
 )
 APART = Over(
     "RR",
-    InWords(
+    Statement(
         f"not ({equal(by_quaternions('p[0]', 'p[1]'), BY_EULER)})",
         (*AXIS, "p[0]**2 + p[1]**2 == 1", "s**2 + t**2 == 1", "t != 0"),
         "in the last frame they turn the top's axis to different places, whatever the angle about u",
@@ -65,7 +65,7 @@ APART = Over(
 CIRCLES = tuple(f"{a}[0]**2 + {a}[1]**2 == 1" for a in "pqr")
 
 
-def matrix_of(axes: str, *given: str) -> InWords:
+def matrix_of(axes: str, *given: str) -> Statement:
     """Say that rotationMatrixZYX(ψ, φ, θ) turns by its three angles about these axes, the last first."""
     angles, turn = [Symbol(name) for name in ("psi", "phi", "theta")], code("rotationbyMatrix")
     v = stepwise = coordinates("v")
@@ -73,7 +73,7 @@ def matrix_of(axes: str, *given: str) -> InWords:
         stepwise = turn(code(f"{letter}axisMatrixrotation", **EULER)(angle), stepwise)
     matrix = code("rotationMatrixZYX", **EULER)(*angles)
     words = f"rotationMatrixZYX(ψ, φ, θ) turns by ψ about {axes[0]}, φ about {axes[1]}, θ about {axes[2]}"
-    return InWords(same_lists(turn(matrix, v), stepwise), given, words)
+    return Statement(same_lists(turn(matrix, v), stepwise), given, words)
 
 
 CLAIMS = (
@@ -101,7 +101,6 @@ CLAIMS = (
         note="Whatever the constant angle about u: the quaternions of the last frame lean the top by at most "
         "29.0° and the Euler angle by 28.6°, but to other sides. Over the film with the angle π/2 the axes "
         "are up to 19.5° apart and the attitudes up to 90.0° (`anim.compare`).",
-        headline=True,
     ),
     claim(
         "C3.4.3-c",

@@ -12,16 +12,7 @@ from hfield.ledger.claim import Claim
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.propositions import Statement
 from rotation.ledger.programs import claim
-from rotation.ledger.symbols import (
-    InWords,
-    Symbol,
-    Vector,
-    code,
-    coordinates,
-    point,
-    quaternion,
-    scalar,
-)
+from rotation.ledger.symbols import Symbol, Vector, code, coordinates, point, quaternion, scalar
 
 BOTH = ("norm(p) != 0", "norm(q) != 0")
 FORMULA = "p*q*v*inv(q)*inv(p)"
@@ -47,23 +38,27 @@ TWICE = code("rotationquaternionChaged")(
 )  # first about z
 
 
-def first_about_z(turned: str) -> Statement:
-    """Say that a term is the point turned about the z axis, and then by q."""
-    return Statement(f"{turned} == q*({SPUN})*inv(q)", (f"norm({SPIN}) != 0", "norm(q) != 0"))
+def first_about_z(turned: str, name: str) -> Statement:
+    """Say that a term is the point turned about the z axis, and then by q; ``name`` says which term."""
+    return Statement(
+        f"{turned} == q*({SPUN})*inv(q)",
+        (f"norm({SPIN}) != 0", "norm(q) != 0"),
+        f"{name} is x turned first about the z axis, by q1, and then by q2",
+    )
 
 
-def once(first: Parts, second: Parts, name: str) -> InWords:
+def once(first: Parts, second: Parts, name: str) -> Statement:
     """Say that turning twice is turning once by the product; ``name`` says which product."""
     product = code("multiQuaternion")(*second, *first)
     turned = code("rotationquaternionChaged")(*product, ELEMENT)
-    return InWords(
+    return Statement(
         f"{point(TWICE)} == {point(turned)}",
         words=f"turning by q1 and then by q2 is rotationquaternionChaged({name}, x)",
     )
 
 
 PRODUCT = code("multiQuaternion")(*Q1, *Q2)
-INVERSE = InWords(
+INVERSE = Statement(
     f"{quaternion(*PRODUCT)}*{quaternion(*code('conjugateQuaternion')(*PRODUCT))} == e",
     ("norm(p) == 1", "norm(q) == 1"),
     "if |q1| = |q2| = 1, conjugateQuaternion of the product is its inverse",
@@ -128,12 +123,11 @@ CLAIMS = (
         "formula",
         "x_Δ=q1q2 x q2^{-1}q1^{-1} with q1 = z rotation, q2 = axis; described: first z, then axis",
         "x_Δ = q1 q2 x q2^{-1} q1^{-1}",
-        first_about_z(AS_PRINTED),
-        spoilt=first_about_z(EXCHANGED),
-        corrected=first_about_z(EXCHANGED),
+        first_about_z(AS_PRINTED, "q1·q2·x·q2⁻¹·q1⁻¹"),
+        spoilt=first_about_z(EXCHANGED, "q2·q1·x·q1⁻¹·q2⁻¹"),
+        corrected=first_about_z(EXCHANGED, "q2·q1·x·q1⁻¹·q2⁻¹"),
         note="The formula turns by q2 first, about the axis. What is described, first about z and then "
         "about the axis, is q2·q1·x·q1⁻¹·q2⁻¹ (`hfield render --order` has both).",
-        headline=True,
     ),
     Claim(
         "C3.4.2-b",

@@ -8,7 +8,7 @@ from hfield.ledger.claim import Claim
 from hfield.ledger.propositions import Every, Statement
 from rotation.ledger.entries import Matrix, matrix, orthogonal, transpose
 from rotation.ledger.programs import claim
-from rotation.ledger.symbols import InWords, Symbol, code, coordinates, point, read_as
+from rotation.ledger.symbols import Symbol, code, coordinates, point, read_as
 
 LETTERS = {ord(letter): f"q[{n}]" for n, letter in enumerate("abcd")}
 
@@ -28,16 +28,20 @@ MENDED = quaternion_matrix("2*(c*d - a*b)")
 UNIT = ("norm(q) == 1",)
 
 
-def turns(m: Matrix) -> Statement:
-    """Say that a matrix turns i, j and k, and so every point, as the unit quaternion q does."""
+def turns(m: Matrix, sixth: str) -> Statement:
+    """Say that a matrix turns i, j and k, and so every point, as the unit quaternion q does.
+
+    ``sixth`` names its sixth entry.
+    """
     columns = zip("ijk", transpose(m), strict=True)
     turned = [f"({x})*i + ({y})*j + ({z})*k == q*{b}*conj(q)" for b, (x, y, z) in columns]
-    return Statement(" and ".join(turned), UNIT)
+    words = f"if |q| = 1, the matrix with {sixth} takes every point x to q·x·q̄"
+    return Statement(" and ".join(turned), UNIT, words)
 
 
-def is_orthogonal(m: Matrix, sixth: str) -> InWords:
+def is_orthogonal(m: Matrix, sixth: str) -> Statement:
     """Say that a matrix of the unit quaternion q is orthogonal; ``sixth`` names its sixth entry."""
-    return InWords(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
+    return Statement(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
 
 
 EQUAL = ("q[1] == q[0]", "q[2] == q[0]", "q[3] == q[0]")
@@ -65,10 +69,10 @@ CIRCLE = "s**2 + t**2 == 1"
 LENGTH = (f"y**2 == norm({point(P)})", "y != 0")
 
 
-def made_of(quaternion: str, words: str, *given: str) -> InWords:
+def made_of(quaternion: str, words: str, *given: str) -> Statement:
     """Say that the function's matrix turns points as a quaternion does."""
     h = f"({quaternion})"
-    return InWords(f"{TURNED} == {h}*{point(V)}*conj{h}", (*LENGTH, *given), words)
+    return Statement(f"{TURNED} == {h}*{point(V)}*conj{h}", (*LENGTH, *given), words)
 
 
 NORMALISED = made_of(
@@ -102,9 +106,9 @@ CLAIMS = (
         "Rotation matrix of the unit quaternion a+bi+cj+dk",
         "[[a²+b²−c²−d²,2(bc−ad),2(bd+ac)],[2(bc+ad),a²−b²+c²−d²,2(cd+ab)],"
         "[2(bd−ac),2(cd+ab),a²−b²−c²+d²]]",
-        above_all(turns(PRINTED)),
-        spoilt=turns(MENDED),
-        corrected=turns(MENDED),
+        above_all(turns(PRINTED, "2(cd + ab)")),
+        spoilt=turns(MENDED, "2(cd − ab)"),
+        corrected=turns(MENDED, "2(cd − ab)"),
         note="The entry of the second row and third column is 2(cd−ab). (In characteristic 2 the sign "
         "does not matter.)",
         headline=True,

@@ -5,23 +5,26 @@ Points of space are the coordinates 1, 2, 3 of quaternions. The polygons are tho
 """
 
 from collections import Counter
+from dataclasses import dataclass
 from itertools import pairwise
 
 from anim.ledger.counting import model_has
 from hfield.certificates.ledger import CIRCLE
-from hfield.ledger.claim import Claim
+from hfield.ledger.claim import Claim, Proposition
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL
+from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.rings.base import Ring
 from rotation.ledger.programs import claim
 
 
-def cone(apex: str, radius2: str, height: str, base: str = "") -> Every:
+def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -> Every:
     """Say that the lines from (0, 0, apex) to a circle about the z axis make a cone about it.
 
     ``radius2`` is the square of the circle's radius, ``height`` its z; ``base`` is another square in the
-    place of the first. The cone is (height − apex)²·(x² + y²) = radius2·(z − apex)²: the circle is on it, and
-    with each of its points the line from there to the apex.
+    place of the first; ``name`` is the circle's. The cone is (height − apex)²·(x² + y²) =
+    radius2·(z − apex)²: the circle is on it, and with each of its points the line to the apex.
     """
 
     def on_cone(x: str, y: str, z: str) -> str:
@@ -31,7 +34,39 @@ def cone(apex: str, radius2: str, height: str, base: str = "") -> Every:
     line = on_cone("s*p[1]", "s*p[2]", f"s*(p[3] - {apex})")
     circle = f"p[1]**2 + p[2]**2 == {base or radius2}"
     through = f"p[3] == {height} => not ({circle}) or {here}"
-    return Every((Statement(through), Statement(f"{here} => {line}")))
+    words = f"the lines from (0, 0, {apex}) to {name} lie on a cone about the z axis"
+    return Every((Statement(through), Statement(f"{here} => {line}")), words if name else "")
+
+
+@dataclass(frozen=True)
+class Dividing:
+    """A proposition with numbers in it that exist only where the ``primes`` are not 0."""
+
+    proposition: Proposition
+    primes: tuple[int, ...]
+    reason: str
+
+    @property
+    def text(self) -> str:
+        """The proposition itself."""
+        return self.proposition.text
+
+    @property
+    def statement(self) -> str:
+        """The proposition, in the vocabulary of certificates."""
+        return self.proposition.statement
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it where the numbers exist."""
+        if field is not None and field.characteristic in self.primes:
+            return Decision(NOT_APPLICABLE, "no meaning here", steps=(self.reason,))
+        return self.proposition.decide(field)
+
+
+def second_cone(base: str = "") -> Dividing:
+    """Say it of P2, whose height and radius are fractions."""
+    whole = cone("3", "(1/3)**3", "11/10", base, "" if base else "P2")
+    return Dividing(whole, (2, 3, 5), "Where 2, 3 or 5 is 0, there are no 1/3 and 11/10.")
 
 
 # cos(π/n) = y is the distance from the axis to the middle of a side of the polygon in P₁, and z that
@@ -99,7 +134,7 @@ CLAIMS = (
         "definition",
         "Cone 1: apex (0,0,0), base P1={x²+y²=1, z=1}",
         "P1",
-        cone("0", "1", "1"),
+        cone("0", "1", "1", name="P1"),
         spoilt=cone("0", "1", "1", base="2"),
         note="A definition. That the lines from the apex to P1 make a cone about the z axis, "
         "x² + y² = z², is decided.",
@@ -110,8 +145,8 @@ CLAIMS = (
         "definition",
         "Cone 2: apex (0,0,3), base P2={x²+y²=(1/3)³, z=11/10}",
         "(1/3)^3",
-        cone("3", "(1/3)**3", "11/10"),
-        spoilt=cone("3", "(1/3)**3", "11/10", base="(1/3)**2"),
+        second_cone(),
+        spoilt=second_cone("(1/3)**2"),
         note="A definition, decided as for P1. As it stands the radius of P2 is (1/3)√(1/3) ≈ 0.192, "
         "about a fifth of that of P1; perhaps (1/3)² was meant, with the radius 1/3 (the twin). "
         "`hfield render --p2` has both.",

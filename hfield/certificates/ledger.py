@@ -154,6 +154,8 @@ class _Logic:
             theorem = THEOREMS.get(self.p.parts[0].strip())
             if theorem is None:
                 reject(f"there is no theorem {shown(self.p.parts[0].strip())!r} to cite")
+            if self.setting.field is None or self.setting.field.name != "RR":
+                reject("theorems about real polynomials are cited over RR alone")
             scope, cited = self.part(1, verdict, evidence)
             return scope, tuple(dict.fromkeys((*cited, theorem)))
         if word == "angles":

@@ -9,6 +9,7 @@ to V coordinate by coordinate.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product as tuples
 from typing import Any
 
@@ -100,6 +101,18 @@ class Form:
         return [self.one if m == n else self.zero for m in range(N)]
 
 
+@lru_cache(maxsize=64)
+def _determines(choice: Any, k: int) -> bool:
+    """Tell whether nothing is left of f − g if they agree on ``choice(k)``; no field plays a part."""
+    form = Form(k)
+    left = form(*form.arguments)
+    for t in set(choice(k)):
+        # The entry at t is the value at t: agreeing there means that h_t = 0.
+        value = form(*(form.basis(n) for n in t))
+        left = left - value * _monomial(form, t)
+    return bool(left == 0)
+
+
 @dataclass(frozen=True)
 class DeterminedBy:
     """k-linear maps that agree on ``choice(k)`` are equal, for each k in ``arities``."""
@@ -123,13 +136,8 @@ class DeterminedBy:
         """Set the entries h_t of f − g to 0 on the tuples given, and see what is left of f − g."""
         steps: list[str] = []
         for k in self.arities:
-            form, given = Form(k), set(self.choice(k))
-            left = form(*form.arguments)
-            for t in given:
-                # The entry at t is the value at t: agreeing there means that h_t = 0.
-                value = form(*(form.basis(n) for n in t))
-                left = left - value * _monomial(form, t)
-            if left != 0:
+            given = set(self.choice(k))
+            if not _determines(self.choice, k):
                 t = next(t for t in all_tuples(k) if t not in given)
                 vectors = ", ".join(BASIS[n] for n in t)
                 steps.append(

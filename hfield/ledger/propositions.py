@@ -16,22 +16,21 @@ from hfield.rings.base import Ring
 TRUE = ("proved", "vacuous")
 
 
-def where(field: Ring | None) -> str:
-    """Name a column in words."""
-    return "every commutative ring" if field is None else field.name
-
-
 @dataclass(frozen=True)
 class Statement:
-    """A statement of the language, for all values of its unknowns; ``given`` are hypotheses."""
+    """A statement of the language, for all values of its unknowns; ``given`` are hypotheses.
+
+    ``words`` say it to people, where the formula is too long to read.
+    """
 
     formula: str
     given: tuple[str, ...] = ()
+    words: str = ""
 
     @property
     def text(self) -> str:
-        """The statement with its hypotheses in front."""
-        return " => ".join((*self.given, self.formula))
+        """The words, or the statement with its hypotheses in front."""
+        return self.words or " => ".join((*self.given, self.formula))
 
     @property
     def statement(self) -> str:

@@ -13,8 +13,18 @@ from hfield.ledger.claim import Claim
 
 @lru_cache(maxsize=1)
 def claims() -> tuple[Claim, ...]:
-    """Return all claims: chapter 1, then what other packages add (entry points ``hfield.claims``)."""
-    return (*CLAIMS, *_foreign())
+    """Return all claims, by section: chapter 1, and what other packages add.
+
+    They add theirs as entry points ``hfield.claims``, which come in any order. Sections that are no
+    numbers come last.
+    """
+    return tuple(sorted((*CLAIMS, *_foreign()), key=_place))
+
+
+def _place(claim: Claim) -> tuple[bool, list[int]]:
+    numbers = claim.section.split(".")
+    known = all(number.isdigit() for number in numbers)
+    return not known, [int(number) for number in numbers] if known else []
 
 
 def _foreign() -> Iterator[Claim]:

@@ -6,6 +6,7 @@ from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.proving.compiled import World
 from hfield.proving.interpret import (
     Interpretation,
     PrimeInterpretation,
@@ -87,9 +88,7 @@ def _one_by_one(
 ) -> Assignment | None:
     prime = field.is_field and field.order == field.characteristic and not statement.constants
     elements: list[Any] = list(range(field.characteristic)) if prime else list(field.elements())
-    world: Interpretation = (
-        PrimeInterpretation(field.characteristic) if prime else RingInterpretation(field)
-    )
+    world: World = PrimeInterpretation(field.characteristic) if prime else RingInterpretation(field)
     seeker = Searcher(statement, constants, world, float("inf"), wanted)
     for n, values in enumerate(product(elements, repeat=len(places))):
         if n % 64 == 63 and monotonic() > deadline:

@@ -179,17 +179,27 @@ class Basis:
         fresh: dict[int, int] = {}
         for _, i in self.active:
             fresh.setdefault(mon.lcm(self.leads[i], lead), i)
-        minimal = [
-            (lcm, i)
-            for lcm, i in fresh.items()
-            if not any(other != lcm and mon.divides(other, lcm) for other in fresh)
-        ]
+        minimal = self._minimal(fresh)
         coprime = {mon.lcm(self.leads[i], lead) for _, i in self.active if self._coprime(i, lead)}
         for lcm, i in minimal:
             if lcm not in coprime:
                 heapq.heappush(self.pairs, (mon.degree(lcm), lcm, i, new))
         self.active = [x for x in self.active if not mon.divides(lead, self.leads[x[1]])]
         self.active.append((-lead & mon.mask, new))
+
+    def _minimal(self, fresh: Mapping[int, int]) -> list[tuple[int, int]]:
+        """Return those of the new multiples that no other one divides, compared as in ``divides``."""
+        guard, mask = self.monomials.guard, self.monomials.mask
+        packed = [-lcm & mask for lcm in fresh]
+        out = []
+        for own, pair in zip(packed, fresh.items(), strict=True):
+            raised = own | guard
+            for other in packed:
+                if (raised - other) & guard == guard and other != own:
+                    break
+            else:
+                out.append(pair)
+        return out
 
     def _coprime(self, i: int, lead: int) -> bool:
         return self.monomials.lcm(self.leads[i], lead) == self.leads[i] + lead

@@ -1,15 +1,17 @@
 """What a proof may start from besides the clause: relations of constants, and telling quaternions."""
 
+from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 from hfield.product import norm
 from hfield.proving.expand import Expanded, polynomial_world
 from hfield.proving.facts import relation
-from hfield.proving.language import Statement
+from hfield.proving.language import BASIS, RESULT, Sort, Statement
 from hfield.proving.trees import walk
 from hfield.proving.vanish import vanishes
 from hfield.rings.base import Ring
-from hfield.syntax import Binary, Call, Compare, Name, Power
+from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
 
 MAX_QUATERNIONS = 24
 MAX_QUATERNION_TERMS = 200
@@ -38,6 +40,7 @@ def nonzero_constants_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
     )
 
 
+@lru_cache(maxsize=256)
 def quaternions_of(
     statement: Statement, constants: tuple[str, str, str]
 ) -> tuple[tuple[tuple[Any, ...], Any], ...]:
@@ -47,11 +50,10 @@ def quaternions_of(
     nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
     for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
         if isinstance(node, Compare):  # the factors of a product are often compared with 0
-            q, _ = world.term(Binary("-", node.left, node.right))
-        elif isinstance(node, Name | Binary | Power | Call):
-            q, _ = world.term(node)
-        else:
+            node = Binary("-", node.left, node.right)
+        if not isinstance(node, Name | Binary | Power | Call) or is_scalar(node, statement.sorts):
             continue
+        q, _ = world.term(node)
         if not isinstance(q, tuple) or len(found) >= MAX_QUATERNIONS:
             continue
         if sum(map(len, q)) > MAX_QUATERNION_TERMS:
@@ -63,3 +65,17 @@ def quaternions_of(
             if any(not u.is_constant() for u in numerators):
                 found.setdefault(str(numerators), (numerators, norm_of))
     return tuple(found.values())
+
+
+def is_scalar(term: Node, sorts: Mapping[str, Sort]) -> bool:
+    """Tell whether a term is a scalar; a constant of the field is one."""
+    match term:
+        case Name(name):
+            return sorts.get(name) is not Sort.QUATERNION and name not in BASIS
+        case Call(function, _):
+            return RESULT.get(function) is not Sort.QUATERNION
+        case Negate(x) | Power(x, _):
+            return is_scalar(x, sorts)
+        case Binary(_, x, y):
+            return is_scalar(x, sorts) and is_scalar(y, sorts)
+    return True  # a number or a coordinate

@@ -78,6 +78,9 @@ class Statement:
     def __str__(self) -> str:
         return to_text(self.node)
 
+    def __hash__(self) -> int:
+        return hash(self.text)  # trees are long, and memories ask often
+
     @property
     def sorts(self) -> dict[str, Sort]:
         """The unknowns with their sorts, in order of first appearance."""
@@ -108,6 +111,7 @@ def read_statement(
     return _Analysis(text, field, letters).run(node, constants)
 
 
+@lru_cache(maxsize=4096)
 def _parse(text: str) -> Node:
     node = parse(text)
     depth = tree_depth(node)

@@ -81,9 +81,29 @@ def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: 
     return f"associative({letters}): {' and '.join(relations)} => {' and '.join(goals)}"
 
 
+Proof = list[tuple[Cofactors, int]]  # of each goal, with what was divided by
+_proofs: dict[Any, Proof | None] = {}
+MAX_KEPT = 256
+
+
 def _prove(
     relations: list[Words], goals: list[Words], letters: str, p: int, deadline: float
-) -> list[tuple[Cofactors, int]] | None:
+) -> Proof | None:
+    """Prove with a memory, since all fields ask the same; what failed for lack of time is retried."""
+    key = (letters, p, *(tuple(f.items()) for f in (*relations, *goals)), len(goals))
+    if key not in _proofs:
+        proof = _attempt(relations, goals, letters, p, deadline)
+        if proof is None and monotonic() > deadline:
+            return None
+        if len(_proofs) >= MAX_KEPT:
+            _proofs.clear()
+        _proofs[key] = proof
+    return _proofs[key]
+
+
+def _attempt(
+    relations: list[Words], goals: list[Words], letters: str, p: int, deadline: float
+) -> Proof | None:
     system = Rewriting(relations, p, letters)
     found = [system.member(g) for g in goals]
     if any(f is None for f in found):
@@ -104,7 +124,7 @@ def _prove(
     return out
 
 
-def _proved(proof: list[tuple[Cofactors, int]], target: dict[str, Any], p: int) -> Decision:
+def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
     steps = []
     entries = []
     for (cofactors, scale), goal in zip(proof, target["goals"], strict=True):

@@ -13,6 +13,7 @@ from typing import Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
 from hfield.product import Constants, conjugate, multiply, trace
+from hfield.proving.compiled import Truth, World, compile_statement
 from hfield.proving.interpret import (
     Interpretation,
     PrimeInterpretation,
@@ -42,7 +43,7 @@ class Searcher:
         self,
         statement: Statement,
         constants: tuple[str, str, str],
-        world: Interpretation,
+        world: World,
         deadline: float,
         wanted: bool = False,
     ) -> None:
@@ -51,14 +52,16 @@ class Searcher:
         self.fixed: Assignment = {}
         if isinstance(world, RingInterpretation):
             self.fixed = {text: constant(world.ring, text) for text in statement.constants}
-        self.letters = any(c.isalpha() for text in constants for c in text)
+        self.compiled: Truth | None = None
+        if not any(c.isalpha() for text in constants for c in text):
+            bind(world, constants, self.fixed)
+            self.compiled = compile_statement(statement, world, self.fixed)
 
     def test(self, assignment: Assignment) -> bool:
         """Tell whether the statement has the wanted truth value there."""
-        values = {**self.fixed, **assignment}
-        if self.letters or not hasattr(self.world, "constants"):
-            bind(self.world, self.constants, values)
-        self.world.values = values
+        if self.compiled is not None:
+            return self.compiled(assignment) is self.wanted
+        bind(self.world, self.constants, {**self.fixed, **assignment})
         return holds(self.world, self.statement) is self.wanted
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
@@ -109,15 +112,15 @@ def nonzero_first(scalars: Sequence[Any]) -> list[Any]:
 
 def vectors(length: int, total: int, largest: int) -> Iterator[list[int]]:
     """Run through vectors of nonnegative integers with a given sum, none above ``largest``."""
-    if length == 0:
-        if total == 0:
-            yield []
+    if total == 0:
+        yield [0] * length
         return
-    for first in range(min(total, largest), -1, -1):
-        if total - first > largest * (length - 1):
-            return
-        for rest in vectors(length - 1, total - first, largest):
-            yield [first, *rest]
+    for zeros in range(length):  # in front of the first entry that is not 0
+        for first in range(min(total, largest), 0, -1):
+            if total - first > largest * (length - zeros - 1):
+                break
+            for rest in vectors(length - zeros - 1, total - first, largest):
+                yield [*[0] * zeros, first, *rest]
 
 
 def prime_scalars(p: int) -> list[int]:
@@ -275,7 +278,12 @@ def ring_search(
 
 def too_heavy(statement: Statement, limit: int) -> bool:
     """Tell whether evaluating at elements above 1 could grow without bound."""
-    return any(weight(n) > limit for n in (*statement.hypotheses, statement.conclusion))
+    return _heaviest(statement) > limit
+
+
+@lru_cache(maxsize=4096)
+def _heaviest(statement: Statement) -> int:
+    return max(weight(n) for n in (*statement.hypotheses, statement.conclusion))
 
 
 def witness_texts(field: Ring | None, assignment: Mapping[str, Any]) -> dict[str, list[str]]:

@@ -66,13 +66,19 @@ def _row(result: Result, results: Sequence[Result], settings: Settings) -> tuple
     ratios = ["" if x is None else f"{x:.2f}" for x in ratios_of(result, results)]
     return (
         name,
-        f"{1e3 * result.mean:.2f}",
-        f"{1e3 * result.best:.2f}",
+        _milliseconds(result.mean),
+        _milliseconds(result.best),
         *ratios,
         f"{run:.3g}" if run < 1000 else f"{run:.0f}",
         "out" if result.way.writes == "out" else "new",
         remark(result, settings),
     )
+
+
+def _milliseconds(seconds: float) -> str:
+    """Two decimals, and of less than a tenth three figures."""
+    ms = 1e3 * seconds
+    return f"{ms:.2f}" if ms >= 0.1 else f"{ms:#.3g}"
 
 
 def remark(result: Result, settings: Settings) -> str:

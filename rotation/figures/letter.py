@@ -52,7 +52,7 @@ def letter_turned(figure: Figure) -> None:
     names = {90: r"$\pi/2$", 180: r"$\pi$", 270: r"$3\pi/2$"}
     for angle, name in names.items():
         ax.fill(*_turned(angle).T, facecolor=PALE, edgecolor=INK, lw=1.8)
-        x, y = rotate2((10.5, 8.2), angle, degrees=True)
+        x, y = rotate2((10.5, 8.6), angle, degrees=True)
         ax.text(x, y, name, ha="center", va="center", fontsize=12)
     ax.fill(*_turned(0).T, facecolor="#fbe9dd", edgecolor=RED, lw=2.2, hatch="///")
     ax.text(11.4, 3.8, "the original", color=RED, va="center")

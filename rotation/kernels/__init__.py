@@ -12,10 +12,20 @@ from typing import Any
 import numpy as np
 
 from rotation.arrays import Array
+from rotation.kernels import uncompiled
 from rotation.kernels.memory import parameters, plan, straightened
 from rotation.kernels.pool import share, threads
 
-__all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
+__all__ = [
+    "axis_angle",
+    "contains_zero",
+    "cumulative",
+    "euler",
+    "one",
+    "quaternions",
+    "rotation_vectors",
+    "threads",
+]
 
 # Below this many points for each thread, waking one takes longer than its part of the work.
 LIGHT, HEAVY = 100_000, 8_000
@@ -55,6 +65,16 @@ def contains_zero(array: Array) -> bool:
     return _run("contains_zero", LIGHT, (array,), (array.shape[-1], array.dtype.type(0)), False)
 
 
+def rotation_vectors(vectors: Array, unit: float) -> tuple[Array, bool]:
+    """Return the quaternions ``(…, 4)`` of rotation vectors in angles of ``unit`` radians.
+
+    Those that the loop leaves to others have w = NaN; told is whether there are any.
+    """
+    v = np.require(vectors, np.float64, ["C", "A"])
+    q = np.empty((*v.shape[:-1], 4))
+    return q, _run("rotation_vectors", HEAVY, (v, q), (0.0, unit))
+
+
 def cumulative(q: Array) -> Array:
     """Return ``q[0]``, ``q[1]·q[0]``, ``q[2]·q[1]·q[0]``, … for ``q`` of shape ``(N, 4)``, normalised.
 
@@ -79,6 +99,8 @@ def _run(
     batch = out.shape[:-1]
     if out.size == 0:
         return False
+    if _not_compiling():
+        return uncompiled.run(name, operands, arguments)
     made = plan(batch, operands) or plan(batch, tuple(straightened(batch, a) for a in operands))
     if made is None:
         raise AssertionError("arrays in one piece have constant strides")
@@ -88,3 +110,10 @@ def _run(
     if writes and made.operands[-1] is not out:
         out[...] = made.operands[-1]
     return answer
+
+
+def _not_compiling() -> bool:
+    """Tell whether numba leaves functions as they are, as for debugging."""
+    from numba import config
+
+    return bool(config.DISABLE_JIT)

@@ -52,7 +52,7 @@ def threads(number: int | None = None) -> int:
             _set(_checked(number, "the number of threads"))
         elif _state.number is None:
             given = os.environ.get(VARIABLE)
-            _state.number = _processors() if given is None else _checked(given, VARIABLE)
+            _state.number = _processors() if not given else _checked(given, VARIABLE)
         return _state.number or 1
 
 
@@ -66,7 +66,7 @@ def _set(number: int) -> None:
 def _checked(value: int | str, name: str) -> int:
     try:
         number = int(value)
-    except ValueError:
+    except (ValueError, OverflowError):
         number = 0
     if number < 1 or number != float(value):
         raise RotationError(f"{name} is {value!r}; expected a whole number of at least 1")

@@ -5,6 +5,7 @@ from rotation.ledger import (
     complex_numbers,
     euler,
     introduction,
+    letter,
     matrix_functions,
     orthogonal,
     performance,
@@ -19,6 +20,7 @@ from rotation.ledger import (
 CLAIMS: tuple[Claim, ...] = (
     *introduction.CLAIMS,
     *plane.CLAIMS,
+    *letter.CLAIMS,
     *reflections.CLAIMS,
     *complex_numbers.CLAIMS,
     *space.CLAIMS,

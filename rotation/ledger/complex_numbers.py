@@ -18,6 +18,13 @@ ANGLE_FORM = (
     f"z**2 == p[0]**2 + p[1]**2 and z != 0 => {Z} == z*(p[0]/z + (p[1]/z)*i)"
     " and (p[0]/z)**2 + (p[1]/z)**2 == 1"
 )
+POLAR_FORM = Angles(
+    Statement(
+        ANGLE_FORM,
+        words="if r² = a² + b² and r ≠ 0, then a + bi = r(cos θ + i sin θ) for the angle θ of the point "
+        "(a/r, b/r) of the circle",
+    )
+)
 ADDED = "(p[0]*q[0] - p[1]*q[1] + (p[1]*q[0] + p[0]*q[1])*i)"
 PRODUCT = f"(y*{Z})*(z*(q[0] + q[1]*i)) == y*z*{ADDED}"
 X, Y = apply(rotation("y", "s"), POINT)
@@ -30,13 +37,18 @@ CLAIMS = (
         "formula",
         "z=|z|(cosθ+i sinθ), ‖z‖=√(a²+b²), θ=arctg(b/a)",
         "θ=arctg b/a",
-        Only(Statement(ARCTG_FORM), (REAL,), "arctg is a real function.", (CIRCLE,)),
+        Only(
+            Statement(ARCTG_FORM, words="θ = arctg b/a makes a + bi = |z|(cos θ + i sin θ)"),
+            (REAL,),
+            "arctg is a real function.",
+            (CIRCLE,),
+        ),
         spoilt=Only(
             Statement(f"{ARCTG} => norm({Z}) == norm(z*{FORM})"),
             (REAL,),
             "arctg is a real function.",
         ),
-        corrected=Angles(Statement(ANGLE_FORM)),
+        corrected=POLAR_FORM,
         note="As in C2.1-a: arctg b/a is an angle of a + bi only for a > 0.",
     ),
     Claim(
@@ -45,9 +57,14 @@ CLAIMS = (
         "formula",
         "z1=z1(cosθ+i sinθ)",
         "z1 = z1(cosθ+i sinθ)",
-        Angles(Statement(f"{ON_CIRCLE} => {Z} == {Z}*{FORM}")),
-        spoilt=Angles(Statement(ANGLE_FORM)),
-        corrected=Angles(Statement(ANGLE_FORM)),
+        Angles(
+            Statement(
+                f"{ON_CIRCLE} => {Z} == {Z}*{FORM}",
+                words="a + bi = (a + bi)(cos θ + i sin θ) for every θ",
+            )
+        ),
+        spoilt=POLAR_FORM,
+        corrected=POLAR_FORM,
         note="z1 stands on both sides; the factor is the radius r1, as the formula for z2 has it.",
     ),
     Claim(
@@ -56,7 +73,10 @@ CLAIMS = (
         "formula",
         "z1z2=r1r2(cos(θ+ψ)+i sin(θ+ψ))",
         "z1z2 = r1r2(cos(θ+ψ)+i sin(θ+ψ))",
-        Statement(PRODUCT),
+        Statement(
+            PRODUCT,
+            words="r1(cos θ + i sin θ)·r2(cos ψ + i sin ψ) = r1r2(cos(θ+ψ) + i sin(θ+ψ))",
+        ),
         spoilt=Statement(PRODUCT.replace("- p[1]*q[1]", "+ p[1]*q[1]")),
         note="cos(θ+ψ) and sin(θ+ψ) by the addition formulas.",
     ),
@@ -69,6 +89,5 @@ CLAIMS = (
         Statement(TURN),
         spoilt=Statement(TURN.replace(FORM, "(y - s*i)")),
         note="e^{iψ} is read as a name of cos ψ + i sin ψ (Euler's formula).",
-        headline=True,
     ),
 )

@@ -4,7 +4,7 @@ The angles φ, θ, ψ are the points (p₀, p₁), (p₂, p₃), (q₀, q₁) of
 """
 
 from hfield.certificates.ledger import CIRCLE
-from hfield.ledger.claim import Claim
+from hfield.ledger.claim import Claim, Proposition
 from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL, Angles
 from hfield.ledger.roots import ModulusDefined
@@ -84,19 +84,22 @@ def locked(sine: str) -> str:
     )
 
 
-EVERY_ROTATION = Every(
-    (
+REAL_ANGLES = "Angles of rotations of the real space are meant."
+
+
+def every_rotation(sine: str) -> Only:
+    """Say that every rotation has Euler angles; ``sine`` is that about x where r11 = r21 = 0."""
+    parts: tuple[Proposition, ...] = (
         SO3_IS_COFACTORS,
         SO3_COLUMNS,
         ModulusDefined(),
-        Statement(ENTRIES),
+        Statement(ENTRIES, words="the first column and the last row give the rest, times z²"),
         *map(Statement, GENERAL),
         Statement("p[1]**2 + q[1]**2 == 0 => p[1] == 0 and q[1] == 0"),
-        Statement(locked("-q[3]")),
-    ),
-    "every R in SO(3) is R_z(ψ)R_y(θ)R_x(γ) for some angles ψ, θ, γ",
-)
-REAL_ANGLES = "Angles of rotations of the real space are meant."
+        Statement(locked(sine), words="where r11 = r21 = 0, R is R_y(θ)R_x(γ)"),
+    )
+    words = "every R in SO(3) is R_z(ψ)R_y(θ)R_x(γ) for some angles ψ, θ, γ"
+    return Only(Every(parts, words), (REAL,), REAL_ANGLES, (CIRCLE,))
 
 
 def expanded(m: Matrix, column: int) -> str:
@@ -109,19 +112,33 @@ def expanded(m: Matrix, column: int) -> str:
     )
 
 
-def laplace(third: Matrix) -> Statement:
+def laplace(third: Matrix, axis: str) -> Statement:
     """Say it of R_x and the first column, R_y and the second, a third matrix and the third."""
     parts = (about_x("y", "s"), about_y("y", "s"), third)
-    return Statement(f"{ON_CIRCLE} => {both(*(expanded(m, n) for n, m in enumerate(parts)))}")
+    return Statement(
+        f"{ON_CIRCLE} => {both(*(expanded(m, n) for n, m in enumerate(parts)))}",
+        words=f"expanded along columns 1, 2 and 3, R_x, R_y and R_{axis} leave the minors of rotations of "
+        "the plane, and have the determinant 1",
+    )
 
 
 def inverses(*axes: Matrix) -> Statement:
     """Say that the transposed matrices are inverse to those given, on both sides."""
     sides = both(*(both(orthogonal(m), orthogonal(transpose(m))) for m in axes))
-    return Statement(f"{ANGLES} => {sides}")
+    return Statement(
+        f"{ANGLES} => {sides}", words="the transposes of R_x, R_y, R_z are their inverses"
+    )
 
 
-FIRST_X = equal(apply(Z, apply(Y, apply(X, V))), apply(PRINTED_ZYX, V))
+PRODUCT_IS_I = Statement(f"{ANGLES} => {orthogonal(PRINTED_ZYX)}", words="R_zyx·R_zyxᵗ = I")
+FIRST_X = Statement(
+    equal(apply(Z, apply(Y, apply(X, V))), apply(PRINTED_ZYX, V)),
+    words="turning by ψ about x, then by θ about y, then by φ about z is R_z(φ)R_y(θ)R_x(ψ)",
+)
+MENDED_Z = Statement(
+    equal(times(Z, PRINTED_YX), PRINTED_ZYX),
+    words="[[cosφ, −sinφ, 0], [sinφ, cosφ, 0], [0, 0, 1]]·R_y(θ)R_x(ψ) is the matrix printed after it",
+)
 DETERMINANT = f"{ANGLES} => {det(PRINTED_ZYX)} == ({det(Z)})*({det(Y)})*({det(X)})"
 UNCHANGED = both(
     equal(about_z("p[0]", "p[1]"), times(Z, ONE, ONE)),
@@ -137,8 +154,8 @@ CLAIMS = (
         "claim",
         "any 3D rotation = triple (ψ about z, θ about y, γ about x) “Euler angle”",
         "(ψ,θ,γ)",
-        Only(EVERY_ROTATION, (REAL,), REAL_ANGLES, (CIRCLE,)),
-        spoilt=Only(Statement(locked("q[3]")), (REAL,), REAL_ANGLES, (CIRCLE,)),
+        every_rotation("-q[3]"),
+        spoilt=every_rotation("q[3]"),
         note="In the order of 2.2.4, R_z(ψ)R_y(θ)R_x(γ). The triple is not unique: where cos θ = 0 "
         "only the sum or difference of ψ and γ counts (gimbal lock).",
     ),
@@ -157,15 +174,14 @@ CLAIMS = (
         "claim",
         "first φ about z, then θ about y, finally ψ about x — computed as R_z R_y R_x",
         "R_z(φ)R_y(θ)R_x(ψ)",
-        Statement(f"{ANGLES} => {equal(times(X, Y, Z), ZYX)}"),
-        spoilt=Statement(FIRST_X),
-        corrected=Every(
-            (Statement(FIRST_X),),
-            "R_z(φ)R_y(θ)R_x(ψ) turns a point first by ψ about x, then by θ about y, then by φ about z",
+        Statement(
+            f"{ANGLES} => {equal(times(X, Y, Z), ZYX)}",
+            words="turning by φ about z, then by θ about y, then by ψ about x is R_z(φ)R_y(θ)R_x(ψ)",
         ),
+        spoilt=FIRST_X,
+        corrected=FIRST_X,
         note="As in Example 4, what is done first stands on the right: R_zR_yR_x turns a point first "
         "about x, then about y, then about z. (About axes that turn along, it is z, y, x.)",
-        headline=True,
     ),
     Claim(
         "C2.2.4-c",
@@ -173,7 +189,7 @@ CLAIMS = (
         "formula",
         "R_y(θ)R_x(ψ)",
         "[[cosθ, sinθ sinψ, sinθ cosψ],[0,cosψ,−sinψ],[−sinθ, cosθ sinψ, cosθ cosψ]]",
-        Statement(equal(times(Y, X), PRINTED_YX)),
+        Statement(equal(times(Y, X), PRINTED_YX), words="R_y(θ)R_x(ψ) is the matrix printed"),
         spoilt=Statement(equal(times(X, Y), PRINTED_YX)),
     ),
     Claim(
@@ -183,13 +199,11 @@ CLAIMS = (
         "R_z(φ) as printed in the second product",
         "[[0,cosφ,−sinφ],[0,sinφ,cosφ],[0,0,1]]",
         Statement(
-            f"{ON_CIRCLE} => {equal(matrix('0, y, -s; 0, s, y; 0, 0, 1'), about_z('y', 's'))}"
+            f"{ON_CIRCLE} => {equal(matrix('0, y, -s; 0, s, y; 0, 0, 1'), about_z('y', 's'))}",
+            words="R_z(φ) is [[0, cosφ, −sinφ], [0, sinφ, cosφ], [0, 0, 1]]",
         ),
-        spoilt=Statement(equal(times(Z, PRINTED_YX), PRINTED_ZYX)),
-        corrected=Every(
-            (Statement(equal(times(Z, PRINTED_YX), PRINTED_ZYX)),),
-            "[[cosφ, −sinφ, 0], [sinφ, cosφ, 0], [0, 0, 1]]·R_y(θ)R_x(ψ) is the matrix printed after it",
-        ),
+        spoilt=MENDED_Z,
+        corrected=MENDED_Z,
         note="The columns have slipped to the right: it is [[cosφ,−sinφ,0],[sinφ,cosφ,0],[0,0,1]], "
         "with which the product is the one printed after it.",
     ),
@@ -200,7 +214,7 @@ CLAIMS = (
         "final 3×3 matrix R_{zyx}",
         "[[cosφcosθ, cosφsinθsinψ−sinφcosψ, cosφsinθcosψ+sinφsinψ],[sinφcosθ, "
         "sinφsinθsinψ+cosφcosψ, sinφsinθcosψ−cosφsinψ],[−sinθ, cosθsinψ, cosθcosψ]]",
-        Statement(equal(ZYX, PRINTED_ZYX)),
+        Statement(equal(ZYX, PRINTED_ZYX), words="R_z(φ)R_y(θ)R_x(ψ) is the matrix printed"),
         spoilt=Statement(equal(times(PRINTED_Z, PRINTED_YX), PRINTED_ZYX)),
         headline=True,
     ),
@@ -210,7 +224,11 @@ CLAIMS = (
         "claim",
         "R_zyx is the rotation for Euler angle (φ,θ,ψ)",
         "(φ,θ,ψ)",
-        Statement(UNCHANGED),
+        Statement(
+            UNCHANGED,
+            words="where two of the angles are 0, R_z(φ)R_y(θ)R_x(ψ) is the rotation by the third about "
+            "its axis; and it is the matrix printed",
+        ),
         spoilt=Statement(equal(times(X, Y, Z), PRINTED_ZYX)),
         note="φ is the angle about z, θ about y, ψ about x: where two of them are 0, the rotation "
         "about the third axis is left.",
@@ -221,12 +239,9 @@ CLAIMS = (
         "claim",
         "Laplace expansion: each det 1; “axes x, y and x”; minors are plane rotation matrices",
         "osi x, y oraz x … 1,2,3 kolumna",
-        laplace(about_x("y", "s")),
-        spoilt=laplace(about_z("y", "s")),
-        corrected=Every(
-            (laplace(about_z("y", "s")),),
-            "columns 1, 2, 3 of R_x, R_y, R_z leave the minors of rotations of the plane",
-        ),
+        laplace(about_x("y", "s"), "x"),
+        spoilt=laplace(about_z("y", "s"), "z"),
+        corrected=laplace(about_z("y", "s"), "z"),
         note="The third axis is z: the third column of R_x has two entries that are not 0.",
     ),
     Claim(
@@ -235,7 +250,10 @@ CLAIMS = (
         "formula",
         "det(R_zyx)=1",
         "det(R_z)det(R_y)det(R_x) = 1",
-        Statement(f"{DETERMINANT} and {det(PRINTED_ZYX)} == 1"),
+        Statement(
+            f"{DETERMINANT} and {det(PRINTED_ZYX)} == 1",
+            words="the determinant of R_zyx is the product of those of R_z, R_y and R_x, and is 1",
+        ),
         spoilt=Statement(f"{DETERMINANT} and {det(PRINTED_ZYX)} == -1"),
     ),
     Claim(
@@ -244,7 +262,7 @@ CLAIMS = (
         "formula",
         "R R^T = I_n",
         "I_n",
-        Statement(f"{ANGLES} => {orthogonal(PRINTED_ZYX)}"),
+        PRODUCT_IS_I,
         spoilt=Statement(f"{ANGLES} => {equal(times(PRINTED_ZYX, PRINTED_ZYX), ONE)}"),
         note="The n is 3.",
     ),
@@ -266,11 +284,11 @@ CLAIMS = (
         Angles(
             Every(
                 (
-                    Statement(f"{ANGLES} => {orthogonal(PRINTED_ZYX)}"),
-                    Statement(f"{ANGLES} => {det(PRINTED_ZYX)} == 1"),
+                    PRODUCT_IS_I,
+                    Statement(f"{ANGLES} => {det(PRINTED_ZYX)} == 1", words="det R_zyx = 1"),
                     CORE,
                 ),
-                f"the matrix of three Euler angles is in SO(3), and {CORE.text}",
+                f"R_zyx is in SO(3), and {CORE.text}",
             ),
             REAL_PART,
         ),

@@ -3,9 +3,9 @@
 As in 3.1.1 they are run on symbols. s and t stand for the cosine and the sine of half an angle.
 """
 
-from hfield.ledger.propositions import Every
+from hfield.ledger.propositions import Every, Statement
 from rotation.ledger.programs import claim, listed
-from rotation.ledger.symbols import InWords, Symbol, code, coordinates, equal, point, read_as
+from rotation.ledger.symbols import Symbol, code, coordinates, equal, point, read_as
 
 Q = coordinates("q")
 MATRICES = (
@@ -17,14 +17,14 @@ MATRICES = (
 )
 
 
-def about(axis: str, name: str) -> InWords:
+def about(axis: str, name: str) -> Statement:
     """Say that a matrix function turns q about a basis vector as a quaternion of half the angle does."""
     double = {"cos": read_as({"angle": "(s**2 - t**2)"}), "sin": read_as({"angle": "(2*s*t)"})}
     matrix = code(name, **double)(Symbol("angle"))
     turned = point(code("rotationbyMatrix")(matrix, Q))
     half = f"(s + t*{axis})"
     words = f"{name}(angle)·x = h·x·h̄ for h = cos(angle/2) + sin(angle/2)·{axis}"
-    return InWords(f"{turned} == {half}*{point(Q)}*conj({half})", ("s**2 + t**2 == 1",), words)
+    return Statement(f"{turned} == {half}*{point(Q)}*conj({half})", ("s**2 + t**2 == 1",), words)
 
 
 def axes(*basis: str) -> Every:
@@ -39,7 +39,7 @@ EULER = {
 }
 
 
-def euler(order: tuple[str, str, str]) -> InWords:
+def euler(order: tuple[str, str, str]) -> Statement:
     """Say that rotationMatrixZYX turns a point about these axes, the last one first, by ψ, φ, θ."""
     angles = {"z": Symbol("psi"), "y": Symbol("phi"), "x": Symbol("theta")}
     turn, v = code("rotationbyMatrix"), coordinates("v")
@@ -50,19 +50,19 @@ def euler(order: tuple[str, str, str]) -> InWords:
     words = (
         f"rotationMatrixZYX(ψ, φ, θ) turns about {order[2]}, then about {order[1]} and {order[0]}"
     )
-    return InWords(equal(turn(matrix, v), step), words=words)
+    return Statement(equal(turn(matrix, v), step), words=words)
 
 
 # A matrix of arbitrary entries: its rows are the coordinates of p, q and r.
 ROWS = [coordinates(row) for row in "pqr"]
 
 
-def rows_times(order: tuple[int, int, int]) -> InWords:
+def rows_times(order: tuple[int, int, int]) -> Statement:
     """Say that rotationbyMatrix returns the products of these rows with the point v."""
     v = coordinates("v")
     product = [Symbol(f"scalar({point(ROWS[n])}*conj({point(v)}))") for n in order]
     words = f"rotationbyMatrix(M, x) is the product of rows {order} of M with x"
-    return InWords(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
+    return Statement(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
 
 
 CLAIMS = (

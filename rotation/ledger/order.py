@@ -57,7 +57,10 @@ class Less:
             REFUTED,
             "witness",
             witness={"q": witness},
-            steps=(*steps, f"their difference {gap} is a norm over ℚ, hence not negative"),
+            steps=(
+                *steps,
+                f"their difference {gap} is not negative: it is a sum of squares over ℚ",
+            ),
             evidence={"kind": "witness", "values": {"q": witness}, "field": base.name},
         )
 

@@ -32,7 +32,10 @@ V = coordinates("v")
 IMAGE, MULTIPLE = apply(A, V), scaled("s", V)
 EIGENVECTOR = f"{orthogonal(transpose(A))} and {equal(IMAGE, MULTIPLE)}"
 REST = f"{dot(MULTIPLE, MULTIPLE)} == {dot(IMAGE, IMAGE)} and {dot(IMAGE, IMAGE)} == {dot(V, V)}"
-SQUARED = Statement(f"{EIGENVECTOR} => s**2*({dot(V, V)}) == {dot(MULTIPLE, MULTIPLE)} and {REST}")
+SQUARED = Statement(
+    f"{EIGENVECTOR} => s**2*({dot(V, V)}) == {dot(MULTIPLE, MULTIPLE)} and {REST}",
+    words="λ0²·vᵗv = (λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv for A ∈ O(3) and Av = λ0v",
+)
 # In the chain vᵗv is one number, y.
 FIRST_LINK = Statement("s**2*y == y => s*y == s**2*y")
 ROOTS = Statement("s**2*y == y and y != 0 => s == 1 or s == -1")
@@ -45,7 +48,10 @@ CLAIMS = (
         "lemma 2",
         "A∈M_n(R), n odd ⇒ A has a real eigenvalue",
         "n nieparzysta",
-        Analysis("odd-degree", Statement(CHARACTERISTIC)),
+        Analysis(
+            "odd-degree",
+            Statement(CHARACTERISTIC, words="det(λI − A) is monic of degree n in λ (n = 1 and 3)"),
+        ),
         spoilt=Analysis("odd-degree", Statement(CHARACTERISTIC.replace("*s**2 + (", "*s**2 - ("))),
         note="Computed for n = 1 and 3: the characteristic polynomial is monic of degree n. That it "
         "has a root in R is cited.",
@@ -56,7 +62,13 @@ CLAIMS = (
         "lemma 2 proof",
         "p_A(λ)=det(λI−A)=λ^n+…, limits ∓∞ at ∓∞ (n odd)",
         "lim p_A(λ) = −∞ for λ → −∞, ∞ for λ → ∞",
-        Analysis("limits", Statement(ODD)),
+        Analysis(
+            "limits",
+            Statement(
+                ODD,
+                words="det(λI − A) has the leading term λⁿ, and det(−λI − A) has (−λ)ⁿ (n = 1 and 3)",
+            ),
+        ),
         spoilt=Analysis("limits", Statement(ODD.replace("(-s)**3", "s**3"))),
         note="Computed for n = 1 and 3: p_A(λ) has the leading term λⁿ, and p_A(−λ) has (−λ)ⁿ.",
     ),
@@ -80,9 +92,15 @@ CLAIMS = (
         "lemma 3 proof",
         "λ0 v^Tv=(λ0v)^Tλ0v=(Av)^TAv=v^TA^TAv=v^Tv",
         "λ0 v^T v = (λ0 v)^T λ0 v",
-        Every((Statement(f"{EIGENVECTOR} => {REST}"), FIRST_LINK)),
-        spoilt=Every((SQUARED,)),
-        corrected=Every((SQUARED,), "λ0²vᵗv = (λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv"),
+        Every(
+            (
+                Statement(f"{EIGENVECTOR} => {REST}", words="(λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv"),
+                FIRST_LINK,
+            ),
+            "λ0·vᵗv = (λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv for A ∈ O(3) and Av = λ0v",
+        ),
+        spoilt=SQUARED,
+        corrected=Every((SQUARED,), SQUARED.text),
         note="The chain begins with λ0²vᵗv, as its consequence λ0²vᵗv = vᵗv has it. The first link is "
         "read given the rest, with y for vᵗv; where λ0 = −1 it says −y = y.",
     ),

@@ -210,7 +210,14 @@ CLAIMS = (
         "data",
         "The matrix model is faster in test 1",
         "Obrót macierzowy jest szybszy",
-        Over("QQ", Less(tables.mean(MATRICES_1), tables.mean(QUATERNIONS_1))),
+        Over(
+            "QQ",
+            Less(
+                tables.mean(MATRICES_1),
+                tables.mean(QUATERNIONS_1),
+                "the matrices' mean of test 1 < the quaternions'",
+            ),
+        ),
         spoilt=Over("QQ", Less(tables.mean(QUATERNIONS_1), tables.mean(MATRICES_1))),
         note="By the means; in the first two of the ten runs it is the slower one.",
     ),

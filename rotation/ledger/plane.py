@@ -1,4 +1,4 @@
-"""Sections 2.1 and 2.1.1: polar coordinates, the rotation of the plane, SO(2), the letter T.
+"""Sections 2.1 and 2.1.1: polar coordinates, the rotation of the plane, SO(2).
 
 An angle is the point (cos θ, sin θ) of the circle c² + s² = 1, so that most of this has an algebraic
 core over every commutative ring. The sum of two angles is the product (c + s·i)(c' + s'·i) of such
@@ -7,7 +7,7 @@ points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where
 
 from hfield.certificates.ledger import CIRCLE
 from hfield.ledger.claim import Claim
-from hfield.ledger.propositions import Every, Only, Over, Statement
+from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL, Angles
 from rotation.ledger import theorem5
 from rotation.ledger.entries import (
@@ -48,6 +48,10 @@ NORMAL = both(
     symmetric(times(A, transpose(A)), times(identity(2), transpose(A), A)), f"{det(A)} == 1"
 )
 TURNING = matrix("p[0], -p[2]; p[2], p[0]")  # [[a11, −a21], [a21, a11]]
+COLUMNS_TOO = Statement(
+    f"{special(A)} => {orthogonal(transpose(A))}",
+    words="AAᵗ = I and det A = 1 make AᵗA = I (n = 2)",
+)
 THEOREM_4 = f"{special(A)} => {equal(A, TURNING)} and p[0]**2 + p[2]**2 == 1"
 PRINTED_FORM = f"{special(A)} => {equal(A, matrix('p[0], -p[1]; p[1], p[0]'))}"
 MENDED_FORM = f"{special(A)} => {equal(A, TURNING)}"
@@ -77,51 +81,6 @@ SUM_OF_ANGLES = (
     " and (s*r[1])*q[0] + (s*r[0])*q[1] == p[0]*q[1] + p[1]*q[0]"
 )
 
-LETTER = ((10, 1), (11, 1), (11, 6), (13, 6), (13, 7), (8, 7), (8, 6), (10, 6))
-
-
-def twice_area(points: tuple[tuple[object, object], ...]) -> str:
-    """Return twice the signed area inside a closed line through the points."""
-    pairs = zip(points, (*points[1:], points[0]), strict=True)
-    return " + ".join(f"(({a})*({d}) - ({c})*({b}))" for (a, b), (c, d) in pairs)
-
-
-def letter_t(points: tuple[tuple[int, int], ...]) -> str:
-    """Say what makes eight points a letter T.
-
-    The sides are parallel to the axes in turn, the mirror x ↦ 21 − x exchanges the two halves, and
-    the area is that of a bar 5·1 upon a stem 1·5.
-    """
-    sides = zip(points, (*points[1:], points[0]), strict=True)
-    parallel = [f"{a[1 - n % 2]} == {b[1 - n % 2]}" for n, (a, b) in enumerate(sides)]
-    size = len(points)
-    halves = [(points[n], points[(1 - n) % size]) for n in range(size)]
-    mirror = [f"21 - {a[0]} == {b[0]} and {a[1]} == {b[1]}" for a, b in halves]
-    return both(*parallel, *mirror, f"{twice_area(points)} == 2*(5*1 + 1*5)")
-
-
-def joined(last: int) -> str:
-    """Say that for every i from 1 to ``last`` there is a point x_{i+1} among the eight."""
-    some = " or ".join(f"s == {n}" for n in range(1, last + 1))
-    return f"{some} => {' or '.join(f's + 1 == {n}' for n in range(1, len(LETTER) + 1))}"
-
-
-QUARTER, HALF, THREE_QUARTERS = matrix("0, -1; 1, 0"), matrix("-1, 0; 0, -1"), matrix("0, 1; -1, 0")
-
-
-def quarter_turns(quarter: Matrix) -> Statement:
-    """Say that the three matrices belong to the points (0,1), (−1,0), (0,−1), and are powers."""
-    return Statement(
-        both(
-            equal(rotation("0", "1"), quarter),
-            equal(rotation("-1", "0"), HALF),
-            equal(rotation("0", "-1"), THREE_QUARTERS),
-            equal(times(quarter, quarter), HALF),
-            equal(times(quarter, quarter, quarter), THREE_QUARTERS),
-        )
-    )
-
-
 # v ↦ p·v with |p| = 1 keeps lengths, and can be joined to the identity: it lies in SO(4). A vector
 # that it leaves where it is makes p − 1 a divisor of 0.
 FOUR = Statement("norm(p) == 1 => norm(p - 1) == 0")
@@ -141,13 +100,28 @@ CLAIMS = (
         "formula",
         "Polar: r=√(x²+y²), θ=arctg(y/x)",
         "θ = arctg y/x",
-        Only(Statement(f"{ARCTG} => {POLAR}"), (REAL,), "arctg is a real function.", (CIRCLE,)),
+        Only(
+            Statement(
+                f"{ARCTG} => {POLAR}",
+                words="r = √(x² + y²) and θ = arctg y/x make x = r cos θ and y = r sin θ",
+            ),
+            (REAL,),
+            "arctg is a real function.",
+            (CIRCLE,),
+        ),
         spoilt=Only(
             Statement(f"{ARCTG} => z**2*y**2 == p[0]**2"), (REAL,), "arctg is a real function."
         ),
-        corrected=Angles(Statement(ANGLE_OF_POINT)),
+        corrected=Angles(
+            Statement(
+                ANGLE_OF_POINT,
+                words="if r² = x² + y² and r ≠ 0, then x = r cos θ and y = r sin θ for the angle θ of "
+                "the point (x/r, y/r) of the circle",
+            )
+        ),
         note="arctg y/x is an angle of (x,y) only for x > 0: (−1,0) gets the angle 0. The angle of a "
-        "point other than 0 is that of (x/r, y/r): arctg y/x + π for x < 0, ±π/2 for x = 0.",
+        "point other than 0 is that of (x/r, y/r): arctg y/x + π for x < 0, ±π/2 for x = 0. In the "
+        "witness (p0, p1) is the point, z is r, and (y, s) is (cos θ, sin θ).",
     ),
     Claim(
         "C2.1-b",
@@ -167,9 +141,12 @@ CLAIMS = (
         "formula",
         "x_Δ=x cosψ−y sinψ; y_Δ=x sinψ+y cosψ (rotation by ψ)",
         "x_Δ = r cos(θ+ψ) = … = x cos ψ − y sin ψ, y_Δ = r sin(θ+ψ) = … = x sin ψ + y cos ψ",
-        Statement(SUM_OF_ANGLES),
+        Statement(
+            SUM_OF_ANGLES,
+            words="x = r cos θ and y = r sin θ make r cos(θ+ψ) = x cos ψ − y sin ψ and r sin(θ+ψ) = "
+            "x sin ψ + y cos ψ, by the steps printed",
+        ),
         spoilt=Statement(SUM_OF_ANGLES.replace("p[0]*q[1] + p[1]*q[0]", "p[0]*q[1] - p[1]*q[0]")),
-        headline=True,
     ),
     Claim(
         "C2.1.1-a",
@@ -186,12 +163,12 @@ CLAIMS = (
         "definition 5",
         "SO(n): AA^t = I_n A^tA, det 1",
         "AA^t = I_n A^t A",
-        Statement(f"{NORMAL} => {orthogonal(A)}"),
-        spoilt=Statement(f"{special(A)} => {orthogonal(transpose(A))}"),
-        corrected=Every(
-            (Statement(f"{special(A)} => {orthogonal(transpose(A))}"),),
-            "AAᵗ = I and det A = 1 make AᵗA = I (n = 2)",
+        Statement(
+            f"{NORMAL} => {orthogonal(A)}",
+            words="AAᵗ = I·AᵗA and det A = 1 make AAᵗ = I (n = 2)",
         ),
+        spoilt=COLUMNS_TOO,
+        corrected=COLUMNS_TOO,
         note="A sign of equality is lost: AAᵗ = I_nAᵗA says that A commutes with Aᵗ, as every "
         "symmetric matrix does. AAᵗ = I_n = AᵗA is meant. Decided for n = 2, A = [[p0, p1],[p2, p3]].",
     ),
@@ -201,7 +178,10 @@ CLAIMS = (
         "definition 5",
         "“special orthogonal group of R^n, SO(n)”",
         "SO(n)",
-        Statement(f"{special(A)} and {special(B)} => {GROUP}"),
+        Statement(
+            f"{special(A)} and {special(B)} => {GROUP}",
+            words="SO(2) has I, the products of its elements and their inverses",
+        ),
         spoilt=Statement(f"{special(A)} and {orthogonal(B)} => {GROUP}"),
         note="It is a group: closed under products and inverses. Decided for n = 2, AAᵗ = I_n.",
     ),
@@ -223,7 +203,9 @@ CLAIMS = (
         "theorem 4",
         "A∈SO(2) ⇒ A is a rotation matrix",
         "A∈SO(2)",
-        Angles(Statement(THEOREM_4)),
+        Angles(
+            Statement(THEOREM_4, words="every A in SO(2) is [[c, −s], [s, c]] with c² + s² = 1")
+        ),
         spoilt=Angles(Statement(THEOREM_4.replace(f" and {det(A)} == 1", ""))),
         headline=True,
         note="Read with AAᵗ = I_n, the slip of Definition 5 being charged to C2.1.1-b.",
@@ -234,9 +216,9 @@ CLAIMS = (
         "proof",
         "A^t=A^{-1} and det=1 ⇒ form [[a11,−a12],[a12,a11]]",
         "[[a11, −a12],[a12, a11]]",
-        Statement(PRINTED_FORM),
+        Statement(PRINTED_FORM, words="A ∈ SO(2) is [[a11, −a12], [a12, a11]]"),
         spoilt=Statement(MENDED_FORM),
-        corrected=Every((Statement(MENDED_FORM),), "A ∈ SO(2) is [[a11, −a21], [a21, a11]]"),
+        corrected=Statement(MENDED_FORM, words="A ∈ SO(2) is [[a11, −a21], [a21, a11]]"),
         note="In A = [a_ij] the entry above right is a12, and cannot be −a12: the form is "
         "[[a11, −a21],[a21, a11]]. Here A is [[p0, p1],[p2, p3]].",
     ),
@@ -246,42 +228,10 @@ CLAIMS = (
         "proof",
         "det A = det A^t = det A^{-1} = 1, det = a11²+a12²=1 ⇒ ψ exists",
         "a11=cosψ, a12=sinψ",
-        Angles(Statement(ANGLE_FOUND)),
+        Angles(
+            Statement(ANGLE_FOUND, words="A ∈ SO(2) makes det Aᵗ = 1 and det A = a11² + a12² = 1")
+        ),
         spoilt=Angles(Statement(ANGLE_FOUND.replace("p[1]**2 == 1", "p[3]**2 == 1"))),
         note="A⁻¹ is Aᵗ. With a12 = sin ψ, and not a21, A is the rotation by −ψ.",
-    ),
-    Claim(
-        "C2.1.1-h",
-        "letter-t",
-        "example 2",
-        "The letter T: 8 points",
-        "x1..x8 = (10,1),(11,1),(11,6),(13,6),(13,7),(8,7),(8,6),(10,6)",
-        Over("QQ", Statement(letter_t(LETTER))),
-        spoilt=Over("QQ", Statement(letter_t((*LETTER[:5], (9, 7), *LETTER[6:])))),
-        note="That they make a letter T: sides parallel to the axes in turn, symmetric about "
-        "x = 21/2, with the area of a bar 5·1 upon a stem 1·5.",
-        fieldless=True,
-    ),
-    Claim(
-        "C2.1.1-i",
-        "letter-t-sides",
-        "example 2",
-        "join x_i with x_{i+1} for i∈{1,…,8}",
-        "i∈{1,2,…,8}",
-        Over("QQ", Statement(joined(8))),
-        spoilt=Over("QQ", Statement(joined(7))),
-        corrected=Over("QQ", Statement(joined(7))),
-        note="There is no point x9: i runs to 7. The eighth side, from x8 to x1, is named apart.",
-        fieldless=True,
-    ),
-    Claim(
-        "C2.1.1-j",
-        "quarter-turns",
-        "example 2",
-        "R_{π/2}, R_π, R_{3π/2}",
-        "[[0,−1],[1,0]], [[−1,0],[0,−1]], [[0,1],[−1,0]]",
-        quarter_turns(QUARTER),
-        spoilt=quarter_turns(THREE_QUARTERS),
-        note="π/2, π and 3π/2 are the points (0,1), (−1,0) and (0,−1) of the circle.",
     ),
 )

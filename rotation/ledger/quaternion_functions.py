@@ -7,16 +7,7 @@ coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and
 
 from hfield.ledger.propositions import Over, Statement
 from rotation.ledger.programs import claim, listed
-from rotation.ledger.symbols import (
-    InWords,
-    Symbol,
-    code,
-    coordinates,
-    point,
-    quaternion,
-    read_as,
-    scalar,
-)
+from rotation.ledger.symbols import Symbol, code, coordinates, point, quaternion, read_as, scalar
 
 P, Q = coordinates("p"), coordinates("q")
 A, B = scalar("p"), scalar("q")
@@ -46,10 +37,10 @@ LENGTH_1 = "if sin(angle/2) ≠ 0 and u ≠ 0, rotationquaternion(angle, u, u) =
 LENGTH = f"y**2 == norm({point(P)})"
 
 
-def axis_stays(*given: str, words: str = "") -> InWords:
+def axis_stays(*given: str, words: str = "") -> Statement:
     """Say that the axis p, not 0, stays where it is exactly when its length is 1."""
     stays = f"{AXIS_TURNED} == {point(P)}"
-    return InWords(f"{stays} <=> {UNIT}", (CIRCLE, f"{point(P)} != 0", *given), words)
+    return Statement(f"{stays} <=> {UNIT}", (CIRCLE, f"{point(P)} != 0", *given), words)
 
 
 def rodrigues(cosine: str, sine: str) -> str:
@@ -58,9 +49,9 @@ def rodrigues(cosine: str, sine: str) -> str:
     return f"({cosine})*{v} + ({sine})*vector({u}*{v}) - (1 - ({cosine}))*scalar({u}*{v})*{u}"
 
 
-def same(left: str, right: str, *given: str, words: str = "") -> InWords:
+def same(left: str, right: str, *given: str, words: str = "") -> Statement:
     """Return an equality under hypotheses."""
-    return InWords(f"{left} == {right}", given, words)
+    return Statement(f"{left} == {right}", given, words)
 
 
 CLAIMS = (
@@ -215,7 +206,7 @@ CLAIMS = (
         "spec",
         "NormalizeVector divides each element by the Euclidean norm",
         "norma euklidesowa",
-        InWords(
+        Statement(
             NORMALISED,
             (LENGTH, "y != 0"),
             "if v ≠ 0, NormalizeVector(v)·|v| = v and NormalizeVector(v) has length 1",

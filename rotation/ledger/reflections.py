@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 from hfield.ledger.claim import Claim
-from hfield.ledger.propositions import Every, Over, Statement
+from hfield.ledger.propositions import Over, Statement
 from hfield.ledger.real import Angles
 from rotation.ledger.entries import (
     Matrix,
@@ -19,7 +19,8 @@ from rotation.ledger.entries import (
     times,
     transpose,
 )
-from rotation.ledger.plane import LETTER, ON_CIRCLE, POINT, twice_area
+from rotation.ledger.letter import LETTER, twice_area
+from rotation.ledger.plane import ON_CIRCLE, POINT
 
 A = general("p")
 B = general("q")
@@ -27,6 +28,7 @@ MINUS = f"{orthogonal(A)} and {det(A)} == -1"
 PRINTED_O = matrix("y, s; s, y")  # what is printed for any orthogonal matrix, and as O(θ)
 PRINTED = matrix("y, -s; s, -y")  # what is printed for determinant −1
 REFLECTION = matrix("y, s; s, -y")
+MENDED_O = "[[cosθ, sinθ], [sinθ, −cosθ]]"
 KEEPS_X, KEEPS_Y = matrix("1, 0; 0, -1"), matrix("-1, 0; 0, 1")
 
 TURNING, MIRRORING = matrix("p[0], -p[2]; p[2], p[0]"), matrix("p[0], p[2]; p[2], -p[0]")
@@ -44,9 +46,29 @@ AREA_KEPT = f"{MINUS} => {AREA} == -({twice_area(LETTER)})"
 HALF_TURN = "(y == 1 or y == -1) and s == 0 => "
 
 
-def of_determinant(m: Matrix) -> str:
+def of_determinant(m: Matrix, name: str) -> Statement:
     """Say that a matrix made of y and s is orthogonal with determinant −1 for every angle."""
-    return f"{ON_CIRCLE} => {orthogonal(m)} and {det(m)} == -1"
+    words = f"{name} is orthogonal and has the determinant −1"
+    return Statement(f"{ON_CIRCLE} => {orthogonal(m)} and {det(m)} == -1", words=words)
+
+
+def mirrored_in(axis: int, name: str) -> Statement:
+    """Say that (x, −y) is the mirror image of (x, y) in an axis."""
+    words = f"(x, −y) is the mirror image of (x, y) in the {name} axis"
+    return Statement(mirrored(("p[0]", "-p[1]"), axis), words=words)
+
+
+def respectively(first: int, second: int) -> Statement:
+    """Say in which axes diag(1, −1) and diag(−1, 1) mirror."""
+    images = (apply(KEEPS_X, POINT), apply(KEEPS_Y, POINT))
+    words = f"diag(1, −1) mirrors in the {'xy'[first]} axis, diag(−1, 1) in the {'xy'[second]} axis"
+    return Statement(both(mirrored(images[0], first), mirrored(images[1], second)), words=words)
+
+
+def half_turns(m: Matrix, name: str) -> Statement:
+    """Say that a matrix made of y and s is diag(1, −1) or diag(−1, 1) at the angles 0 and π."""
+    words = f"at the angles 0 and π, {name} is diag(1, −1) or diag(−1, 1)"
+    return Statement(f"{HALF_TURN}{equal(m, KEEPS_X)} or {equal(m, KEEPS_Y)}", words=words)
 
 
 def mirrored(image: Vector, axis: int) -> str:
@@ -103,12 +125,12 @@ CLAIMS = (
         "claim",
         "Proof of Thm 4 shows that any orthogonal 2×2 matrix is [[cosθ,sinθ],[sinθ,cosθ]]",
         "[[cosθ, sinθ],[sinθ, cosθ]]",
-        Angles(Statement(ANY_PRINTED)),
+        Angles(Statement(ANY_PRINTED, words="an orthogonal A is [[c, s], [s, c]]")),
         spoilt=Angles(Statement(ANY)),
         corrected=Angles(
-            Every(
-                (Statement(ANY),),
-                "an orthogonal A is [[c, −s], [s, c]] or [[c, s], [s, −c]] with c² + s² = 1",
+            Statement(
+                ANY,
+                words="an orthogonal A is [[c, −s], [s, c]] or [[c, s], [s, −c]] with c² + s² = 1",
             )
         ),
         note="The rotation by a quarter turn has not that form. An orthogonal 2×2 matrix is "
@@ -120,17 +142,18 @@ CLAIMS = (
         "claim",
         "Any real orthogonal 2×2 with det −1 has form [[cosθ,−sinθ],[sinθ,−cosθ]]",
         "[[cosθ, −sinθ],[sinθ, −cosθ]]",
-        Angles(Statement(MINUS_PRINTED)),
+        Angles(
+            Statement(MINUS_PRINTED, words="an orthogonal A with det A = −1 is [[c, −s], [s, −c]]")
+        ),
         spoilt=Angles(Statement(MINUS_MENDED)),
         corrected=Angles(
-            Every(
-                (Statement(MINUS_MENDED),),
-                "an orthogonal A with det A = −1 is [[c, s], [s, −c]] with c² + s² = 1",
+            Statement(
+                MINUS_MENDED,
+                words="an orthogonal A with det A = −1 is [[c, s], [s, −c]] with c² + s² = 1",
             )
         ),
         note="The printed matrix has the determinant −cos²θ + sin²θ and is not even orthogonal; "
         "the form is [[cosθ,sinθ],[sinθ,−cosθ]]. Here A is [[p0, p1],[p2, p3]].",
-        headline=True,
     ),
     Claim(
         "C2.1.2-c",
@@ -147,9 +170,9 @@ CLAIMS = (
         "claim",
         "The effect (x,−y) is reflection in the y axis",
         "odbicie względem osi y",
-        Statement(mirrored(("p[0]", "-p[1]"), 1)),
-        spoilt=Statement(mirrored(("p[0]", "-p[1]"), 0)),
-        corrected=Statement(mirrored(("p[0]", "-p[1]"), 0)),
+        mirrored_in(1, "y"),
+        spoilt=mirrored_in(0, "x"),
+        corrected=mirrored_in(0, "x"),
         note="(x,−y) is the mirror image in the x axis, which it leaves fixed.",
     ),
     Claim(
@@ -158,12 +181,9 @@ CLAIMS = (
         "example 3",
         "O(θ)=[[cosθ_n,sinθ_n],[sinθ_n,cosθ_n]]",
         "O(θ)",
-        Statement(of_determinant(PRINTED_O)),
-        spoilt=Statement(of_determinant(REFLECTION)),
-        corrected=Every(
-            (Statement(of_determinant(REFLECTION)),),
-            "[[cosθ, sinθ], [sinθ, −cosθ]] is orthogonal and has the determinant −1",
-        ),
+        of_determinant(PRINTED_O, "[[cosθ, sinθ], [sinθ, cosθ]]"),
+        spoilt=of_determinant(REFLECTION, MENDED_O),
+        corrected=of_determinant(REFLECTION, MENDED_O),
         note="Read as the orthogonal matrix of determinant −1 that the section speaks of (and with "
         "θ for θ_n); the last entry must be −cosθ.",
     ),
@@ -173,7 +193,10 @@ CLAIMS = (
         "number",
         "angles {2πx/10: x∈N∪{0}, x≤10}",
         "x≤10",
-        Over("QQ(sqrt(5))", Statement(turns(10))),
+        Over(
+            "QQ(sqrt(5))",
+            Statement(turns(10), words="10 steps of 2π/10 make a full turn, and fewer do not"),
+        ),
         spoilt=Over("QQ(sqrt(5))", Statement(turns(9))),
         note="Eleven angles from 0 to a full turn; the last brings back the first, so there are ten "
         "directions. cos(2π/10) = (1+√5)/4, sin²(2π/10) = (5−√5)/8.",
@@ -185,7 +208,14 @@ CLAIMS = (
         "claim",
         "Only 2 of the images keep the area of the original",
         "tylko 2 obroty mają identyczne pola",
-        Over("QQ(sqrt(5))", Statement(area_kept((0, 5)))),
+        Over(
+            "QQ(sqrt(5))",
+            Statement(
+                area_kept((0, 5)),
+                words="of the ten images by O(2πn/10), n from 0 to 9, those for n = 0 and 5 keep the "
+                "area, and no others",
+            ),
+        ),
         spoilt=Over("QQ(sqrt(5))", Statement(area_kept((0, 2, 5)))),
         note="O(θ) multiplies areas by |cos²θ − sin²θ|, which is 1 for θ = 0, π and 2π alone: three "
         "of the eleven angles, but 0 and 2π give one and the same image. A correct reflection "
@@ -199,11 +229,14 @@ CLAIMS = (
         "orthogonal det −1 “do not satisfy the assumptions of rotation; most visible in comparing "
         "areas”",
         "porównaniu pól",
-        Statement(AREA_CHANGES),
+        Statement(
+            AREA_CHANGES,
+            words="an orthogonal A with det A = −1 changes areas, but for diag(1, −1) and diag(−1, 1)",
+        ),
         spoilt=Statement(AREA_KEPT),
-        corrected=Every(
-            (Statement(AREA_KEPT),),
-            "an orthogonal A with det A = −1 makes of the area of the letter T its opposite",
+        corrected=Statement(
+            AREA_KEPT,
+            words="an orthogonal A with det A = −1 makes of the area of the letter T its opposite",
         ),
         note="Read with the two exceptions that the thesis names. An orthogonal matrix keeps every "
         "area; one of determinant −1 changes its sign, the orientation. Here A is [[p0, p1],[p2, p3]].",
@@ -214,13 +247,9 @@ CLAIMS = (
         "claim",
         "the two area-preserving ones are diag(1,−1) and diag(−1,1)",
         "[[1,0],[0,−1]],[[−1,0],[0,1]]",
-        Statement(f"{HALF_TURN}{equal(PRINTED_O, KEEPS_X)} or {equal(PRINTED_O, KEEPS_Y)}"),
-        spoilt=Statement(
-            f"{HALF_TURN}{equal(REFLECTION, KEEPS_X)} or {equal(REFLECTION, KEEPS_Y)}"
-        ),
-        corrected=Statement(
-            f"{HALF_TURN}{equal(REFLECTION, KEEPS_X)} or {equal(REFLECTION, KEEPS_Y)}"
-        ),
+        half_turns(PRINTED_O, "O(θ) as printed"),
+        spoilt=half_turns(REFLECTION, MENDED_O),
+        corrected=half_turns(REFLECTION, MENDED_O),
         note="O(θ) as printed is the identity for θ = 0 and −1 times it for θ = π; the two matrices "
         "belong to [[cosθ,sinθ],[sinθ,−cosθ]] (and to [[cosθ,−sinθ],[sinθ,−cosθ]]).",
     ),
@@ -230,13 +259,9 @@ CLAIMS = (
         "claim",
         "multiplying by them gives respectively reflection in the y axis and in the x axis",
         "kolejno odbicie względem osi y oraz osi x",
-        Statement(both(mirrored(apply(KEEPS_X, POINT), 1), mirrored(apply(KEEPS_Y, POINT), 0))),
-        spoilt=Statement(
-            both(mirrored(apply(KEEPS_X, POINT), 0), mirrored(apply(KEEPS_Y, POINT), 1))
-        ),
-        corrected=Statement(
-            both(mirrored(apply(KEEPS_X, POINT), 0), mirrored(apply(KEEPS_Y, POINT), 1))
-        ),
+        respectively(1, 0),
+        spoilt=respectively(0, 1),
+        corrected=respectively(0, 1),
         note="The axes are exchanged.",
     ),
     Claim(
@@ -245,7 +270,10 @@ CLAIMS = (
         "definition 6",
         "“reflection matrix” := orthogonal with det −1",
         "n",
-        Statement(f"{MINUS} => {equal(times(A, A), identity(2))} and {equal(A, transpose(A))}"),
+        Statement(
+            f"{MINUS} => {equal(times(A, A), identity(2))} and {equal(A, transpose(A))}",
+            words="an orthogonal A with det A = −1 has A² = I and Aᵗ = A (n = 2)",
+        ),
         spoilt=Statement(
             f"{orthogonal(A)} => {equal(times(A, A), identity(2))} and {equal(A, transpose(A))}"
         ),
@@ -260,9 +288,10 @@ CLAIMS = (
         "O(n)",
         Statement(
             f"{orthogonal(A)} and {orthogonal(B)} => {orthogonal(times(A, B))}"
-            f" and {orthogonal(transpose(A))}"
+            f" and {orthogonal(transpose(A))}",
+            words="O(2) has the products of its elements and their inverses",
         ),
-        spoilt=Statement(f"{MINUS} => {orthogonal(times(A, A))} and {det(times(A, A))} == -1"),
+        spoilt=Statement(f"{orthogonal(A)} => {orthogonal(times(A, B))}"),
         note="A definition; that the set is a group, as its name says, is decided for n = 2.",
     ),
 )

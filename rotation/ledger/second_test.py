@@ -3,7 +3,8 @@
 The test turns every point about its own direction, and by the Euler angle that has its coordinates.
 """
 
-from rotation.ledger.symbols import InWords, Symbol, code, coordinates, equal, point, read_as
+from hfield.ledger.propositions import Statement
+from rotation.ledger.symbols import Symbol, code, coordinates, equal, point, read_as
 
 P, Q = coordinates("p"), coordinates("q")
 LENGTH = f"y**2 == norm({point(P)})"
@@ -15,14 +16,14 @@ SELF = "rotationquaternion(angle, x/|x|, x)"
 # The point p turned about itself, normalised: y is its length, t the sine of half the angle.
 NORM = {"sqrt": lambda square: Symbol("y")}
 ITSELF = point(code("rotationquaternionNormalized", **HALF, **NORM)(Symbol("angle"), P, P))
-STAYS = InWords(f"{ITSELF} == {point(P)}", (LENGTH, "y != 0", CIRCLE), f"{SELF} = x")
-MOVES = InWords(f"{ITSELF} != {point(P)}", (LENGTH, "y != 0", CIRCLE, "t != 0"), f"{SELF} ≠ x")
+STAYS = Statement(f"{ITSELF} == {point(P)}", (LENGTH, "y != 0", CIRCLE), f"{SELF} = x")
+MOVES = Statement(f"{ITSELF} != {point(P)}", (LENGTH, "y != 0", CIRCLE, "t != 0"), f"{SELF} ≠ x")
 
 # With an axis of its own for every point: q, of length 1.
 OWN = point(code("rotationquaternion", **HALF)(Symbol("angle"), Q, P))
 UNIT = f"norm({point(Q)}) == 1"
-STAYS_ABOUT_ANOTHER = InWords(f"{OWN} == {point(P)}", (UNIT, CIRCLE))
-MOVES_ABOUT_ANOTHER = InWords(
+STAYS_ABOUT_ANOTHER = Statement(f"{OWN} == {point(P)}", (UNIT, CIRCLE))
+MOVES_ABOUT_ANOTHER = Statement(
     f"{OWN} != {point(P)}",
     (UNIT, CIRCLE, f"t*comm({point(P)}, {point(Q)}) != 0"),
     "if u has length 1 and is not parallel to x, and sin(angle/2) ≠ 0, "
@@ -36,7 +37,7 @@ ANGLES = {
 }
 
 
-def euler_turned(angle: str) -> InWords:
+def euler_turned(angle: str) -> Statement:
     """Say that the matrix model moves the point (x, 0, 0) wherever the sine of x is not 0."""
     matrix = code("rotationMatrixZYX", **ANGLES)(*map(Symbol, (angle, "zero", "zero")))
     place = [Symbol("x"), 0, 0]
@@ -44,7 +45,7 @@ def euler_turned(angle: str) -> InWords:
     words = (
         f"if sin x ≠ 0, rotationbyMatrix(rotationMatrixZYX({angle}, 0, 0), [x, 0, 0]) ≠ [x, 0, 0]"
     )
-    return InWords(f"not ({equal(turned, place)})", (CIRCLE, "t != 0", "x != 0"), words)
+    return Statement(f"not ({equal(turned, place)})", (CIRCLE, "t != 0", "x != 0"), words)
 
 
 # Two Euler angles: cosines and sines in p, q, r (about z, y, x) and in u, v, w.
@@ -61,7 +62,7 @@ def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Symbol]]:
     return matrix
 
 
-def determined(*cosines: str) -> InWords:
+def determined(*cosines: str) -> Statement:
     """Say that equal matrices come from equal angles, given what is said of the middle ones' cosines.
 
     The last row and the first column of the matrices tell the angles already.
@@ -74,4 +75,4 @@ def determined(*cosines: str) -> InWords:
     words = (
         "if rotationMatrixZYX(x) = rotationMatrixZYX(y) and the middle cosines are positive, x = y"
     )
-    return InWords(" and ".join(same), (*circles, equal(*told), *cosines), words)
+    return Statement(" and ".join(same), (*circles, equal(*told), *cosines), words)

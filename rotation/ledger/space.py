@@ -54,9 +54,13 @@ def turned(v: Vector) -> str:
     return f"u[1] == {v[0]}*y - {v[1]}*s and u[2] == {v[0]}*s + {v[1]}*y and u[3] == {v[2]}"
 
 
-def system(v: Vector) -> str:
+def system(v: Vector, name: str) -> Statement:
     """Say that the system with v on its right side is the matrix equation."""
-    return f"{ON_CIRCLE} => (({turned(v)}) <=> ({equal(IMAGE, apply(about_z('y', 's'), P))}))"
+    equation = equal(IMAGE, apply(about_z("y", "s"), P))
+    return Statement(
+        f"{ON_CIRCLE} => (({turned(v)}) <=> ({equation}))",
+        words=f"the system with the coordinates of {name} on the right is p_Δ = R_z(ψ)·p",
+    )
 
 
 def cyclic(m: Matrix, order: tuple[int, int, int]) -> str:
@@ -102,9 +106,9 @@ CLAIMS = (
         "formula",
         "rotation about z (system)",
         "x_pΔ = x_pΔ cosψ − y_pΔ sinψ …",
-        Statement(system(IMAGE)),
-        spoilt=Statement(system(P)),
-        corrected=Statement(system(P)),
+        system(IMAGE, "p_Δ"),
+        spoilt=system(P, "p"),
+        corrected=system(P, "p"),
         note="The coordinates of p_Δ stand on both sides; on the right those of p are meant, as in "
         "the matrix equation said to be equivalent.",
     ),
@@ -151,7 +155,9 @@ CLAIMS = (
         "example 4",
         "R_z(π/2), R_x(π/2)",
         "[[0,−1,0],[1,0,0],[0,0,1]], [[1,0,0],[0,0,−1],[0,1,0]]",
-        Statement(QUARTERS),
+        Statement(
+            QUARTERS, words="R_z(ψ) and R_x(ψ) for the point (0, 1) are the matrices printed"
+        ),
         spoilt=Statement(SPOILT_QUARTERS),
     ),
     Claim(

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from types import FunctionType
 from typing import Any
 
-from hfield.ledger.propositions import Statement
 from rotation import thesis
 
 Vector = list["Symbol"]
@@ -47,18 +46,6 @@ class Symbol:
 
     def __neg__(self) -> Symbol:
         return Symbol(f"(-{self.text})")
-
-
-@dataclass(frozen=True)
-class InWords(Statement):
-    """A statement whose formula is what some code returned, and too long to read."""
-
-    words: str = ""
-
-    @property
-    def text(self) -> str:
-        """The words, or the statement itself if there are none."""
-        return self.words or super().text
 
 
 def _text(value: object) -> str:

@@ -63,14 +63,22 @@ SKEW = shifted(
     tuple(tuple(difference(R[r][c], R[c][r]) for c in range(3)) for r in range(3)), f"1 + {T}"
 )
 
-SO3_IS_COFACTORS = Statement(f"{ORTHOGONAL} and {DETERMINANT} => {OWN_COFACTORS}")
-FIXED_VECTOR = Statement(f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '-1'))} == 0")
+SO3_IS_COFACTORS = Statement(
+    f"{ORTHOGONAL} and {DETERMINANT} => {OWN_COFACTORS}",
+    words="R ∈ SO(3) is its own matrix of cofactors",
+)
+FIXED_VECTOR = Statement(
+    f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '-1'))} == 0",
+    words="if det R = 1 and R is its own matrix of cofactors, det(R − I) = 0",
+)
 SO3_COLUMNS = Statement(
-    f"{ORTHOGONAL} and {DETERMINANT} and {OWN_COFACTORS} => {orthogonal(transpose(R))}"
+    f"{ORTHOGONAL} and {DETERMINANT} and {OWN_COFACTORS} => {orthogonal(transpose(R))}",
+    words="R ∈ SO(3) makes RᵗR = I",
 )
 AXIS_AND_ANGLE = Statement(
     f"{ORTHOGONAL} and {OWN_COFACTORS} => {equal(apply(R, W), W)}"
-    f" and {dot(W, W)} == (1 + {T})*(3 - ({T})) and {symmetric(TWICE_SYMMETRIC, RODRIGUES)}"
+    f" and {dot(W, W)} == (1 + {T})*(3 - ({T})) and {symmetric(TWICE_SYMMETRIC, RODRIGUES)}",
+    words="RW = W, W∘W = (1 + t)(3 − t) and (1 + t)(R + Rᵗ) = (t² − 1)I + WWᵗ, where t = tr R",
 )
 CORE = Every(
     (SO3_IS_COFACTORS, FIXED_VECTOR, AXIS_AND_ANGLE),
@@ -78,7 +86,14 @@ CORE = Every(
 )
 NO_SQUARES = "p[1]**2 + p[2]**2 + p[3]**2 == 0 => p[1] == 0 and p[2] == 0 and p[3] == 0"
 HALF_TURN = f"{OWN_COFACTORS} => {equal(cofactors(shifted(R, '1')), SKEW)}"
-REAL_PART = Every((Statement(NO_SQUARES), Statement(HALF_TURN), ModulusDefined()))
+REAL_PART = Every(
+    (
+        Statement(NO_SQUARES),
+        Statement(HALF_TURN, words="the minors of R + I are the entries of R − Rᵗ + (1 + t)I"),
+        ModulusDefined(),
+    ),
+    "where t = −1, R + I has rank one and gives the axis",
+)
 
 # The orthonormal v1, v2, v3 are the vector parts of p, q, r, and the columns of B.
 COLUMNS = transpose(R)
@@ -115,7 +130,31 @@ KEEPS_PLANE = (
     f"{orthogonal(transpose(R))} and {equal(apply(R, U), U)} => {equal(apply(transpose(R), U), U)}",
     f"{dot(apply(R, V), U)} == {dot(V, apply(transpose(R), U))}",
 )
+ROWS_EXCHANGED = Statement(
+    f"{det(SWAPPED)} == -({det(R)})", words="exchanging two rows changes the sign of det B"
+)
+SQUARE_OF_DETERMINANT = Statement(
+    f"({det(R)})**2 == {det(times(R, COLUMNS))} and {det(identity(3))} == 1",
+    words="(det B)² = det BBᵗ, and det I = 1",
+)
+ORIENTED = Every(
+    (
+        SQUARE_OF_DETERMINANT,
+        Statement("s**2 == 1 => s == 1 or s == -1", words="(det B)² = 1 makes det B = ±1"),
+        ROWS_EXCHANGED,
+        Statement(f"{ORTHOGONAL} => {orthogonal(SWAPPED)}", words="and leaves B orthogonal"),
+    ),
+    "BBᵗ = I makes det B = ±1, and exchanging two rows changes the sign",
+)
 ANY_COLUMNS = equal(times(R, B), transpose(tuple(apply(R, v) for v in transpose(B))))
+IMAGES_OF_BASIS = Every(
+    (
+        Statement(ANY_COLUMNS, words="AB = [Av1, Av2, Av3]"),
+        Statement(KEEPS_PLANE[0], words="if AᵗA = I and Au = u, then Aᵗu = u"),
+        Statement(KEEPS_PLANE[1], words="(Av)∘u = v∘(Aᵗu)"),
+    ),
+    "AB = [Av1, Av2, Av3], and Av1, Av2 are perpendicular to v3 = Av3",
+)
 CASE_ONE = f"{special(bordered('1'))} => {special(BLOCK)}"
 CASE_MINUS_ONE = (
     f"{special(bordered('-1'))} => {orthogonal(BLOCK)} and {det(BLOCK)} == -1"
@@ -153,7 +192,9 @@ CLAIMS = (
         "thm 5 proof",
         "BB^T=[v1,v2,v3][v1^T;v2^T;v3^T]=I_3 by orthonormality",
         "BB^T = I3",
-        Statement(f"{ORTHOGONAL} => {orthogonal(COLUMNS)}"),
+        Statement(
+            f"{ORTHOGONAL} => {orthogonal(COLUMNS)}", words="orthonormal v1, v2, v3 make BBᵗ = I"
+        ),
         spoilt=Statement(f"{ORTHOGONAL} => {equal(COLUMNS, R)}"),
         note="The products v_i∘v_j are the entries of BᵗB, not of BBᵗ; but BᵗB = I makes BBᵗ = I.",
     ),
@@ -165,16 +206,20 @@ CLAIMS = (
         "wyznacznik macierzy A …",
         Every(
             (
-                Statement(f"{det(A)} == 1 => {det(A)} == 1 or {det(A)} == -1"),
-                Statement(f"({det(R)})**2 == {det(times(R, COLUMNS))} and {det(identity(3))} == 1"),
-                Statement(f"{det(SWAPPED)} == -({det(R)})"),
-                Statement(f"{ORTHOGONAL} => {orthogonal(SWAPPED)}"),
+                SQUARE_OF_DETERMINANT,
+                ROWS_EXCHANGED,
+                Statement(
+                    "s**2 == 1 and y == 1 => s == 1",
+                    words="(det B)² = 1 and det A = 1 make det B = 1",
+                ),
             ),
-            "det A = ±1; (det B)² = det BBᵗ = det I = 1; exchanging two rows changes the sign of det B",
+            "exchanging two rows changes the sign of det B; BBᵗ = I and det A = 1 make det B = 1",
         ),
-        spoilt=Statement(f"{det((R[1], R[2], R[0]))} == -({det(R)})"),
-        note="The determinant of A is 1 anyhow; that of B is meant. It is the columns v1 and v2 that "
-        "must be exchanged, for v3 to stay the last.",
+        spoilt=ORIENTED,
+        corrected=ORIENTED,
+        note="The determinant of B is meant; that of A is 1 from the start, and says nothing of B. In "
+        "the witness s is det B and y is det A. It is the columns v1 and v2 that must be exchanged, for "
+        "v3 to stay the last.",
     ),
     Claim(
         "C2.2.4-q",
@@ -183,13 +228,11 @@ CLAIMS = (
         "AB=[Bv1,Bv2,Bv3], Bv1,Bv2∈v3^⊥",
         "AB=[Bv1, Bv2, Bv3]",
         Statement(
-            f"y**2 + s**2 == 1 => {equal(times(ABOUT_V3, identity(3)), times(identity(3), identity(3)))}"
+            f"y**2 + s**2 == 1 => {equal(times(ABOUT_V3, identity(3)), times(identity(3), identity(3)))}",
+            words="AB = [Bv1, Bv2, Bv3], here for B = I and a rotation A about v3",
         ),
-        spoilt=Every((Statement(ANY_COLUMNS), *map(Statement, KEEPS_PLANE))),
-        corrected=Every(
-            (Statement(ANY_COLUMNS), *map(Statement, KEEPS_PLANE)),
-            "AB = [Av1, Av2, Av3], and Av1, Av2 are perpendicular to v3 = Av3",
-        ),
+        spoilt=IMAGES_OF_BASIS,
+        corrected=IMAGES_OF_BASIS,
         note="The columns are Av1, Av2, Av3. Printed form refuted for v1, v2, v3 = e1, e2, e3 (B = I) "
         "and A a rotation about v3; corrected for all A and B.",
     ),
@@ -199,7 +242,18 @@ CLAIMS = (
         "thm 5 proof",
         "B^{-1}AB is block diagonal, so the block lies in SO(2)",
         "B^{-1}AB [[a,c,0],[b,d,0],[0,0,1]] (missing “=”)",
-        Every((Statement(equal(times(B, bordered("1")), IMAGES)), Statement(CASE_ONE))),
+        Every(
+            (
+                Statement(
+                    equal(times(B, bordered("1")), IMAGES),
+                    words="B·[[a, c, 0], [b, d, 0], [0, 0, 1]] = [av1 + bv2, cv1 + dv2, v3]",
+                ),
+                Statement(
+                    CASE_ONE,
+                    words="if [[a, c, 0], [b, d, 0], [0, 0, 1]] is in SO(3), [[a, c], [b, d]] is in SO(2)",
+                ),
+            )
+        ),
         spoilt=Statement(
             f"{orthogonal(bordered('1'))} and {det(bordered('1'))} == -1 => {special(BLOCK)}"
         ),
@@ -212,7 +266,11 @@ CLAIMS = (
         "thm 5 proof",
         "case λ=−1: block has det −1, lies in O(2), fixed vector v exists, so 1 is also an eigenvalue",
         "det(block)=−1 … Av=v",
-        Statement(CASE_MINUS_ONE),
+        Statement(
+            CASE_MINUS_ONE,
+            words="if [[a, c, 0], [b, d, 0], [0, 0, −1]] is in SO(3), M = [[a, c], [b, d]] is in O(2) with "
+            "det M = −1 and det(M − I) = 0",
+        ),
         spoilt=Statement(CASE_MINUS_ONE.replace(f"{det(BLOCK)} == -1", f"{det(BLOCK)} == 1")),
         note="A vector v ≠ 0 with Av = v in the plane is there because det(block − I) = 0.",
     ),

@@ -36,9 +36,19 @@ CUBE = f"y**2*{U} - s**2*{U}*{U}*{U}"
 EXPANDED = f"y**2*{V} - s*y*{V}*{U} + s*y*{U}*{V} - s**2*{U}*{V}*{U}"
 
 
-def across(result: str) -> str:
+IF_UNIT = "if |u| = 1 and u ⟂ v"
+
+
+def of_modulus(n: int) -> Statement:
+    """Say what the modulus of c + su is for a unit vector u, by its square."""
+    words = f"|c + su| = {n} if c² + s² = 1 and |u| = 1"
+    return Statement(f"{ON_CIRCLE} and {UNIT} => norm{Q} == {n}", words=words)
+
+
+def across(result: str, *given: str, words: str = "") -> Statement:
     """Say what T_q(v) is for a unit vector u and a vector v perpendicular to it."""
-    return f"{UNIT} and {PERPENDICULAR} => {Q}*{V}*{BAR} == {result}"
+    hypotheses = " and ".join((*given, UNIT, PERPENDICULAR))
+    return Statement(f"{hypotheses} => {Q}*{V}*{BAR} == {result}", words=words)
 
 
 def chain(*links: str) -> str:
@@ -55,9 +65,9 @@ LAST = (
 )
 
 
-def last(result: str) -> str:
+def last(result: str, words: str = "") -> Statement:
     """Say the chain for T_q(w) with the given end."""
-    return f"{ON_CIRCLE} and {chain(*LAST[:3], result)}"
+    return Statement(f"{ON_CIRCLE} and {chain(*LAST[:3], result)}", words=words)
 
 
 CLAIMS = (
@@ -75,9 +85,9 @@ CLAIMS = (
         "definition 8",
         "Unit quaternion: modulus equal to 0",
         "moduł jest równy 0",
-        Statement(f"{ON_CIRCLE} and {UNIT} => norm{Q} == 0"),
-        spoilt=Statement(f"{ON_CIRCLE} and {UNIT} => norm{Q} == 1"),
-        corrected=Statement(f"{ON_CIRCLE} and {UNIT} => norm{Q} == 1"),
+        of_modulus(0),
+        spoilt=of_modulus(1),
+        corrected=of_modulus(1),
         note="Checked on what Theorem 6 calls a unit quaternion, c + su with |u| = 1: its modulus is "
         "1. A quaternion of modulus 0 has no inverse.",
     ),
@@ -116,7 +126,6 @@ CLAIMS = (
         "q1q2 = −q1∘q2 + q1×q2",
         Statement(PURE_PRODUCT),
         spoilt=Statement(PURE_PRODUCT.replace("== -", "== ")),
-        headline=True,
     ),
     Claim(
         "C2.2.5-e",
@@ -124,7 +133,13 @@ CLAIMS = (
         "theorem 6",
         "T_q(v)=qvq^{-1}, q=c+su, |u|=1, θ∈[0,π], rotates about u by 2θ, right-hand rule",
         "T_q(v)=qvq^{-1}",
-        Angles(Statement(THEOREM_6)),
+        Angles(
+            Statement(
+                THEOREM_6,
+                words="if c² + s² = 1 and |u| = 1, then (c + su)v(c − su) = (c² − s²)v + 2cs(u×v) + "
+                "2s²(u∘v)u, and c − su is the inverse of c + su",
+            )
+        ),
         spoilt=Angles(Statement(THEOREM_6.replace("+ 2*s**2", "- 2*s**2"))),
         headline=True,
         note="q⁻¹ = c − su, and T_q(v) = cos 2θ·v + sin 2θ·(u×v) + (1 − cos 2θ)(u∘v)u for every v, "
@@ -138,10 +153,11 @@ CLAIMS = (
         "(c+su)u(s−cu)",
         Statement(
             f"{ON_CIRCLE} and {UNIT} => {ON_AXIS} == {Q}*{U}*(s - y*{U})"
-            f" and {Q}*{U}*(s - y*{U}) == {CUBE}"
+            f" and {Q}*{U}*(s - y*{U}) == {CUBE}",
+            words="T_q(u) = (c + su)u(s − cu) = c²u − s²u³ if c² + s² = 1 and |u| = 1",
         ),
         spoilt=Statement(f"{ON_AXIS} == {CUBE}"),
-        corrected=Statement(f"{ON_AXIS} == {CUBE}"),
+        corrected=Statement(f"{ON_AXIS} == {CUBE}", words="(c + su)u(c − su) = c²u − s²u³"),
         note="The inverse of c + su is c − su, not s − cu.",
     ),
     Claim(
@@ -161,7 +177,8 @@ CLAIMS = (
         "T_q(u) = c²u + s²u = (c² + s²)u = u",
         Statement(
             f"{ON_CIRCLE} and {UNIT} => {ON_AXIS} == y**2*{U} + s**2*{U}"
-            f" and y**2*{U} + s**2*{U} == (y**2 + s**2)*{U} and (y**2 + s**2)*{U} == {U}"
+            f" and y**2*{U} + s**2*{U} == (y**2 + s**2)*{U} and (y**2 + s**2)*{U} == {U}",
+            words="T_q(u) = c²u + s²u = (c² + s²)u = u if c² + s² = 1 and |u| = 1",
         ),
         spoilt=Statement(f"{ON_CIRCLE} and {UNIT} => {ON_AXIS} == y**2*{U} - s**2*{U}"),
     ),
@@ -171,7 +188,9 @@ CLAIMS = (
         "proof",
         "T_q(v)=(c+su)v(c−su)=c²v−scvu+scuv−s²uvu",
         "c²v−scvu+scuv−s²uvu",
-        Statement(f"{Q}*{V}*{BAR} == {EXPANDED}"),
+        Statement(
+            f"{Q}*{V}*{BAR} == {EXPANDED}", words="(c + su)v(c − su) = c²v − scvu + scuv − s²uvu"
+        ),
         spoilt=Statement(f"{Q}*{V}*{BAR} == {EXPANDED.replace('+ s*y', '- s*y')}"),
     ),
     Claim(
@@ -180,7 +199,10 @@ CLAIMS = (
         "proof",
         "uvu=(u×v)u=wu=w×u=v (u⟂v, |u|=1)",
         "uvu = (u×v)u = wu = w×u = v",
-        Statement(chain(f"{U}*{V}*{U}", f"{W}*{U}", pure(cross(cross(A, B), A)), V)),
+        Statement(
+            chain(f"{U}*{V}*{U}", f"{W}*{U}", pure(cross(cross(A, B), A)), V),
+            words=f"uvu = (u×v)u = (u×v)×u = v {IF_UNIT}",
+        ),
         spoilt=Statement(chain(f"{U}*{V}*{U}", f"{W}*{U}", pure(cross(A, cross(A, B))), V)),
     ),
     Claim(
@@ -189,7 +211,10 @@ CLAIMS = (
         "proof",
         "vu=v×u=−u×v=−uv=−w",
         "vu = v×u = −u×v = −uv = −w",
-        Statement(chain(f"{V}*{U}", pure(cross(B, A)), f"-{W}", f"-{U}*{V}", f"-{W}")),
+        Statement(
+            chain(f"{V}*{U}", pure(cross(B, A)), f"-{W}", f"-{U}*{V}", f"-{W}"),
+            words=f"vu = v×u = −u×v = −uv = −u×v {IF_UNIT}",
+        ),
         spoilt=Statement(chain(f"{V}*{U}", pure(cross(A, B)), f"-{U}*{V}")),
     ),
     Claim(
@@ -198,9 +223,15 @@ CLAIMS = (
         "proof",
         "T_q(v)=(c²−s²)v+2csu",
         "2csu",
-        Statement(across(f"{COS}*{V} + {SIN}*{U}")),
-        spoilt=Statement(across(f"{COS}*{V} + {SIN}*{W}")),
-        corrected=Statement(across(f"{COS}*{V} + {SIN}*{W}")),
+        across(
+            f"{COS}*{V} + {SIN}*{U}",
+            words=f"(c + su)v(c − su) = (c² − s²)v + 2csu {IF_UNIT}",
+        ),
+        spoilt=across(f"{COS}*{V} + {SIN}*{W}"),
+        corrected=across(
+            f"{COS}*{V} + {SIN}*{W}",
+            words=f"(c + su)v(c − su) = (c² − s²)v + 2cs·(u×v) {IF_UNIT}",
+        ),
         note="The last summand is 2csw. As in the line before it, c and s may be any two scalars.",
     ),
     Claim(
@@ -209,8 +240,12 @@ CLAIMS = (
         "proof",
         "T_q(v)=cos2θ v+sin2θ w",
         "T_q(v) = cos(2θ)v + sin(2θ)w",
-        Statement(f"{ON_CIRCLE} and {across(f'{COS}*{V} + {SIN}*{W}')}"),
-        spoilt=Statement(f"{ON_CIRCLE} and {across(f'(y**2 + s**2)*{V} + {SIN}*{W}')}"),
+        across(
+            f"{COS}*{V} + {SIN}*{W}",
+            ON_CIRCLE,
+            words=f"T_q(v) = cos 2θ·v + sin 2θ·(u×v) {IF_UNIT}",
+        ),
+        spoilt=across(f"(y**2 + s**2)*{V} + {SIN}*{W}", ON_CIRCLE),
         note="cos 2θ = c² − s², sin 2θ = 2cs.",
     ),
     Claim(
@@ -219,7 +254,11 @@ CLAIMS = (
         "proof",
         "T_q(w)=T_q(u)T_q(v)=u(v cos2θ+w sin2θ)=w cos2θ−v sin2θ",
         "T_q(w) = T_q(u)T_q(v) = u(v cos 2θ + w sin 2θ) = w cos 2θ − v sin 2θ",
-        Statement(last(LAST[3])),
-        spoilt=Statement(last(f"(y**2 + s**2)*{W} - {SIN}*{V}")),
+        last(
+            LAST[3],
+            "T_q(w) = T_q(u)T_q(v) = u(cos 2θ·v + sin 2θ·w) = cos 2θ·w − sin 2θ·v for w = u×v, "
+            f"{IF_UNIT}",
+        ),
+        spoilt=last(f"(y**2 + s**2)*{W} - {SIN}*{V}"),
     ),
 )

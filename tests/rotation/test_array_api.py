@@ -172,6 +172,14 @@ def test_python_sides_of_foreign_rotations() -> None:
             fails()
 
 
+def test_masks_choose_rotations() -> None:
+    q = np.random.default_rng(3).standard_normal((2, 3, 4))
+    ours, foreign = Rotation.from_quat(q), Rotation.from_quat(xp.asarray(q))
+    for mask in ([True, False], [[True, False, True], [False, False, True]]):
+        chosen = foreign[xp.asarray(mask)].as_quat()
+        np.testing.assert_array_equal(np.asarray(chosen), ours[np.array(mask)].as_quat())
+
+
 def test_libraries_that_do_not_name_their_namespace(monkeypatch: pytest.MonkeyPatch) -> None:
     """As torch does not: array-api-compat names it, and where that is missing the error says so."""
 

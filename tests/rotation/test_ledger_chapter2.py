@@ -20,7 +20,7 @@ ROWS_OF_SECTION = {
 # Worked out by hand from the thesis: what is wrong over ℝ, and what of it holds where 2 = 0.
 WRONG_SIGN = {
     *("C2.1.1-f", "C2.1.2-a", "C2.1.2-b", "C2.1.2-d", "C2.1.2-e", "C2.1.2-i", "C2.1.2-j"),
-    *("C2.2.4-l2", "C2.2.5-l"),
+    *("C2.2.4-l2", "C2.2.4-p", "C2.2.5-l"),
 }
 WRONG_EVERYWHERE = {
     *("C2.1.1-b", "C2.1.2-h", "C2.1.3-b", "C2.2.2-a", "C2.2.4-b", "C2.2.4-d", "C2.2.4-g"),

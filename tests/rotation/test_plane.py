@@ -213,3 +213,16 @@ def test_what_is_not_finite_stays_in_its_row(hole):
 def test_shapes_that_do_not_fit_raise(call, word):
     with pytest.raises(RotationError, match=word):
         call()
+
+
+def test_inf_gives_nan_in_its_row_alone() -> None:
+    points = [[np.inf, 1.0], [3.0, -4.0], [1.0, -np.inf]]
+    for result in (
+        rotate2(points, 0.3),
+        rotate2(points, 0, degrees=True),
+        reflect2(points, 1.0),
+        np.stack(to_polar(points), axis=-1),
+        from_polar([np.inf, 1.0, np.nan], 0.0),
+    ):
+        np.testing.assert_array_equal(np.isnan(result), [[True] * 2, [False] * 2, [True] * 2])
+    assert np.signbit(to_polar([-1.0, -0.0])[1])

@@ -175,3 +175,22 @@ print(worst <= 5 * 2.0**-52, "vfmadd" in text)
         run(code, NUMBA_CPU_NAME="generic", NUMBA_CPU_FEATURES="", NUMBA_CACHE_DIR=cache)
         == "True False"
     )
+
+
+def test_numba_told_not_to_compile_is_replaced_by_the_twins() -> None:
+    code = (
+        "import numpy as np\n"
+        "from rotation import Rotation, rotate, rotate_euler\n"
+        "p = np.random.default_rng(0).random((6, 3)); p[2, 0] = np.inf; q = Rotation.random(6, 1)\n"
+        "results = [q.apply(p), q[0].apply(p), rotate(p, p[::-1], p[:, 1]), rotate_euler(p, p, 'xzx'),\n"
+        "           Rotation.from_rotvec(np.ones((60000, 3)))[:6].as_rotvec()]\n"
+        "try: rotate(p, 0 * p[:2, None], 1.0)\n"
+        "except ValueError as error: print(type(error).__name__)\n"
+        "print(repr(np.round(results, 9).tolist()))"
+    )
+    assert run(code, NUMBA_DISABLE_JIT="1") == run(code)
+
+
+def test_an_empty_variable_is_as_none() -> None:
+    code = "import rotation; print(rotation.threads() >= 1)"
+    assert run(code, ROTATION_NUM_THREADS="") == "True"

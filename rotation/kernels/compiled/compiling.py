@@ -40,6 +40,11 @@ def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
     return njit(forceinline=True, **PART)(function)  # type: ignore[no-any-return]
 
 
+def strict(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return ``function`` as `inlined` does, but each operation rounded by itself, as numpy does."""
+    return njit(forceinline=True, **{**PART, "fastmath": False})(function)  # type: ignore[no-any-return]
+
+
 def called(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return ``function`` for use by kernels outside their inner loops."""
     return njit(**PART)(function)  # type: ignore[no-any-return]
