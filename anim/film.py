@@ -70,8 +70,6 @@ def clip(
     rate = None if fps is None else real("fps", fps, above=0)
     length = None if duration is None else real("duration", duration, above=0)
     scale = None if time_scale is None else real("time_scale", time_scale, above=0)
-    if rate is not None and rate > MOST_FPS:
-        raise AnimationError(f"fps is {rate:g}; expected at most {MOST_FPS:g}")
     if count is not None and rate is not None and length is not None:
         if abs(length * rate - count) > 0.5:
             raise AnimationError(
@@ -83,6 +81,8 @@ def clip(
     if count is not None and length is not None:
         rate = count / length
     rate = FPS if rate is None else rate
+    if rate > MOST_FPS:
+        raise AnimationError(f"fps is {rate:g}; expected at most {MOST_FPS:g}")
     if count is None:
         wanted = (SECONDS if length is None else length) * rate
         if not 0.5 < wanted < MOST_FRAMES + 0.5:

@@ -32,16 +32,17 @@ SHOULDER = (1.0, 1.0)
 COLLAR_HEIGHT = 1.1
 APEX_HEIGHT = 3.0
 MOST_POINTS = 1_000_000
+MOST_BANDS = 10_000
 
 
 @dataclass(frozen=True, init=False)
 class Model:
     """The top as points and polygons; immutable, equal when made from the same values.
 
-    ``ring`` is the number of points on each circle (3 to 1 000 000), ``bands`` the number of sectors,
-    coloured yellow and black by turns (by default 10, or fewer where the ring is small, always even), ``p2``
-    the radius of P₂: "printed" (3^(−3/2), the text as it stands), "third" (1/3), or a positive number.
-    Lengths are in the thesis's unit. Raises :class:`~anim.errors.AnimationError` for anything else.
+    ``ring`` is the number of points on each circle (3 to 1 000 000), ``bands`` the number of sectors (up to
+    10 000), coloured yellow and black by turns (by default 10, or fewer where the ring is small, always
+    even), ``p2`` the radius of P₂: "printed" (3^(−3/2), the text as it stands), "third" (1/3), or a positive
+    number. Lengths are in the thesis's unit. Raises :class:`~anim.errors.AnimationError` for anything else.
 
     >>> top = Model(ring=10)
     >>> top.points.shape, len(top.polygons)
@@ -59,8 +60,12 @@ class Model:
         ring = whole("ring", ring, 3, MOST_POINTS)
         wanted = min(10, ring - ring % 2) if bands is None else bands
         object.__setattr__(self, "ring", ring)
-        object.__setattr__(self, "bands", whole("bands", wanted, 1, ring))
+        object.__setattr__(self, "bands", whole("bands", wanted, 1, min(ring, MOST_BANDS)))
         object.__setattr__(self, "radius", _radius(p2))
+
+    def __reduce__(self) -> tuple[type["Model"], tuple[int, int, float]]:
+        """Travel to another process as three numbers, without the arrays made of them."""
+        return Model, (self.ring, self.bands, self.radius)
 
     @property
     def profile(self) -> tuple[tuple[float, float], ...]:

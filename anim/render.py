@@ -6,7 +6,7 @@ from collections.abc import Callable, Generator
 from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from anim.checks import real, whole
 from anim.errors import AnimationError
-from anim.model import Model
+from anim.model import APEX_HEIGHT, Model
 from anim.motion import Motion
 from anim.picture import Look, painter
 from hfield.executors import InProcess, ordered
@@ -23,6 +23,11 @@ from hfield.executors import InProcess, ordered
 if TYPE_CHECKING:
     from anim.output.formats import Film, Frame
     from anim.picture.painting import Painter
+
+FINE = 5000
+"""At how many instants, at least, the apex's path is followed."""
+UNSEEN = 0.1
+"""How many pixels the line of the trace may stray from the apex's path."""
 
 Progress = Callable[[int, int], None]
 
@@ -54,8 +59,35 @@ class Scene:
         if self.blur:
             fractions = self.blur * ((np.arange(self.steps) + 0.5) / self.steps - 0.5)
             matrices = np.asarray(to_matrix(self.motion.between(number, fractions)))
-        trail = self.motion.apex()[: number + 1] if self.look.trace else None
-        return Task(self.model, self.look, matrices, trail)
+        return Task(self.model, self.look, matrices, self._trail(number))
+
+    def _trail(self, number: int) -> NDArray[np.float64] | None:
+        """Return the apex's path (k, 3) up to a frame, if it is to be drawn."""
+        if not self.look.trace:
+            return None
+        places, points = self._path
+        here = APEX_HEIGHT * self.motion.matrices[number, :, 2]
+        return np.vstack([points[: np.searchsorted(places, number)], here])
+
+    @cached_property
+    def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The apex's path as far as a picture can show it: places (k,) counted in frames, and points (k, 3).
+
+        Between few frames it is followed too; of many, those that make no difference are left out, so that
+        what a frame costs does not grow with the film.
+        """
+        from anim.picture.trace import thinned
+        from rotation.matrices import to_matrix
+
+        clip = self.motion.clip
+        between = -(-FINE // clip.frames)
+        places = np.linspace(0, clip.frames - 1, (clip.frames - 1) * between + 1)
+        turned = np.asarray(to_matrix(self.motion.at(places * clip.interval)))
+        path = APEX_HEIGHT * turned[:, :, 2]
+        # The top is about two units wide at least, and no wider than the picture.
+        pixel = 2 / (max(self.look.size) * self.look.camera.zoom)
+        kept = thinned(path, pixel * UNSEEN)
+        return places[kept], path[kept]
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +142,9 @@ def render(
     """
     from anim.output.formats import open_film
     from anim.output.palette import sampled
+    from anim.picture.quiet import import_matplotlib
+
+    import_matplotlib()  # here first, so that other processes know where its folder is
 
     def samples() -> list[Frame]:
         return [draw(scene.task(number)) for number in sampled(film.frames)]

@@ -33,18 +33,10 @@ class Top:
 
     def page(self) -> str:
         """Return the web page in which the top turns, as text of HTML."""
-        from anim.viewer import Curve, Show, page
+        from anim.viewer import Show, curves_of, page
 
-        curves: tuple[Curve, ...] = ()
-        if self.motion.record is not None:
-            from numpy import degrees
-
-            curves = (
-                Curve("tilt", degrees(self.motion.tilts), "°"),
-                Curve("energy", self.motion.record.energies, "J"),
-            )
         shows = [Show(self.motion.name, self.motion.attitudes)]
-        return page(self.model, shows, self.motion.fps, curves=curves)
+        return page(self.model, shows, self.motion.fps, curves=curves_of(self.motion))
 
     def save(self, path: str | Path, look: Look | None = None, force: bool = False) -> None:
         """Write a film, in the format of the suffix. Raises :class:`~anim.errors.AnimationError`."""

@@ -40,6 +40,9 @@ BAD_USAGE, INTERNAL, INTERRUPTED, BROKEN_PIPE = 2, 70, 130, 141
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line ``argv`` and return its exit status: 2 for bad usage, 130 for Ctrl-C."""
+    for name in ("stdout", "stderr"):  # None where the shell has closed them: `hfield … >&-`
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
     try:
         status = _dispatch(list(sys.argv[1:] if argv is None else argv))
         sys.stdout.flush()
@@ -47,13 +50,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     except SystemExit as stop:  # argparse leaves so after --help
         return stop.code if isinstance(stop.code, int) else int(stop.code is not None)
     except BrokenPipeError:
-        # The reader has left. Python would complain when it flushes stdout at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _forget_stdout()  # the reader has left
         return BROKEN_PIPE
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
     except HFieldError as error:
         return _fail(str(error), BAD_USAGE)
+    except OSError as error:  # files say so themselves: this is the terminal, or where it leads
+        _forget_stdout()
+        return _fail(f"cannot write the output: {error.strerror or error}", BAD_USAGE)
     except RecursionError:
         return _fail("the input nests too deeply; write it in parts", BAD_USAGE)
     except MemoryError:
@@ -63,6 +68,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail(
             f"this is a fault of hfield itself ({what}); {TRACEBACK}=1 shows where", INTERNAL
         )
+
+
+def _forget_stdout() -> None:
+    """Lead stdout nowhere: Python would complain when it flushes it at exit."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _fail(message: str, status: int) -> int:

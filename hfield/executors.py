@@ -18,7 +18,7 @@ from concurrent.futures import (
 )
 from contextlib import contextmanager
 from importlib import import_module
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 from hfield.errors import HFieldError
 
@@ -99,7 +99,7 @@ def _processes(jobs: int) -> Iterator[Executor]:
     import multiprocessing
 
     context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_ignore_interrupts)
+    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_as_a_worker)
     before = set(multiprocessing.active_children())
     try:
         yield pool
@@ -107,6 +107,11 @@ def _processes(jobs: int) -> Iterator[Executor]:
         # Not by cancelling: the pool trips over futures that are cancelled when its workers end.
         for process in set(multiprocessing.active_children()) - before:
             process.terminate()
+        # A worker that ends in the middle of a result leaves half of it in the pipe, for the rest of which
+        # the pool would wait as long as anyone, this process included, could write it.
+        results = getattr(pool, "_result_queue", None)
+        if results is not None:
+            results._writer.close()
         pool.shutdown()
         if isinstance(error, BrokenExecutor):
             raise ExecutorError(
@@ -116,11 +121,24 @@ def _processes(jobs: int) -> Iterator[Executor]:
     pool.shutdown()
 
 
-def _ignore_interrupts() -> None:
-    """Leave Ctrl-C to the parent, which ends the workers; else each prints a traceback."""
+def _as_a_worker() -> None:
+    """Leave Ctrl-C to the parent, which ends the workers, else each prints a traceback; and end with it."""
     import signal
+    from multiprocessing import parent_process
+    from threading import Thread
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = parent_process()
+    if parent is not None:
+        Thread(target=_end_with, args=(parent,), daemon=True).start()
+
+
+def _end_with(parent: Any) -> None:
+    """End this process when its parent has, even by SIGKILL: it would wait for tasks for ever."""
+    import os
+
+    parent.join()
+    os._exit(1)
 
 
 @contextmanager

@@ -200,6 +200,22 @@ def test_a_foreign_command_never_hides_one_of_ours(capsys, monkeypatch):
     assert main(["table", "--field", "GF2"]) == 0
 
 
+@pytest.mark.parametrize("redirection", [">&-", "2>&-", ">&- 2>&-"])
+def test_closed_streams_are_no_fault(redirection):
+    command = f"{sys.executable} -m hfield eval 1+i {redirection}"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    assert done.returncode == 0
+    assert done.stderr == ""
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="the system has no /dev/full")
+def test_a_terminal_that_cannot_be_written_is_one_line():
+    command = f"{sys.executable} -m hfield eval 1+i > /dev/full"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr == "hfield: error: cannot write the output: No space left on device\n"
+
+
 # --- in a process of its own -------------------------------------------------------------------
 
 

@@ -3,6 +3,11 @@
 import importlib.util
 import operator
 import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
 
 import pytest
 
@@ -81,3 +86,42 @@ def test_a_missing_dask_is_told():
         open_executor(dask="tcp://127.0.0.1:1"),
     ):
         pass
+
+
+ORPHANS = """
+import os, sys, time
+from hfield.executors import open_executor
+
+if __name__ == "__main__":
+    with open_executor(2) as executor:
+        for future in [executor.submit(os.getpid) for _ in range(8)]:
+            print(future.result(), flush=True)
+        print("ready", flush=True)
+        time.sleep(120)
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks at processes in /proc")
+@pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGTERM])
+def test_workers_end_with_the_process_that_made_them(tmp_path, way):
+    script = tmp_path / "orphans.py"
+    script.write_text(ORPHANS)
+    command = [sys.executable, str(script)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as parent:
+        lines = iter(parent.stdout.readline, "ready\n")
+        workers = {int(line) for line in lines}
+        parent.send_signal(way)
+    assert workers
+    deadline = time.monotonic() + 30
+    while any(map(alive, workers)) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not any(map(alive, workers))
+
+
+def alive(process):
+    """Whether a process runs; one that has ended and waits to be reaped does not."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
-from argparse import ArgumentParser, ArgumentTypeError, Namespace, _ArgumentGroup
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from anim.commands.arguments import declare
 from hfield.commands.output import Progress, note, open_output
-from hfield.commands.parser import UsageError, add_format, processes
+from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
     from anim.film import Clip
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from anim.output import Film
     from anim.picture import Look
     from anim.render import Scene
-    from anim.timeline import Timeline
 
 SUMMARY = "draw the spinning top: a film, pictures, or a web page in which it turns"
 HELP = (
@@ -27,298 +26,73 @@ HELP = (
     "frames. --model takes one of the thesis's four ways to its motion, or physics: a heavy top that "
     "precesses, slows and falls."
 )
-MODELS = ("quaternions", "product", "euler", "matrix", "physics")
-PRESETS = (
-    "ultrafast",
-    "superfast",
-    "veryfast",
-    "faster",
-    "fast",
-    "medium",
-    "slow",
-    "slower",
-    "veryslow",
-)
 SHEET_SIZE, FILM_SIZE = (320, 240), (640, 480)
 MOST_FRAMES_OF_A_PAGE = 100_000
+MOST_POINTS_OF_A_PAGE = 10_000
+BAR_EVERY = 0.1  # seconds
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument(
-        "-o", "--output", metavar="FILE", required=True, help="the film, by its suffix"
-    )
-    parser.add_argument("--force", action="store_true", help="replace FILE if it exists")
-    parser.add_argument("--sheet", action="store_true", help="ten frames in one picture, a .png")
-    parser.add_argument(
-        "--preview",
-        action="store_true",
-        help="a quick look: half the size, a quarter of the frames",
-    )
-    parser.add_argument(
-        "--jobs", type=processes, default=1, metavar="N", help="draw in N processes"
-    )
-    _motion(parser.add_argument_group("the motion"))
-    _picture(parser.add_argument_group("the picture"))
-    _physics(parser.add_argument_group("the heavy top (--model physics), in SI units"))
-    add_format(parser, "plain", "json")
-
-
-def _motion(group: _ArgumentGroup) -> None:
-    group.add_argument(
-        "--model",
-        choices=MODELS,
-        metavar="M",
-        help=f"{', '.join(MODELS)} (default: quaternions; for .html the first four, side by side)",
-    )
-    group.add_argument(
-        "--frames", type=int, metavar="N", help="frames of the same motion (default: 500)"
-    )
-    group.add_argument("--fps", type=float, metavar="X", help="frames a second (default: 50)")
-    group.add_argument(
-        "--duration", type=float, metavar="S", help="seconds of the film (default: 10)"
-    )
-    group.add_argument(
-        "--time-scale",
-        type=float,
-        metavar="X",
-        help="seconds of motion in one of film; 0.5 is slow motion",
-    )
-    group.add_argument(
-        "--motion-blur",
-        type=float,
-        default=0.0,
-        metavar="X",
-        help="part of the time the shutter is open, 0 to 1",
-    )
-    group.add_argument(
-        "--spin",
-        default="absolute",
-        metavar="absolute|accumulated",
-        help="what the thesis's speed is",
-    )
-    group.add_argument(
-        "--order",
-        default="spin-first",
-        metavar="spin-first|tilt-first",
-        help="which rotation comes first",
-    )
-    group.add_argument(
-        "--angle",
-        default="quarter",
-        metavar="A",
-        help="of the second rotation: quarter, half, axis, or radians",
-    )
-    group.add_argument(
-        "--euler", default="zyx", metavar="zyx|zyz", help="the axes of the Euler angles"
-    )
-
-
-def _picture(group: _ArgumentGroup) -> None:
-    group.add_argument("--size", type=_size, metavar="WxH", help="in pixels (default: 640x480)")
-    group.add_argument(
-        "--points", type=int, default=1000, metavar="N", help="points on each ring (default: 1000)"
-    )
-    group.add_argument("--bands", type=int, metavar="N", help="bands of colour (default: 10)")
-    group.add_argument(
-        "--p2", default="printed", metavar="printed|third|R", help="the radius of P₂"
-    )
-    group.add_argument(
-        "--style", default="flat", metavar="flat|classic|shaded", help="how to draw (default: flat)"
-    )
-    group.add_argument(
-        "--camera",
-        metavar="A,E[,D[,Z]]",
-        help="azimuth, elevation in degrees, distance, zoom (default: -60,20,12,1)",
-    )
-    group.add_argument("--background", metavar="COLOUR", help="such as white or '#f5f2ea'")
-    group.add_argument("--trace", action="store_true", help="draw the path of the apex")
-    group.add_argument("--shadow", action="store_true", help="draw the shadow on the ground")
-    group.add_argument(
-        "--quality", type=int, default=2, metavar="1..4", help="smoothness (default: 2)"
-    )
-    group.add_argument(
-        "--crf", type=int, default=18, metavar="N", help="quality of mp4: 0 best, 51 (default: 18)"
-    )
-    group.add_argument(
-        "--preset",
-        choices=PRESETS,
-        default="medium",
-        metavar="P",
-        help="x264's effort (default: medium)",
-    )
-
-
-def _physics(group: _ArgumentGroup) -> None:
-    for name, text in (
-        (
-            "spin-rate",
-            "rad/s about its own axis (default: a tenth above the spin at which it sleeps)",
-        ),
-        ("tilt", "degrees between its axis and the vertical (default: 5.7)"),
-        ("precession", "rad/s of its axis around the vertical (default: 0)"),
-        ("gravity", "m/s² (default: 9.80665)"),
-        ("mass", "kg (default: 1)"),
-        ("density", "kg/m³, in place of the mass"),
-        ("scale", "m, the radius of the rim (default: 0.5)"),
-        ("spin-decay", "s in which friction slows the spin to 1/e; inf: none (default: 40)"),
-        ("tilt-decay", "s for the swing of the axis (default: 12)"),
-    ):
-        group.add_argument(f"--{name}", type=float, metavar="X", help=text)
-    group.add_argument(
-        "--seed", type=int, metavar="N", help="lean to a random side (default: to the x axis)"
-    )
+    declare(parser)
 
 
 def run(args: Namespace) -> int:
     """Draw, write, and tell what was made."""
+    if args.output in ("", "-"):
+        raise UsageError("pictures need a file of their own: expected a name such as -o top.mp4")
+    path = Path(args.output)
+    if args.figures:
+        return _figures(args, path)
+    from anim.commands.choices import clip_of, model_of
+
+    model, clip = model_of(args), clip_of(args)
+    if args.sheet:
+        return _sheet(args, model, clip, path)
+    if path.suffix.lower() == ".html":
+        return _page(args, model, clip, path)
+    return _film(args, model, clip, path)
+
+
+def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+    from anim.commands.choices import look_of, motions_of
     from anim.output import Film, check
 
-    model, motion = _model(args), _motion_of(args)
-    path = Path(args.output)
-    film: Film | None = None
-    if path.suffix.lower() == ".html":
-        check(path, None, args.force)
-        _page(args, model, motion, path)
-    elif args.sheet:
-        _sheet(args, model, motion, path)
-    else:
-        look = _look(args, motion, FILM_SIZE)
-        film = Film(
-            look.size,
-            motion.frames,
-            motion.fps,
-            args.crf,
-            "ultrafast" if args.preview else args.preset,
-        )
-        check(path, film, args.force)
-        _film(args, _scene(args, model, motion, look), path, film)
-    return _report(args, motion, path, film)
-
-
-def _model(args: Namespace) -> Model:
-    from anim.checks import real
-    from anim.model import READINGS, Model
-
-    p2 = args.p2 if args.p2 in READINGS or not _is_number(args.p2) else real("--p2", args.p2)
-    return Model(args.points, args.bands, p2)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-def _motion_of(args: Namespace) -> Motion:
-    """Return the motion that the flags describe; for a page without ``--model``, the first of its four."""
-    from anim.film import clip
-
-    frames = args.frames
-    if args.preview:
-        whole = clip(frames, args.fps, args.duration, args.time_scale)
-        frames = max(1, whole.frames // 4)
-        film = clip(frames, None, whole.duration, whole.time_scale)
-    else:
-        film = clip(frames, args.fps, args.duration, args.time_scale)
-    if args.model == "physics":
-        return _heavy(args, film)
-    given = [
-        f"--{name}" for name in _PHYSICS_ONLY if getattr(args, name.replace("-", "_")) is not None
-    ]
-    if given:
-        raise UsageError(f"{given[0]} belongs to --model physics")
-    from anim.pipelines import kinematic
-
-    return kinematic(args.model or MODELS[0], film, _reading(args))
-
-
-_PHYSICS_ONLY = (
-    *("spin-rate", "tilt", "precession", "gravity", "mass", "density", "scale"),
-    *("spin-decay", "tilt-decay", "seed"),
-)
-
-
-def _reading(args: Namespace) -> Timeline:
-    from anim.timeline import Timeline
-
-    angle = float(args.angle) if _is_number(args.angle) else args.angle
-    return Timeline(args.spin, args.order, angle, args.euler)
-
-
-def _heavy(args: Namespace, film: Clip) -> Motion:
-    """Return the film of the heavy top, with the flags in place of its defaults."""
-    from math import pi, radians
-
-    from anim.physics import Body, Launch, physical
-
-    given = {
-        "spin": args.spin_rate,
-        "tilt": None if args.tilt is None else radians(args.tilt),
-        "precession": args.precession,
-        "gravity": args.gravity,
-        "spin_decay": args.spin_decay,
-        "tilt_decay": args.tilt_decay,
-    }
-    if args.seed is not None:
-        from random import Random
-
-        given["heading"] = Random(args.seed).uniform(-pi, pi)
-    launch = Launch(**{name: value for name, value in given.items() if value is not None})
-    sizes = {"scale": args.scale, "mass": args.mass, "density": args.density}
-    body = Body.turned(
-        _model(args).profile,
-        **{name: value for name, value in sizes.items() if value is not None},
-    )
-    return physical(film, body, launch)
-
-
-def _look(args: Namespace, motion: Motion, size: tuple[int, int]) -> Look:
-    """Return the look, framed for the greatest tilt of this motion."""
-    from math import ceil, degrees
-
-    from anim.picture import Camera, Look
-
-    width, height = args.size or size
-    if args.preview:
-        width, height = (max(2, side // 4 * 2) for side in (width, height))
-    return Look(
-        size=(width, height),
-        style=args.style,
-        camera=Camera() if args.camera is None else Camera.parse(args.camera),
-        background=args.background,
-        trace=args.trace,
-        shadow=args.shadow,
-        quality=1 if args.preview else args.quality,
-        tilt=min(90, 5 * ceil(degrees(float(motion.tilts.max())) / 5)),
-    )
+    look = look_of(args, FILM_SIZE)
+    preset = "ultrafast" if args.preview else args.preset
+    film = Film(look.size, clip.frames, clip.fps, args.crf, preset)
+    check(path, film, args.force)
+    (motion,) = motions_of(args, model, clip)
+    _render(args, _scene(args, model, motion, look), path, film)
+    return _report(args, motion, path, look.size)
 
 
 def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
     from anim.bands import apparent_spin
+    from anim.commands.choices import framed
     from anim.render import Scene
 
-    if (
-        motion.frames > 1
-        and not args.motion_blur
-        and (text := apparent_spin(motion, model.bands).message())
-    ):
-        note(text)
-    return Scene(model, motion, look, args.motion_blur)
+    scene = Scene(model, motion, framed(look, motion), args.motion_blur)
+    if motion.frames > 1 and not scene.blur:
+        said = apparent_spin(motion, model.bands).message()
+        if said:
+            note(said)
+    return scene
 
 
-def _film(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
+def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
     from anim.render import render
     from hfield.executors import open_executor
 
-    start = monotonic()
+    start = shown = monotonic()
     with Progress("frames") as bar:
 
         def show(done: int, total: int) -> None:
-            left = (monotonic() - start) / done * (total - done)
-            bar(done, total, f"{left:.0f} s left")
+            nonlocal shown
+            now = monotonic()
+            if now - shown >= BAR_EVERY:
+                shown = now
+                bar(done, total, time_left((now - start) / done * (total - done)))
 
         with open_executor(args.jobs) as executor:
             render(
@@ -332,7 +106,17 @@ def _film(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
             )
 
 
-def _sheet(args: Namespace, model: Model, motion: Motion, path: Path) -> None:
+def time_left(seconds: float) -> str:
+    """Say in a few words how long it still takes.
+
+    >>> time_left(41.7), time_left(301)
+    ('42 s left', '5 min left')
+    """
+    return f"{seconds:.0f} s left" if seconds < 100 else f"{seconds / 60:.0f} min left"
+
+
+def _sheet(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+    from anim.commands.choices import look_of, motions_of
     from anim.output.pictures import save_png
     from anim.output.place import file_place, refuse_early
     from anim.render import contact_sheet
@@ -341,86 +125,89 @@ def _sheet(args: Namespace, model: Model, motion: Motion, path: Path) -> None:
         raise UsageError(
             f"--sheet makes one picture: expected a name such as sheet.png, not {path.name!r}"
         )
+    look = look_of(args, SHEET_SIZE)
     refuse_early(path, args.force)
-    look = _look(args, motion, SHEET_SIZE)
+    (motion,) = motions_of(args, model, clip)
+    picture = contact_sheet(_scene(args, model, motion, look))
     with file_place(path) as part:
-        save_png(contact_sheet(_scene(args, model, motion, look)), part)
+        save_png(picture, part)
+    return _report(args, motion, path, look.size)
 
 
-def _page(args: Namespace, model: Model, motion: Motion, path: Path) -> None:
+def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     """Write the page: the four models side by side, or the one named; for physics with curves."""
-    from anim.output.place import file_place
-    from anim.picture import Camera
-    from anim.pipelines import PIPELINES, kinematic
-    from anim.viewer import Curve, Show, page
+    from anim.commands.choices import camera_of, motions_of
+    from anim.output import check
+    from anim.output.place import write_text
+    from anim.picture.look import colour
+    from anim.viewer import Show, curves_of, page
 
-    if motion.frames > MOST_FRAMES_OF_A_PAGE:
-        raise UsageError(
-            f"a page holds at most {MOST_FRAMES_OF_A_PAGE} frames, not {motion.frames}"
-        )
-    motions = [motion]
-    if args.model is None:
-        motions = [kinematic(name, motion.clip, _reading(args)) for name in PIPELINES]
-    curves = []
-    if motion.record is not None:
-        from numpy import degrees
-
-        curves = [
-            Curve("tilt", degrees(motion.tilts), "°"),
-            Curve("energy", motion.record.energies, "J"),
-        ]
-    camera = Camera() if args.camera is None else Camera.parse(args.camera)
+    for name, number, most in (
+        ("frames", clip.frames, MOST_FRAMES_OF_A_PAGE),
+        ("points a ring", model.ring, MOST_POINTS_OF_A_PAGE),
+    ):
+        if number > most:
+            raise UsageError(f"a page holds at most {most} {name}, not {number}")
+    camera, paper = camera_of(args), None
+    if args.background is not None:
+        paper = "#{:02x}{:02x}{:02x}".format(*colour("background", args.background))
+    check(path, None, args.force)
+    motions = motions_of(args, model, clip)
     text = page(
         model,
-        [Show(m.name, m.attitudes) for m in motions],
-        motion.fps,
-        curves=curves,
+        [Show(motion.name, motion.attitudes) for motion in motions],
+        clip.fps,
+        curves=curves_of(motions[0]),
         camera=(camera.azimuth, camera.elevation),
         zoom=camera.zoom,
-        background=args.background and colour_code(args.background),
+        background=paper,
     )
-    with file_place(path) as part:
-        part.write_text(text, encoding="utf-8")
+    write_text(path, text)
+    return _report(args, motions[0], path, None)
 
 
-def colour_code(name: str) -> str:
-    """Return a colour that matplotlib knows as ``#rrggbb``."""
-    from anim.picture.look import colour
+def _figures(args: Namespace, folder: Path) -> int:
+    """Write the still pictures of sections 3.3 and 3.4."""
+    from anim.picture.thesis import NAMES, figures
 
-    return "#{:02x}{:02x}{:02x}".format(*colour("background", name))
+    there = next((name for name in NAMES if (folder / name).exists()), None)
+    if there and not args.force:
+        raise UsageError(f"{str(folder / there)!r} exists; --force replaces it")
+    paths = figures(folder)
+    with open_output(None) as out:
+        if args.format == "json":
+            out.write_json({"schema": "hfield-render-figures/1", "files": [str(p) for p in paths]})
+        else:
+            out.write("\n".join(map(str, paths)))
+    return 0
 
 
-def _report(args: Namespace, motion: Motion, path: Path, film: Film | None) -> int:
+def _report(args: Namespace, motion: Motion, path: Path, size: tuple[int, int] | None) -> int:
     """Tell what was made."""
     files = sorted(path.iterdir()) if path.is_dir() else [path]
-    size = sum(file.stat().st_size for file in files)
+    large = sum(file.stat().st_size for file in files)
+    landed = motion.record.landed if motion.record else None
     with open_output(None) as out:
         if args.format == "json":
             out.write_json(
                 {
                     "schema": "hfield-render/1",
                     "file": str(path),
-                    "bytes": size,
+                    "bytes": large,
                     "model": motion.name,
                     "frames": motion.frames,
                     "fps": motion.fps,
                     "duration": motion.duration,
-                    "size": None if film is None else list(film.size),
-                    "landed": motion.record.landed if motion.record else None,
+                    "size": size and list(size),
+                    "landed": landed,
                 }
             )
         else:
-            shape = f" of {film.size[0]}x{film.size[1]}" if film else ""
+            number = "1 frame" if motion.frames == 1 else f"{motion.frames} frames"
+            shape = f" of {size[0]}x{size[1]}" if size else ""
+            fell = "" if landed is None else f", on the ground after {landed:.3g} s"
             out.write(
-                f"{path}: {motion.frames} frames{shape} at {motion.fps:g} a second, "
-                f"{motion.duration:.4g} s, {size / 1e6:.2f} MB"
+                f"{path}: {number}{shape} at {motion.fps:g} a second, "
+                f"{motion.duration:.4g} s, {large / 1e6:.2f} MB{fell}"
             )
     return 0
-
-
-def _size(text: str) -> tuple[int, int]:
-    """Read ``640x480`` for argparse."""
-    match = re.fullmatch(r"\s*(\d{1,6})\s*[x×,]\s*(\d{1,6})\s*", text, re.ASCII)
-    if match is None:
-        raise ArgumentTypeError(f"expected WIDTHxHEIGHT such as 640x480, found {text!r}")
-    return int(match[1]), int(match[2])

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from fractions import Fraction
 from pathlib import Path
+from shutil import which
 from tempfile import TemporaryFile
 from typing import IO, TYPE_CHECKING
 
@@ -28,18 +29,24 @@ BT709 = ("-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt7
 # Averaging chroma over each block of four keeps the most of what 4:2:0 can hold of sharp bands.
 TO_BT709 = "scale=out_color_matrix=bt709:out_range=tv:flags=area+accurate_rnd+full_chroma_inp+full_chroma_int"
 
+# The bands' edges are of strong colours, and lose more by coarse chroma than by anything else. In small
+# pictures four pixels are too large for one chroma: they keep all of it (4:4:4).
+FINER_CHROMA = -6
+LARGE = 640 * 480
+
 
 def ffmpeg() -> str:
     """Return the path of the program. Raises :class:`AnimationError` where there is none."""
-    try:
+    with suppress(ImportError, RuntimeError):
         from imageio_ffmpeg import get_ffmpeg_exe
 
-        return str(get_ffmpeg_exe())
-    except (ImportError, RuntimeError):
-        raise AnimationError(
-            "films are encoded by ffmpeg, which is missing: run `pip install imageio-ffmpeg`, "
-            "or set IMAGEIO_FFMPEG_EXE to the program"
-        ) from None
+        program = which(str(get_ffmpeg_exe()))
+        if program is not None:
+            return program
+    raise AnimationError(
+        "films are encoded by ffmpeg, which is missing: run `pip install imageio-ffmpeg`, "
+        "or set IMAGEIO_FFMPEG_EXE to the program"
+    )
 
 
 @contextmanager
@@ -57,7 +64,7 @@ def open_encoder(path: Path, film: Film, samples: Samples | None) -> Iterator[Wr
                 from anim.output.palette import write_palette
 
                 write_palette(palette, samples() if samples else ())
-                command += ["-i", str(palette)]
+                command += ["-f", "image2", "-pattern_type", "none", "-i", str(palette)]
             command += [*_format(path.suffix.lower(), film), str(path)]
             process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said
@@ -70,15 +77,18 @@ def open_encoder(path: Path, film: Film, samples: Samples | None) -> Iterator[Wr
 
 
 def _format(suffix: str, film: Film) -> list[str]:
-    """Return ffmpeg's options for a suffix."""
+    """Return ffmpeg's options for a suffix; the format by name too, whatever else the file's name says."""
     if suffix == ".mp4":
         coded = ["-c:v", "libx264", "-crf", str(film.crf), "-preset", film.preset]
-        return [*coded, "-vf", TO_BT709, "-pix_fmt", "yuv420p", *BT709, "-movflags", "+faststart"]
+        coded += ["-x264-params", f"chroma-qp-offset={FINER_CHROMA}", "-vf", TO_BT709, *BT709]
+        chroma = "yuv420p" if film.size[0] * film.size[1] >= LARGE else "yuv444p"
+        return [*coded, "-pix_fmt", chroma, "-movflags", "+faststart", "-f", "mp4"]
     if suffix == ".gif":
-        return ["-lavfi", "[0][1]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"]
+        dithered = "[0][1]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
+        return ["-lavfi", dithered, "-f", "gif"]
     if suffix == ".apng":
         return ["-f", "apng", "-pred", "mixed", "-plays", "0"]
-    return ["-c:v", "libwebp_anim", "-quality", "85", "-loop", "0"]
+    return ["-c:v", "libwebp_anim", "-quality", "85", "-loop", "0", "-f", "webp"]
 
 
 def _feed(
@@ -123,7 +133,9 @@ def _failed(said: IO[bytes]) -> AnimationError:
     lines = [line.strip() for line in said.read().decode(errors="replace").splitlines()]
     reasons = [line for line in lines if line and not re.fullmatch(r"\w+=.*", line)]
     reason = next((r for r in reasons if "No space" in r or "too large" in r), None)
-    reason = reason or (reasons[-1] if reasons else "it ended without saying why")
+    reason = reason or (
+        reasons[-1] if reasons else "ffmpeg ended without saying why; is the disk full?"
+    )
     return AnimationError(f"the film could not be written: {reason}")
 
 

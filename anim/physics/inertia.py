@@ -14,6 +14,8 @@ Profile = Sequence[tuple[float, float]]
 
 # The thesis's unit of length in m. A top of this size spins slowly enough for 50 frames a second to show.
 SCALE = 0.5
+# What mass and moments of inertia exceed, and their inverses too, so that products of three stay numbers.
+LEAST = 1e-90
 
 
 @dataclass(frozen=True)
@@ -51,17 +53,18 @@ class Body:
         size = real("scale", scale, above=0)
         volume, moment, axial, equatorial = _moments(profile)
         if mass is None and density is not None:
-            weight = real("density", density, above=0) * volume * size**3
+            weight = real("density", density, above=0) * volume * (size * size * size)
         else:
             weight = real("mass", 1.0 if mass is None else mass, above=0)
         unit = weight / volume
-        return cls(
-            weight,
-            size * moment / volume,
-            unit * size**2 * axial,
-            unit * size**2 * equatorial,
-            reach(profile),
-        )
+        square = size * size  # not a power, which refuses what is too large
+        moments = unit * square * axial, unit * square * equatorial
+        if not (min(weight, *moments) > LEAST and max(weight, *moments) < 1 / LEAST):
+            raise AnimationError(
+                f"a top of {weight:.3g} kg and {size:.3g} m has moments of inertia that cannot be "
+                "computed with; choose another mass or size"
+            )
+        return cls(weight, size * moment / volume, *moments, reach(profile))
 
 
 def reach(profile: Profile) -> float:

@@ -6,11 +6,13 @@ pixels touched by the last one are put back from the background.
 
 from collections.abc import Sequence
 from math import ceil, floor
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.picture.look import RGB
+from anim.picture.quiet import import_matplotlib
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -23,6 +25,7 @@ class Canvas:
     """An RGB picture over a fixed background (height, width, 3); coordinates are pixels, y upwards."""
 
     def __init__(self, background: Pixels, smooth: bool = True) -> None:
+        import_matplotlib()
         from matplotlib.backend_bases import GraphicsContextBase
         from matplotlib.backends.backend_agg import RendererAgg
         from matplotlib.transforms import IdentityTransform
@@ -57,29 +60,24 @@ class Canvas:
 
         ``touched`` says that :meth:`touch` has been told of them already.
         """
-        from matplotlib.path import Path
-
-        points = loops[0] if len(loops) == 1 else np.concatenate(loops)
-        codes = None
-        if len(loops) > 1:
-            codes = np.full(len(points), Path.LINETO, dtype=Path.code_type)
-            codes[np.cumsum([0, *map(len, loops[:-1])])] = Path.MOVETO
+        path = _path(loops)
         if not touched:
-            self.touch(points, 0)
+            self.touch(path.vertices, 0)
         self._context.set_linewidth(0)
         self._context.set_alpha(opacity)
         face = tuple(channel / 255 for channel in colour)
-        self._renderer.draw_path(self._context, Path(points, codes), self._identity, face)
+        self._renderer.draw_path(self._context, path, self._identity, face)
 
-    def stroke(self, line: Floats, colour: RGB, width: float) -> None:
-        """Draw an open line through the points (k, 2), ``width`` pixels wide, with round ends."""
-        from matplotlib.path import Path
-
-        self.touch(line, width)
+    def stroke(self, lines: Sequence[Floats], colour: RGB, width: float) -> None:
+        """Draw open lines through points (k, 2), ``width`` pixels wide, with round ends."""
+        if not lines:
+            return
+        path = _path(lines)
+        self.touch(path.vertices, width)
         self._context.set_alpha(1.0)
         self._context.set_linewidth(width)
         self._context.set_foreground(tuple(channel / 255 for channel in colour), isRGBA=False)
-        self._renderer.draw_path(self._context, Path(line), self._identity)
+        self._renderer.draw_path(self._context, path, self._identity)
 
     def touch(self, points: Floats, width: float) -> tuple[int, int, int, int]:
         """Note that the box around ``points`` (k, 2) is drawn on; return it: left, top, right, bottom."""
@@ -103,3 +101,15 @@ class Canvas:
             box = (slice(top, bottom), slice(left, right), channel)
             picture[box] = self.pixels[box]
         return picture
+
+
+def _path(lines: Sequence[Floats]) -> Any:
+    """Return one path of Agg's through all the lines, a new start for each."""
+    from matplotlib.path import Path
+
+    if len(lines) == 1:
+        return Path(lines[0])
+    points = np.concatenate(lines)
+    codes = np.full(len(points), Path.LINETO, dtype=Path.code_type)
+    codes[np.cumsum([0, *map(len, lines[:-1])])] = Path.MOVETO
+    return Path(points, codes)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.look import RGB, Look
 from anim.picture.projection import View, fitting, reached
+from anim.picture.quiet import import_matplotlib
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -25,6 +26,7 @@ SMALLEST_LETTERED = 160
 
 def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     """Return the projection of matplotlib's axes and a picture (height, width, 3) of the empty axes."""
+    import_matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from mpl_toolkits.mplot3d import Axes3D

@@ -5,10 +5,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import Model
 from anim.picture.canvas import Canvas
 from anim.picture.look import RGB
 from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
+from anim.picture.mesh import Mesh
 from anim.picture.projection import View
 from anim.picture.solid import BAND, LOWER, UPPER, drawing_order, pieces
 
@@ -37,12 +37,12 @@ def tinted(colours: tuple[RGB, RGB]) -> list[tuple[RGB, RGB]]:
 class FlatBody:
     """The top in even colours: ``colours`` are two for each of the three pieces."""
 
-    def __init__(self, model: Model, colours: list[tuple[RGB, RGB]]) -> None:
-        self._points = model.points
-        self._parts = pieces(model)
-        heights = [z for _, z in model.profile]
+    def __init__(self, mesh: Mesh, colours: list[tuple[RGB, RGB]]) -> None:
+        self._points = mesh.points
+        self._parts = pieces(mesh)
+        heights = [z for _, z in mesh.profile]
         self._middles = np.array([(0, 0, (a + b) / 2) for a, b in pairwise(heights)])
-        self._keys = model.sectors % 2
+        self._keys = mesh.keys
         self._colours = colours
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:

@@ -5,9 +5,9 @@ from math import cos, radians, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import Model
 from anim.picture.look import Camera
 from anim.picture.merge import HIDDEN, Rim, outlines
+from anim.picture.mesh import Mesh
 from anim.picture.projection import View
 from anim.picture.solid import Piece
 
@@ -26,7 +26,7 @@ def direction(camera: Camera) -> Floats:
 
 
 def shadow(
-    model: Model, parts: tuple[Piece, ...], rotation: Floats, light: Floats, view: View
+    mesh: Mesh, parts: tuple[Piece, ...], rotation: Floats, light: Floats, view: View
 ) -> list[Floats]:
     """Return the shadow on the plane z = 0 as loops of pixels, to be filled together (nonzero winding).
 
@@ -34,7 +34,7 @@ def shadow(
     sense, so that the loops of all pieces make up the whole shadow. What has sunk below the ground throws
     none.
     """
-    here = model.points @ rotation.T
+    here = mesh.points @ rotation.T
     source = np.append(light @ rotation, 0.0)
     fall = np.eye(4)
     fall[:2, 2] = -light[:2] / light[2]

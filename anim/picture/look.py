@@ -6,6 +6,7 @@ from typing import Any
 
 from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
+from anim.picture.quiet import import_matplotlib
 
 RGB = tuple[int, int, int]
 
@@ -114,14 +115,19 @@ class Look:
 
 def colour(name: str, value: Any) -> RGB:
     """Return a colour as 8-bit sRGB; ``name`` says in an error what it is the colour of."""
-    from matplotlib.colors import to_rgb
+    import_matplotlib()
+    from matplotlib.colors import to_rgba
 
     try:
-        red, green, blue = to_rgb(value)
+        red, green, blue, opacity = to_rgba(value)
     except (ValueError, TypeError):
         raise AnimationError(
             f"{name} is {value!r}; expected a colour, such as white or #f5f2ea"
         ) from None
+    if opacity < 1:
+        raise AnimationError(
+            f"{name} is {value!r}, which is transparent; expected an opaque colour"
+        )
     return round(255 * red), round(255 * green), round(255 * blue)
 
 

@@ -12,7 +12,8 @@ from anim.picture.canvas import Canvas
 from anim.picture.classic import axes_and_view
 from anim.picture.flat import FlatBody, tinted
 from anim.picture.look import RGB, Look, colour
-from anim.picture.projection import View, view
+from anim.picture.mesh import Mesh
+from anim.picture.projection import View, reached, view
 from anim.picture.shaded import ShadedBody
 from anim.picture.solid import pieces
 from anim.picture.trace import near_and_far
@@ -45,9 +46,11 @@ class Painter:
 
     def __init__(self, model: Model, look: Look) -> None:
         self.model, self.look = model, look
-        self._parts = pieces(model)
+        self.view, background = _scene(model, look)
+        self._mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt)))
+        self._parts = pieces(self._mesh)
         self._light = light.direction(look.camera)
-        self.view, background, self._body = _scene(model, look)
+        self._body = _body(self._mesh, look, self._light)
         self._canvas = Canvas(background, smooth=look.quality > 1)
         self._pen = max(1.0, min(look.size) / 320)
 
@@ -70,17 +73,15 @@ class Painter:
             self._draw_shadow(rotation)
         if self.look.trace and trail is not None:
             near, far = near_and_far(_points(trail), self.view)
-            for line in far:
-                canvas.stroke(line, TRACE, self._pen)
+            canvas.stroke(far, TRACE, self._pen)
         self._body.draw(canvas, self.view.turned(rotation), rotation)
-        for line in near:
-            canvas.stroke(line, TRACE, self._pen)
+        canvas.stroke(near, TRACE, self._pen)
         if self.look.shadow and not from_above:
             self._draw_shadow(rotation)
         return canvas.rgb()
 
     def _draw_shadow(self, rotation: Floats) -> None:
-        loops = light.shadow(self.model, self._parts, rotation, self._light, self.view)
+        loops = light.shadow(self._mesh, self._parts, rotation, self._light, self.view)
         if loops:
             self._canvas.fill(loops, SHADE, SHADE_OPACITY)
 
@@ -90,30 +91,34 @@ def painter(model: Model, look: Look | None = None) -> Painter:
     return Painter(model, Look() if look is None else look)
 
 
-def _scene(model: Model, look: Look) -> tuple[View, Pixels, Body]:
-    colours = model.palette
+def _scene(model: Model, look: Look) -> tuple[View, Pixels]:
+    """Return the projection and the picture without the top."""
+    paper = WHITE if look.style == "classic" else PAPER
+    if look.background is not None:
+        paper = colour("background", look.background)
+    if look.style == "classic":
+        return axes_and_view(model, look, paper)
+    seen = view(look.camera, look.size, model, look.tilt)
+    if look.style == "shaded" and look.background is None:
+        return seen, _wall(look)
+    width, height = look.size
+    return seen, np.full((height, width, 3), paper, dtype=np.uint8)
+
+
+def _body(mesh: Mesh, look: Look, sun: Floats) -> Body:
+    """Return what draws the top in the look's style."""
+    colours = mesh.model.palette
     if look.colours is not None:
         first, second = (colour("a colour of the top", c) for c in look.colours)
         colours = (first, second)
-    if look.style == "classic":
-        paper = WHITE if look.background is None else colour("background", look.background)
-        seen, background = axes_and_view(model, look, paper)
-        return seen, background, FlatBody(model, [colours] * 3)
-    width, height = look.size
-    seen = view(look.camera, look.size, model, look.tilt)
-    paper = PAPER if look.background is None else colour("background", look.background)
     if look.style == "shaded":
-        body = ShadedBody(model, colours, light.direction(look.camera), look.quality)
-        return seen, _wall(look), body
-    background = np.full((height, width, 3), paper, dtype=np.uint8)
-    return seen, background, FlatBody(model, tinted(colours))
+        return ShadedBody(mesh, colours, sun, look.quality)
+    return FlatBody(mesh, [colours] * 3 if look.style == "classic" else tinted(colours))
 
 
 def _wall(look: Look) -> Pixels:
-    """Return a wall a little brighter at its top, or the look's even background."""
+    """Return a wall a little brighter at its top."""
     width, height = look.size
-    if look.background is not None:
-        return np.full((height, width, 3), colour("background", look.background), dtype=np.uint8)
     down = np.linspace(0, 1, height)[:, None, None]
     rows = np.round(np.array(WALL_TOP) + down * np.subtract(WALL_FOOT, WALL_TOP)).astype(np.uint8)
     return np.repeat(rows, width, axis=1)

@@ -58,6 +58,13 @@ class View:
         u, v, w = rows[:, :3] @ points.T + rows[:, 3:]
         return np.column_stack([u / w, v / w])
 
+    def magnification(self, points: Floats) -> float:
+        """Return the most pixels that a short way from any of ``points`` (k, 3) makes per unit of length."""
+        rows = self.matrix[[0, 1, 3]]
+        u, v, w = (rows[:, :3] @ points.T + rows[:, 3:])[..., None]
+        across, up = ((rows[n, :3] - seen / w * rows[2, :3]) / w for n, seen in enumerate((u, v)))
+        return float(np.sqrt(np.sum(across**2 + up**2, axis=1).max()))
+
     def project_with_depth(self, points: Floats) -> Floats:
         """Return pixels and depth (k, 3); the depth grows towards the eye."""
         u, v, d, w = self.matrix[:, :3] @ points.T + self.matrix[:, 3:]

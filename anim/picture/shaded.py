@@ -1,13 +1,11 @@
 """The top in the light: smooth cones, a z-buffer, and averaging in linear light."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import Model
 from anim.picture.canvas import Canvas
 from anim.picture.look import RGB
+from anim.picture.mesh import Mesh
 from anim.picture.projection import View
 
 Floats = NDArray[np.float64]
@@ -28,13 +26,12 @@ LINEAR: Floats = np.where(_levels <= 0.04045, _levels / 12.92, ((_levels + 0.055
 class ShadedBody:
     """The top under a light that is far away in the direction ``light`` (3,), a unit vector of the room."""
 
-    def __init__(self, model: Model, colours: tuple[RGB, RGB], light: Floats, quality: int) -> None:
-        self._points, self._samples, self._light = model.points, quality, light
-        triangles, bands = model.triangles()
-        self._triangles = np.ascontiguousarray(triangles)
-        self._lit, self._normals = _normals(model)
+    def __init__(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> None:
+        self._points, self._samples, self._light = mesh.points, quality, light
+        self._triangles = np.ascontiguousarray(mesh.triangles)
+        self._lit, self._normals = _normals(mesh)
         palette = np.maximum(LINEAR[np.array(colours)], DARKEST)
-        self._paints = palette[bands % 2]
+        self._paints = palette[np.tile(mesh.keys, 4)]
         self._encoded = _encoding()
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
@@ -67,17 +64,18 @@ class ShadedBody:
         return np.column_stack([own, white])
 
 
-def _normals(model: Model) -> tuple[Indices, Floats]:
-    """Return for each corner of the model's triangles (4·ring, 3) which normal (5·ring, 3) it has.
+def _normals(mesh: Mesh) -> tuple[Indices, Floats]:
+    """Return for each corner of the mesh's triangles (4·ring, 3) which normal (5·ring, 3) it has.
 
     A cone has one normal along each of its straight lines: the first 3·ring normals are those at the rings'
     points, on the three pieces; at tip and apex each triangle has that of its own middle.
     """
-    n = model.ring
+    n = mesh.ring
     here = np.arange(n)
-    there, middle = (here + 1) % n, here + 0.5
-    low, band, high = (_of_cone(model, k, here) for k in range(3))
-    normals = [low, band, high, _of_cone(model, 0, middle), _of_cone(model, 2, middle)]
+    there = (here + 1) % n
+    starts, middles = mesh.angles[:-1], (mesh.angles[:-1] + mesh.angles[1:]) / 2
+    low, band, high = (_of_cone(mesh, k, starts) for k in range(3))
+    normals = [low, band, high, _of_cone(mesh, 0, middles), _of_cone(mesh, 2, middles)]
     lit = [
         [here + 3 * n, there, here],
         [n + here, n + there, n + there],
@@ -87,13 +85,12 @@ def _normals(model: Model) -> tuple[Indices, Floats]:
     return np.concatenate([np.column_stack(part) for part in lit]), np.concatenate(normals)
 
 
-def _of_cone(model: Model, piece: int, place: NDArray[Any]) -> Floats:
-    """Return the outward normals (k, 3) of a piece's cone at places round it, counted in faces."""
-    (r0, z0), (r1, z1) = model.profile[piece : piece + 2]
-    angle = place * (2 * np.pi / model.ring)
+def _of_cone(mesh: Mesh, piece: int, angle: Floats) -> Floats:
+    """Return the outward normals (k, 3) of a piece's cone at angles (k,) round it."""
+    (r0, z0), (r1, z1) = mesh.profile[piece : piece + 2]
     rise, out = z1 - z0, r1 - r0
     normal = np.column_stack(
-        [rise * np.cos(angle), rise * np.sin(angle), np.full(len(place), -out)]
+        [rise * np.cos(angle), rise * np.sin(angle), np.full(len(angle), -out)]
     )
     return np.asarray(normal / np.hypot(rise, out))
 

@@ -13,7 +13,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import COLLAR_HEIGHT, SHOULDER, Model
+from anim.model import COLLAR_HEIGHT, SHOULDER
+from anim.picture.mesh import Mesh
 
 Floats = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
@@ -25,7 +26,7 @@ LOWER, BAND, UPPER = range(3)
 class Piece:
     """One convex piece: a ring of faces between a lower and an upper rim.
 
-    ``low`` and ``high`` index the model's points, (ring,) each; at the tip and the apex all are the same.
+    ``low`` and ``high`` index the mesh's points, (ring,) each; at the tip and the apex all are the same.
     Face i lies between the points i and i + 1 of both rims; ``planes`` (ring, 4) are its outward planes:
     (normal, −offset), positive outside.
     """
@@ -39,12 +40,12 @@ class Piece:
         return np.asarray(self.planes @ eye > 0)
 
 
-def pieces(model: Model) -> tuple[Piece, Piece, Piece]:
+def pieces(mesh: Mesh) -> tuple[Piece, Piece, Piece]:
     """Return the lower pyramid, the band between the rings, and the upper pyramid."""
-    n = model.ring
+    n = mesh.ring
     tip, first = np.zeros(n, dtype=np.int64), np.arange(1, n + 1)
     rims = (tip, first, first + n, tip + 2 * n + 1)
-    lower, band, upper = (_piece(model.points, low, high) for low, high in pairwise(rims))
+    lower, band, upper = (_piece(mesh.points, low, high) for low, high in pairwise(rims))
     return lower, band, upper
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
 from anim.picture.canvas import Canvas
 from anim.picture.classic import axes_and_view
@@ -31,6 +32,10 @@ FEW = 10
 CAMERA = Camera(elevation=18)
 LOOK = Look(style="classic", camera=CAMERA, tilt=15)
 LEANING = Look(style="classic", camera=CAMERA, tilt=45)
+NAMES = (
+    *("points.png", "skeleton.png", "coloured.png", "turned-about-z.png", "turned-about-both.png"),
+    *("figure-3.1.png", "figure-3.2.png"),
+)
 SPREAD = 0.5
 """The thesis's r in figure 3.2: the horizontal part of the unit vectors that the top is turned about."""
 
@@ -41,26 +46,28 @@ def figures(directory: str | Path) -> list[Path]:
     points and skeleton (P₁ green, P₂ red; 10 points a ring), coloured, the same turned about z and then
     also about a second axis, figure-3.1 (1000 points a ring) and figure-3.2 (four turns by π/2 about axes
     leaning by 30°, in one picture of twice the size). Raises
-    :class:`~hfield.commands.output.OutputError` where the directory cannot be written.
+    :class:`~hfield.commands.output.OutputError` where the directory cannot be written, and
+    :class:`~anim.errors.AnimationError` where the disk is full.
     """
     folder = Path(directory)
     try_folder(folder)
     few, many = Model(ring=FEW), Model()
     about_z = np.asarray(R_z(np.pi / 5))
-    made = {
-        "points": _points(few),
-        "skeleton": _skeleton(few),
-        "coloured": painter(few, LOOK).draw(np.eye(3)),
-        "turned-about-z": painter(few, LEANING).draw(about_z),
-        "turned-about-both": painter(few, LEANING).draw(leaning(1) @ about_z),
-        "figure-3.1": painter(many, LOOK).draw(np.eye(3)),
-        "figure-3.2": _in_fours(many),
-    }
-    paths = []
-    for name, picture in made.items():
-        path = folder / f"{name}.png"
-        write_whole(path, _png(picture))
-        paths.append(path)
+    pictures = (
+        _points(few),
+        _skeleton(few),
+        painter(few, LOOK).draw(np.eye(3)),
+        painter(few, LEANING).draw(about_z),
+        painter(few, LEANING).draw(leaning(1) @ about_z),
+        painter(many, LOOK).draw(np.eye(3)),
+        _in_fours(many),
+    )
+    paths = [folder / name for name in NAMES]
+    for path, picture in zip(paths, pictures, strict=True):
+        try:
+            write_whole(path, _png(picture))
+        except OSError as error:
+            raise AnimationError(f"{str(path)!r} could not be written: {error.strerror}") from None
     return paths
 
 
@@ -93,10 +100,9 @@ def _skeleton(model: Model) -> Pixels:
     rings = np.arange(1, n + 1), np.arange(n + 1, 2 * n + 1)
     rims = [np.zeros(n, dtype=int), *rings, np.full(n, 2 * n + 1)]
     for low, high in pairwise(rims):
-        for edge in np.column_stack([low, high]):
-            canvas.stroke(seen[edge], BLUE, 1.5)
+        canvas.stroke([seen[edge] for edge in np.column_stack([low, high])], BLUE, 1.5)
     for ring, colour in zip(rings, (GREEN, RED), strict=True):
-        canvas.stroke(seen[[*ring, ring[0]]], colour, 2)
+        canvas.stroke([seen[[*ring, ring[0]]]], colour, 2)
     return canvas.rgb()
 
 

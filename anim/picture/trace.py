@@ -25,3 +25,25 @@ def near_and_far(trail: Floats, view: View) -> tuple[list[Floats], list[Floats]]
     starts, stops = [0, *cuts.tolist()], [*cuts.tolist(), len(in_front)]
     lines = [(in_front[a], seen[a : b + 1]) for a, b in zip(starts, stops, strict=True)]
     return [line for front, line in lines if front], [line for front, line in lines if not front]
+
+
+def thinned(path: Floats, tolerance: float) -> NDArray[np.int64]:
+    """Return which points of a path (n, 3) are enough: the line through them strays no further than that.
+
+    A curve of length L that turns by φ in all stays within L·φ/4 of its chord (φ ≤ π); points are left out as
+    long as this is at most ``tolerance``. One pass, and what is kept up to a point does not depend on what
+    comes after it, so that a line may grow from frame to frame without a flicker.
+    """
+    steps = np.diff(path, axis=0)
+    lengths = np.linalg.norm(steps, axis=1)
+    ways = steps / np.maximum(lengths, np.finfo(float).tiny)[:, None]
+    chords = np.linalg.norm(np.diff(ways, axis=0), axis=1)
+    turns = 2 * np.arcsin(np.minimum(chords / 2, 1.0))
+    kept, length, turned = [0], 0.0, 0.0
+    for n, (long, turn) in enumerate(zip(lengths.tolist(), [0.0, *turns.tolist()], strict=False)):
+        length, turned = length + long, turned + turn
+        if length * turned > 4 * tolerance or turned > np.pi:
+            if kept[-1] != n:
+                kept.append(n)
+            length, turned = long, 0.0
+    return np.array(kept)

@@ -1,19 +1,34 @@
 // One small plot a quantity, with a line at the time shown; a click or drag there goes to that time.
+const MOST = 2000; // points of a line: more than there are columns to draw it in
+
+// The values as pairs (frame, value); of many, the least and the greatest of each stretch.
+function thinned(values) {
+  const pairs = values.map((value, n) => [n, value]), size = Math.ceil(values.length / MOST);
+  if (size < 2) return pairs;
+  const out = [];
+  for (let k = 0; k < pairs.length; k += 2 * size) {
+    const part = pairs.slice(k, k + 2 * size).sort((a, b) => a[1] - b[1]);
+    out.push(...[part[0], part[part.length - 1]].sort((a, b) => a[0] - b[0]));
+  }
+  return out;
+}
+
 class Curve {
   constructor(place, curve, player) {
     Object.assign(this, curve);
     this.canvas = place.appendChild(document.createElement("canvas"));
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `${this.name} over time`);
-    this.low = Math.min(...this.values.filter(Number.isFinite));
-    this.high = Math.max(...this.values.filter(Number.isFinite));
+    this.line = thinned(this.values);
+    this.low = this.line.reduce((low, [, value]) => Math.min(low, value), Infinity);
+    this.high = this.line.reduce((high, [, value]) => Math.max(high, value), -Infinity);
     if (this.high - this.low < 1e-6 * Math.max(Math.abs(this.high), 1e-12)) {
       const margin = Math.max(Math.abs(this.high), 1e-6) / 10;
       [this.low, this.high] = [this.low - margin, this.high + margin];
     }
     const seek = (event) => {
       if (!event.buttons) return;
-      const box = this.canvas.getBoundingClientRect(), part = (event.clientX - box.left) / box.width;
+      const box = this.canvas.getBoundingClientRect(), part = (event.clientX - box.left - 8) / (box.width - 16);
       player.seek(Math.round(part * (this.values.length - 1)));
     };
     this.canvas.addEventListener("pointerdown", seek);
@@ -33,7 +48,7 @@ class Curve {
     c.strokeStyle = accent;
     c.lineWidth = 1.5;
     c.beginPath();
-    this.values.forEach((value, n) => c.lineTo(x(n), y(value)));
+    for (const [n, value] of this.line) c.lineTo(x(n), y(value));
     c.stroke();
     c.strokeStyle = ink;
     c.lineWidth = 1;

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from anim.model import Model
+    from anim.motion import Motion
 
 SCRIPTS = ("vectors.js", "scene.js", "curves.js", "player.js")
 PAPER = "#eceff1"
@@ -41,6 +42,18 @@ class Curve:
     name: str
     values: ArrayLike
     unit: str = ""
+
+
+def curves_of(motion: Motion) -> list[Curve]:
+    """Return tilt and energy of a motion that obeys physics; nothing for another."""
+    if motion.record is None:
+        return []
+    from numpy import degrees
+
+    return [
+        Curve("tilt", degrees(motion.tilts), "°"),
+        Curve("energy", motion.record.energies, "J"),
+    ]
 
 
 def page(
@@ -112,9 +125,11 @@ def _packed(values: ArrayLike, columns: int | None) -> str:
             f"an array of shape {array.shape} does not fit: expected "
             f"({'frames,' if columns is None else f'frames, {columns}'}) with at least one frame"
         )
-    if not np.isfinite(array).all():
-        raise AnimationError("the page cannot show values that are not finite")
-    return b64encode(array.astype("<f4").tobytes()).decode()
+    with np.errstate(over="ignore"):
+        single = array.astype("<f4")
+    if not np.isfinite(single).all():
+        raise AnimationError("the page cannot show values that are not finite, or 1e38 and more")
+    return b64encode(single.tobytes()).decode()
 
 
 def _file(name: str) -> str:

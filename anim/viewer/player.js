@@ -117,7 +117,7 @@ class Player {
       const column = place % columns, row = Math.floor(place / columns), show = data.shows[n];
       const frame = Math.min(this.frame, show.quaternions.length / 4 - 1);
       this.scene.draw(n, show, frame, this.camera, [column * w, height - (row + 1) * h, w, h]);
-      Object.assign(this.labels[n].style, { left: `${(column * w) / ratio}px`, top: `${(row * h) / ratio}px` });
+      Object.assign(this.labels[n].style, { left: `${(column * w) / ratio}px`, top: `${(row * h) / ratio}px`, maxWidth: `${w / ratio}px` });
       this.labels[n].hidden = false;
     });
   }

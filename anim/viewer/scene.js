@@ -129,8 +129,9 @@ class Scene {
     this.use("ground", this.ground, ["position"], { matrix });
     gl.drawArrays(gl.TRIANGLES, 0, 6);
     if (eye[2] > 0) {
+      // A shadow fades with the height of what throws it: the upper cone first, so that the darker stays.
       this.use("shadow", this.top, fields, { matrix: times(matrix, shadowOf(this.light)), q });
-      gl.drawArrays(gl.TRIANGLES, 0, corners);
+      for (let part = 3; part >= 0; part--) gl.drawArrays(gl.TRIANGLES, (part * corners) / 4, corners / 4);
     }
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);

@@ -19,7 +19,9 @@ from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.printing import to_latex
 from hfield.syntax import Logic, Node, parse
 
-_MOST = 600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
+_MOST = (
+    600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
+)
 _LABEL = 12
 
 

@@ -139,7 +139,9 @@ class FunctionField(Ring):
         top, bottom = _root(monic), _root(x.den)
         if top is None or bottom is None:
             return None
-        return self.quotient(top * self._polynomial([c]), bottom)  # flint's root may be −(a monic one)
+        return self.quotient(
+            top * self._polynomial([c]), bottom
+        )  # flint's root may be −(a monic one)
 
     @property
     def level(self) -> Known:

@@ -1,13 +1,9 @@
-"""Every format decoded again: frames, size, duration, likeness; and what happens when writing fails."""
+"""Every format decoded again: frames, size, duration, likeness."""
 
 import os
 import re
-import signal
 import subprocess
-import sys
-import time
 from collections import deque
-from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -17,55 +13,12 @@ import pytest
 from PIL import Image, ImageSequence
 
 from anim.errors import AnimationError
-from anim.model import Model
 from anim.output import Film, check, open_film, sheet
 from anim.output.encoder import ffmpeg
 from anim.output.palette import sampled
 from anim.output.sheet import shown
-from anim.picture import Look
-from anim.pipelines import kinematic
 from anim.render import Scene, contact_sheet, frames, render
-
-SIZE = (160, 120)
-FRAMES = 20
-
-
-@pytest.fixture(scope="module")
-def scene() -> Scene:
-    from anim.film import clip
-
-    look = Look(size=SIZE, trace=True, shadow=True)
-    return Scene(Model(ring=60), kinematic("product", clip(frames=FRAMES, fps=25)), look)
-
-
-@pytest.fixture(scope="module")
-def raw(scene: Scene) -> np.ndarray:
-    return np.stack(list(frames(scene)))
-
-
-FILM = Film(SIZE, FRAMES, 25)
-
-
-def decoded(path: Path, size: tuple[int, int] = SIZE) -> np.ndarray:
-    """The frames of a video, (frames, height, width, 3), as ffmpeg decodes it."""
-    command = [
-        ffmpeg(),
-        "-loglevel",
-        "error",
-        "-i",
-        str(path),
-        "-f",
-        "rawvideo",
-        "-pix_fmt",
-        "rgb24",
-        "-",
-    ]
-    data = subprocess.run(command, capture_output=True, check=True).stdout
-    return np.frombuffer(data, np.uint8).reshape(-1, size[1], size[0], 3)
-
-
-def psnr(a: np.ndarray, b: np.ndarray) -> float:
-    return float(-10 * np.log10(np.mean((a / 255.0 - b / 255.0) ** 2)))
+from tests.anim.films import FILM, FRAMES, SIZE, decoded, psnr
 
 
 def test_mp4(scene: Scene, tmp_path: Path) -> None:
@@ -101,6 +54,20 @@ def test_moving_pictures(
     with np.errstate(divide="ignore"):
         assert psnr(np.stack(found), raw) >= least
     assert durations(path) == pytest.approx([0.04] * FRAMES, abs=1e-9)
+
+
+@pytest.mark.parametrize("style", ["flat", "classic", "shaded"])
+@pytest.mark.parametrize("size", [SIZE, (320, 240), (640, 480)])
+def test_every_frame_of_an_mp4_is_like_what_was_drawn(
+    scene: Scene, tmp_path: Path, style: str, size: tuple[int, int]
+) -> None:
+    path, count = tmp_path / "top.mp4", 6
+    small = Scene(scene.model, scene.motion, replace(scene.look, size=size, style=style))
+    drawn = list(frames(small, numbers=range(FRAMES - count, FRAMES)))
+    with open_film(path, Film(size, count, 25)) as write:
+        deque(map(write, drawn))
+    found = decoded(path, size)
+    assert min(psnr(a, b) for a, b in zip(found, drawn, strict=True)) >= 34
 
 
 def durations(path: Path) -> list[float]:
@@ -148,7 +115,7 @@ def test_folder(scene: Scene, raw: np.ndarray, tmp_path: Path) -> None:
 def test_sheet(scene: Scene, raw: np.ndarray) -> None:
     assert shown(500) == [0, 49, 99, 149, 199, 249, 299, 349, 399, 449]
     assert shown(1) == [0]
-    assert shown(3) == [0, 1]
+    assert shown(3) == [0, 1, 2]
     picture = contact_sheet(scene)
     numbers = shown(FRAMES)
     assert len(numbers) == 10
@@ -204,129 +171,12 @@ class Still(Scene):
     def __init__(self, scene: Scene, matrix: np.ndarray) -> None:
         super().__init__(scene.model, scene.motion, scene.look)
         object.__setattr__(self, "matrix", matrix)
+        object.__setattr__(self, "trail", scene.task(7).trail)
 
     def task(self, number: int):
         from anim.render import Task
 
-        return Task(self.model, self.look, self.matrix[None], self.motion.apex()[:8])
-
-
-@pytest.mark.parametrize(
-    ("name", "film", "message"),
-    [
-        ("top.avi", FILM, r"as '.avi'; expected .mp4, .gif"),
-        ("top.png", FILM, "--sheet makes one .png"),
-        ("top.mp4", Film((161, 120), 5, 25), "try --size 162x120"),
-        ("top.mp4", Film((160, 121), 5, 25), "try --size 160x122"),
-        ("top.gif", Film(SIZE, 5, 60), "at most 50 frames a second"),
-        ("top.webp", Film((16_384, 16), 5, 25), "at most 16383"),
-        ("missing/top.mp4", FILM, "does not exist"),
-    ],
-)
-def test_what_cannot_be_is_refused_at_once(
-    tmp_path: Path, name: str, film: Film, message: str
-) -> None:
-    with pytest.raises(AnimationError, match=message):
-        check(tmp_path / name, film)
-
-
-def test_a_file_that_exists_is_kept(scene: Scene, tmp_path: Path) -> None:
-    path = tmp_path / "top.mp4"
-    path.write_text("mine")
-    with pytest.raises(AnimationError, match="exists; --force replaces it"):
-        render(scene, path, FILM)
-    assert path.read_text() == "mine"
-    render(scene, path, FILM, force=True)
-    assert len(decoded(path)) == FRAMES
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="the superuser may write everywhere")
-def test_an_unwritable_folder(tmp_path: Path) -> None:
-    tmp_path.chmod(0o500)
-    with pytest.raises(AnimationError, match="cannot be written"):
-        check(tmp_path / "top.mp4", FILM)
-
-
-@pytest.mark.parametrize("suffix", [".mp4", ".gif", ""])
-def test_an_error_while_drawing_leaves_nothing(
-    raw: np.ndarray, tmp_path: Path, suffix: str
-) -> None:
-    path = tmp_path / f"top{suffix}"
-    path.write_text("mine") if suffix else None
-
-    def pictures() -> Iterator[np.ndarray]:
-        yield raw[0]
-        raise KeyError
-
-    with pytest.raises(KeyError), open_film(path, FILM, lambda: raw[:2], force=True) as write:
-        deque(map(write, pictures()))
-    assert os.listdir(tmp_path) == (["top" + suffix] if suffix else [])
-
-
-def test_missing_frames_are_noticed(raw: np.ndarray, tmp_path: Path) -> None:
-    for name in ("top.mp4", "top.webp", "top"):
-        with (
-            pytest.raises(AnimationError, match=f"of {FRAMES} frames"),
-            open_film(tmp_path / name, FILM) as write,
-        ):
-            write(raw[0])
-    assert os.listdir(tmp_path) == []
-
-
-def test_a_missing_encoder_is_explained(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    with (
-        pytest.raises(AnimationError, match="pip install imageio-ffmpeg"),
-        open_film(tmp_path / "t.mp4", FILM),
-    ):
-        pass
-
-
-def limited(*words: str, size: int) -> subprocess.CompletedProcess[str]:
-    """Run a command whose files may not grow beyond ``size`` bytes, like a disk that is full."""
-    import resource
-
-    def limit() -> None:
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
-
-    return subprocess.run(
-        words, capture_output=True, text=True, check=False, preexec_fn=limit, timeout=120
-    )
-
-
-COMMAND = (sys.executable, "-m", "hfield", "render", "--size", "160x120", "--points", "60")
-
-
-@pytest.mark.parametrize("name", ["top.mp4", "top.gif", "top"])
-def test_a_full_disk_is_one_clear_line(tmp_path: Path, name: str) -> None:
-    # PNG pictures of this size take about 2 KB each, so that the limit must be lower there.
-    size = 20_000 if "." in name else 1000
-    done = limited(*COMMAND, "--frames", "300", "-o", str(tmp_path / name), size=size)
-    assert done.returncode == 2, done
-    assert len(done.stderr.strip().splitlines()) == 1
-    assert "could not be written" in done.stderr
-    assert "Traceback" not in done.stderr
-    assert os.listdir(tmp_path) == []
-
-
-def test_killed_in_the_middle_it_leaves_no_film_and_the_next_run_cleans_up(tmp_path: Path) -> None:
-    path = tmp_path / "top.mp4"
-    words = [*COMMAND, "--frames", "100000", "-o", str(path)]
-    running = subprocess.Popen(words, stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + 60
-    while not (parts := list(tmp_path.glob(".top.*.part.mp4"))) and time.monotonic() < deadline:
-        time.sleep(0.05)
-    assert parts
-    time.sleep(0.5)
-    running.kill()
-    running.wait()
-    assert not path.exists()
-    done = subprocess.run(
-        [*COMMAND, "--frames", "10", "-o", str(path)], capture_output=True, check=False
-    )
-    assert done.returncode == 0
-    assert os.listdir(tmp_path) == ["top.mp4"]
+        return Task(self.model, self.look, self.matrix[None], self.trail)
 
 
 def test_the_samples_of_the_palette_span_the_film() -> None:

@@ -29,14 +29,15 @@ def coloured(model: Model, look: Look):
     """Return a painter whose pieces have the colours above and whose light is even."""
     brush = painter(model, look)
     if look.style == "shaded":
-        body = shaded.ShadedBody(model, model.palette, np.array([0, 0, 1.0]), look.quality)
-        pieces = np.repeat([0, 1, 1, 2], model.ring)
-        bands = np.tile(model.sectors % 2, 4)
+        mesh = brush._mesh
+        body = shaded.ShadedBody(mesh, model.palette, np.array([0, 0, 1.0]), look.quality)
+        pieces = np.repeat([0, 1, 1, 2], mesh.ring)
+        bands = np.tile(mesh.keys, 4)
         body._paints = shaded.LINEAR[np.array(COLOURS)][pieces, bands]
-        body._lighting = lambda view, rotation: np.tile([1.0, 0.0], (5 * model.ring, 1))
+        body._lighting = lambda view, rotation: np.tile([1.0, 0.0], (5 * mesh.ring, 1))
         brush._body = body
     else:
-        brush._body = flat.FlatBody(model, COLOURS)
+        brush._body = flat.FlatBody(brush._mesh, COLOURS)
     return brush
 
 

@@ -2,6 +2,9 @@
 
 import json
 import os
+import re
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -102,6 +105,8 @@ def test_misleading_bands_are_told(capsys, tmp_path: Path) -> None:
 
 def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
     pages = []
+    words = ("--seed", "3", "-o", tmp_path / "t.html")  # for the others there is nothing to choose
+    assert run(capsys, *SMALL, *words)[0] == 0
     for seed in ("1", "1", "2"):
         path = tmp_path / f"{len(pages)}.html"
         assert run(capsys, *SMALL, "--model", "physics", "--seed", seed, "-o", path)[0] == 0
@@ -136,6 +141,18 @@ def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
         (("-o", "t.mp4", "--model", "physik"), "physics"),
         (("-o", "no/such/folder/t.mp4"), "does not exist"),
         (("--frames", "5"), "-o"),
+        (("-o", "t", "--frames", "3", "--duration", "1e-300"), "fps is 3e+300"),
+        (("-o", "-"), "a file of their own"),
+        (("-o", "t.mp4", "--background", "none"), "transparent"),
+        (("-o", "t.gif", "--duration", "1e9", "--frames", "3"), "too few for .gif"),
+        (("-o", "t.mp4", "--model", "physics", "--mass", "1e300"), "choose another mass"),
+        (("-o", "t.mp4", "--model", "physics", "--scale", "1e-60"), "choose another mass"),
+        (("-o", "t.mp4", "--model", "physics", "--scale", "1e200"), "choose another mass"),
+        (("-o", ""), "a file of their own"),
+        (("-o", "t.html", "--points", "20000"), "at most 10000 points a ring"),
+        (("-o", "t.html", "--frames", "200000"), "at most 100000 frames"),
+        (("-o", "t", "--points", "100000", "--bands", "20000"), "bands is 20000"),
+        (("-o", "t.png", "--sheet", "--figures"), "not allowed with"),
         (("-o", "t.mp4", "--fps", "1e9"), "fps is 1e+09"),
     ],
 )
@@ -148,3 +165,62 @@ def test_bad_input_is_one_line_before_any_work(
     assert len(err.strip().splitlines()) == 1
     assert message in err
     assert os.listdir(tmp_path) == []
+
+
+def test_what_cannot_be_written_is_refused_before_the_motion_is_computed(
+    capsys, tmp_path, monkeypatch
+) -> None:
+    monkeypatch.setattr("anim.pipelines.kinematic", lambda *_: pytest.fail("computed"))
+    (tmp_path / "there.html").touch()
+    for words in (("x.avi",), ("x.mp4", "--size", "3x3"), ("there.html",), ("x.jpg", "--sheet")):
+        path, *more = words
+        assert run(capsys, "--frames", 90_000, "-o", tmp_path / path, *more)[0] == 2
+
+
+def test_the_figures_of_section_3(capsys, tmp_path: Path) -> None:
+    status, out, _ = run(capsys, "--figures", "-o", tmp_path / "new")
+    assert status == 0
+    paths = [Path(line) for line in out.splitlines()]
+    assert sorted(paths) == sorted((tmp_path / "new").iterdir())
+    assert [path.name for path in paths][:2] == ["points.png", "skeleton.png"]
+    before = paths[0].read_bytes()
+    status, _, err = run(capsys, "--figures", "-o", tmp_path / "new")
+    assert status == 2
+    assert "points.png' exists; --force replaces it" in err
+    paths[0].write_bytes(b"")
+    status, out, _ = run(capsys, "--figures", "--force", "--format", "json", "-o", tmp_path / "new")
+    assert status == 0
+    assert json.loads(out)["files"] == [str(path) for path in paths]
+    assert paths[0].read_bytes() == before
+
+
+def test_a_home_that_cannot_be_written_is_not_worth_a_word(tmp_path: Path) -> None:
+    places = {"HOME": "/dev/null", "TMPDIR": str(tmp_path), "PATH": os.environ["PATH"]}
+    words = [sys.executable, "-m", "hfield", "render", *SMALL, "--jobs", "2", "--bands", "1"]
+    words += ["--style", "classic", "--duration", "0.1", "-o", str(tmp_path / "t")]
+    done = subprocess.run(words, capture_output=True, text=True, check=False, env=places)
+    assert (done.returncode, len(os.listdir(tmp_path / "t"))) == (0, 6)
+    assert "atplotlib" not in done.stderr
+
+
+def test_the_time_left_is_told_on_a_terminal(tmp_path: Path) -> None:
+    import pty
+
+    ours, theirs = pty.openpty()
+    words = [sys.executable, "-m", "hfield", "render", "--size", "64x48", "--points", "30"]
+    words += ["--frames", "3000", "-o", str(tmp_path / "t.apng")]
+    running = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=theirs)
+    os.close(theirs)
+    said = b""
+    while True:
+        try:
+            part = os.read(ours, 4096)
+        except OSError:  # so a terminal tells that nobody writes any more
+            break
+        if not part:
+            break
+        said += part
+    os.close(ours)
+    assert running.wait() == 0
+    assert re.search(rb"\[#* *\] \d+ of 3000 frames, \d+ s left", said)
+    assert said.endswith(b"\r\x1b[K")

@@ -1,14 +1,10 @@
-"""The page: what is in it, and what a browser makes of it."""
+"""What a browser makes of the page."""
 
-import base64
-import json
-import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from anim.errors import AnimationError
 from anim.model import Model
 from anim.viewer import Curve, Show, page
 from tests.anim.chromium import CHROMIUM, Browser
@@ -24,50 +20,6 @@ def about(axis: tuple[float, float, float], angles: np.ndarray) -> np.ndarray:
 
 SPIN = about((0, 0, 1), np.linspace(0, 6, FRAMES))
 FALL = about((1, 0, 0), np.linspace(0, np.pi / 2, FRAMES))
-
-
-def data_of(text: str) -> dict:
-    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.DOTALL)
-    assert found
-    return json.loads(found[1])
-
-
-def test_the_page_holds_the_motion_and_nothing_from_elsewhere() -> None:
-    text = page(MODEL, [Show("spin", SPIN)], 50, curves=[Curve("tilt", np.arange(FRAMES), "°")])
-    data = data_of(text)
-    packed = np.frombuffer(base64.b64decode(data["shows"][0]["quaternions"]), "<f4")
-    np.testing.assert_allclose(packed.reshape(-1, 4), SPIN, atol=1e-7)
-    assert data["model"]["profile"] == [list(corner) for corner in MODEL.profile]
-    assert data["model"]["sectors"] == "".join(str(b % 2) for b in MODEL.sectors)
-    assert "{{" not in text
-    assert not re.findall(r"https?://|src=|@import|url\(", text)
-    assert "default-src 'none'" in text
-
-
-def test_500_frames_make_a_small_page() -> None:
-    attitudes = about((0, 0, 1), np.linspace(0, 100, 500))
-    assert len(page(Model(), [Show("a", attitudes)], 50).encode()) < 40_000
-
-
-def test_labels_cannot_break_out_of_the_page() -> None:
-    evil = "</script><script>alert(1)</script>{{title}}"
-    text = page(MODEL, [Show(evil, SPIN)], 50, title=evil)
-    assert "<script>alert" not in text
-    assert data_of(text)["shows"][0]["label"] == evil
-
-
-@pytest.mark.parametrize(
-    ("shows", "message"),
-    [
-        ([], "at least one top"),
-        ([Show("a", np.zeros((3, 3)))], r"shape \(3, 3\) does not fit"),
-        ([Show("a", np.zeros((0, 4)))], "at least one frame"),
-        ([Show("a", np.full((2, 4), np.nan))], "not finite"),
-    ],
-)
-def test_bad_motions_are_refused(shows: list[Show], message: str) -> None:
-    with pytest.raises(AnimationError, match=message):
-        page(MODEL, shows, 50)
 
 
 needs_chromium = pytest.mark.skipif(
@@ -228,6 +180,42 @@ def test_one_top_alone_and_the_curves(four: Browser) -> None:
     settle(four)
     assert four.evaluate("document.getElementById('help').hidden") is False
     four.key("?")
+
+
+@needs_chromium
+def test_long_labels_and_small_windows(browser: Browser, tmp_path: Path) -> None:
+    path = tmp_path / "long.html"
+    shows, curves = (
+        [Show("a long name " * 9, SPIN)] * 4,
+        [Curve("tilt", np.arange(FRAMES), "°")] * 2,
+    )
+    path.write_text(page(MODEL, shows, 50, curves=curves), encoding="utf-8")
+    opened(browser, path)
+    boxes = browser.evaluate(
+        "[...document.querySelectorAll('#labels span')].map((x) => x.getBoundingClientRect())"
+        ".map(({left, right, height}) => [left, right, height])"
+    )
+    assert [box[1] <= box[0] + 400 and box[2] < 40 for box in boxes] == [True] * 4
+    small = {"width": 200, "height": 160, "deviceScaleFactor": 1, "mobile": False}
+    browser.send("Emulation.setDeviceMetricsOverride", **small)
+    settle(browser)
+    needed = browser.evaluate("[document.documentElement.scrollWidth, innerHeight]")
+    seen = browser.evaluate("document.getElementById('view').clientHeight")
+    browser.send("Emulation.setDeviceMetricsOverride", **{**small, "width": 800, "height": 600})
+    settle(browser)
+    assert needed == [200, 160]
+    assert seen > 40
+
+
+@needs_chromium
+def test_many_values_make_a_short_line_through_all_their_extremes(four: Browser) -> None:
+    line = four.evaluate(
+        "thinned(Array.from({length: 100000}, (_, n) => n === 77777 ? 9 : Math.sin(n / 9e3)))"
+    )
+    assert len(line) <= 2002
+    assert [77777, 9] in line
+    assert [pair[0] for pair in line] == sorted(pair[0] for pair in line)
+    assert four.evaluate("thinned([3, 1, 2])") == [[0, 3], [1, 1], [2, 2]]
 
 
 @needs_chromium
