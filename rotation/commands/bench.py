@@ -33,7 +33,7 @@ def configure(parser: ArgumentParser) -> None:
     add("--points", type=points, default=550_000, metavar="N", help="points (default: 550000)")
     add("--frames", type=frames, metavar="N", help="frames of a run (default: 300; quick: 30)")
     add("--repeats", type=repeats, metavar="N", help="runs of each way (default: 10; quick: 3)")
-    add("--threads", type=threads, default=1, metavar="N", help="for every way (default: 1)")
+    add("--threads", type=threads, metavar="N", help="for every way (default: all processors)")
     add("--quick", action="store_true", help="a rough answer in some 15 seconds, not 70")
     add("--plot", metavar="FILE", help="also draw a bar chart to FILE, a .png, .svg or .pdf")
     add_format(parser, "table", "json")
@@ -48,10 +48,15 @@ def run(args: Namespace) -> int:
     from rotation.bench.report import as_json, table
     from rotation.bench.tasks import TESTS
     from rotation.bench.ways import WAYS
+    from rotation.kernels import threads as available
 
     frames, repeats, seconds = QUICK if args.quick else FULL
     settings = Settings(
-        args.points, args.frames or frames, args.repeats or repeats, args.threads, seconds
+        args.points,
+        args.frames or frames,
+        args.repeats or repeats,
+        args.threads or available(),
+        seconds,
     )
     chart = None if args.plot is None else try_chart(args.plot)
     tests = [test for test in TESTS if args.test in (None, test.name[0])]

@@ -216,12 +216,19 @@ def test_threads_are_put_back():
 
 
 def test_the_command_prints_a_table(run):
-    status, out, err = run()
+    status, out, err = run("--threads", "1")
     assert status == 0
     for test in TESTS:
         assert test.title in out
     assert "40 points of float64, 4 frames, 2 repeats, 1 thread for every way" in out
     assert "numpy was imported before" in err
+
+
+def test_all_processors_work_unless_told_otherwise(run):
+    from rotation.kernels import threads
+
+    out = run("--test", "1", "--format", "json")[1]
+    assert json.loads(out)["settings"]["threads"] == threads()
 
 
 @pytest.mark.parametrize(("number", "count"), [("1", 1), ("2", 3)])
