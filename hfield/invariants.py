@@ -151,7 +151,7 @@ class Invariants(Parent):
         ``factors`` may name primes of a and b (over ℚ) or of their norms, to spare a factorisation.
         Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
         """
-        return structure.ramified_places(*self._here(), factors)
+        return structure.ramified_places(self.ring, self.constants, factors)
 
     def discriminant(self, factors: Any = None) -> Any:
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).

@@ -7,7 +7,7 @@ from hfield.ledger.registry import claims
 from hfield.rings import GF
 from tests.proving.oracle import QUATERNIONS, holds_everywhere, unknowns
 
-CASES = 2 * 10**5  # a few seconds each at most
+CASES, CASES_LATER = 10**6, 2 * 10**5  # for chapter 1; for the others, which have longer statements
 
 
 def statements(proposition):
@@ -18,21 +18,19 @@ def statements(proposition):
     return [text for part in parts for text in statements(part)]
 
 
-TEXTS = sorted(
-    {
-        text
-        for claim in claims()
-        for proposition in (claim.as_printed, claim.corrected, claim.spoilt)
-        for text in statements(proposition)
-    }
-)
+MOST = {
+    text: CASES if claim.id.startswith("C1") else CASES_LATER
+    for claim in reversed(claims())
+    for proposition in (claim.as_printed, claim.corrected, claim.spoilt)
+    for text in statements(proposition)
+}
 
 
 @pytest.mark.parametrize("p", [2, 3])
 def test_every_case_agrees_with_the_verdict(p):
     tried = 0
-    for text in TEXTS:
-        if p ** sum(4 if name in QUATERNIONS else 1 for name in unknowns(text)) > CASES:
+    for text, most in MOST.items():
+        if p ** sum(4 if name in QUATERNIONS else 1 for name in unknowns(text)) > most:
             continue
         verdict = Statement(text).decide(GF(p)).verdict
         assert (verdict in ("proved", "vacuous")) == holds_everywhere(text, p), text
