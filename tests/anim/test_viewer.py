@@ -263,3 +263,24 @@ def test_without_webgl_it_says_so_politely(tmp_path: Path) -> None:
         assert not [c for c in poor.complaints if "exception" in c.lower()]
     finally:
         poor.close()
+
+
+@needs_chromium
+@pytest.mark.parametrize(
+    ("axis", "angle", "camera"),
+    [
+        ((1, 0, 0), np.pi / 3, (0, 10)),  # seen from +x with y to the right, it leans to −y
+        ((0, 0, 1), np.pi / 2, (-90, 88.8)),  # seen from above, its yellow half y > 0 comes to −x
+    ],
+)
+def test_it_turns_the_way_the_quaternions_do(
+    browser: Browser, tmp_path: Path, axis, angle, camera
+) -> None:
+    path = tmp_path / "turned.html"
+    turned = [Show("", about(axis, np.full(3, angle)))]
+    text = page(Model(ring=60, bands=2), turned, 50, camera=camera, background="#ffffff")
+    path.write_text(text, encoding="utf-8")
+    opened(browser, path)
+    columns = np.nonzero(yellow(browser.picture()))[1]
+    assert len(columns) > 500
+    assert columns.mean() < 380  # the middle is at 400
