@@ -43,8 +43,7 @@ def repair(v: Any, number: Any, m: Any, zero: Any) -> Any:
 @inlined
 def not_finite(x: Any, y: Any, z: Any) -> Any:
     """Return NaN if a coordinate is NaN or inf, else −0, which changes no sum."""
-    zero = type(x)(-0.0)
-    return abs(x) * zero + (abs(y) * zero + abs(z) * zero)
+    return -((x - x) + ((y - y) + (z - z)))
 
 
 @inlined

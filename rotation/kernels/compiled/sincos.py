@@ -34,18 +34,16 @@ def sincos(x: Any, careful: Any) -> Any:
     """Return sine and cosine of ``x``; by the system if ``careful``, else for reachable ``x``."""
     if careful:
         return math.sin(x), math.cos(x)
-    n = (x * TWO_OVER_PI + ROUND) - ROUND
+    k = x * TWO_OVER_PI + ROUND
+    n = k - ROUND
     r = ((x - n * P1) - n * P2) - n * P3
-    quadrant = np.int32(n)
     z = r * r
     s = r + r * z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))))
     s = s if r != 0.0 else r  # the sum loses the sign of −0
-    h = 0.5 * z
-    w = 1.0 - h
-    c = w + (((1.0 - w) - h) + z * z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))))))
+    c = 1.0 - z * (0.5 - z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))))))
+    quadrant = np.float64(k).view(np.int64)  # its last two bits are those of n
     odd = (quadrant & 1) != 0
     a = c if odd else s
-    b = s if odd else c
-    a = -a if (quadrant & 2) != 0 else a
-    b = -b if ((quadrant + 1) & 2) != 0 else b
-    return a, b
+    b = -s if odd else c
+    beyond = (quadrant & 2) != 0
+    return -a if beyond else a, -b if beyond else b
