@@ -26,6 +26,8 @@ def real(value: object, name: str) -> Array:
     object, text, half and extended precision), `ForeignArrayError` for arrays of other libraries,
     `RotationError` for ragged lists and masked arrays.
     """
+    if type(value) is np.ndarray and value.dtype.char in "fd" and value.dtype.isnative:
+        return value
     if not isinstance(value, np.ndarray | np.generic) and hasattr(value, "__dlpack__"):
         kind = f"{type(value).__module__.partition('.')[0]}.{type(value).__name__}"
         raise ForeignArrayError(
@@ -121,7 +123,7 @@ def destination(
     moved = components_last(np.asarray(out), layout)
     if _overlaps_itself(moved):
         raise RotationError("out overlaps itself: several rows share memory; give a copy of it")
-    if not _same(moved, points) and _overlap(moved, points):
+    if _overlap(moved, points) and not _same(moved, points):
         raise RotationError(
             "out overlaps the points in part; give the points themselves, or separate memory"
         )
@@ -156,6 +158,8 @@ def _overlap(a: Array, b: Array) -> bool:
 
 def _overlaps_itself(a: Array) -> bool:
     """Decide by a sufficient rule: every stride steps over all that the smaller ones can reach."""
+    if a.flags.forc:
+        return False
     reach = a.itemsize
     for stride, length in sorted(
         (abs(s), n) for s, n in zip(a.strides, a.shape, strict=True) if n > 1

@@ -6,6 +6,7 @@ quaternions, which only the loop itself can see cheaply. numba is imported at th
 the kernel that is called is compiled or read from its cache.
 """
 
+from functools import cache
 from importlib import import_module
 from typing import Any
 
@@ -99,12 +100,12 @@ def _run(
     batch = out.shape[:-1]
     if out.size == 0:
         return False
-    if _not_compiling():
+    kernel = _kernel(name)
+    if kernel is None:
         return uncompiled.run(name, operands, arguments)
     made = plan(batch, operands) or plan(batch, tuple(straightened(batch, a) for a in operands))
     if made is None:
         raise AssertionError("arrays in one piece have constant strides")
-    kernel = getattr(import_module(f"rotation.kernels.compiled.{name}"), name)
     pieces = made.outer * made.inner // grain + 1
     answer = share(kernel, pieces, made.operands, made.outer, made.inner, made.table, *arguments)
     if writes and made.operands[-1] is not out:
@@ -112,8 +113,11 @@ def _run(
     return answer
 
 
-def _not_compiling() -> bool:
-    """Tell whether numba leaves functions as they are, as for debugging."""
+@cache
+def _kernel(name: str) -> Any:
+    """Return the kernel, or None if numba leaves functions as they are, as for debugging."""
     from numba import config
 
-    return bool(config.DISABLE_JIT)
+    if config.DISABLE_JIT:
+        return None
+    return getattr(import_module(f"rotation.kernels.compiled.{name}"), name)

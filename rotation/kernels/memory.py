@@ -1,9 +1,9 @@
 """From arrays of any shape and stride to what the compiled kernels read: addresses and strides."""
 
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from rotation.arrays import Array, Shape
 
@@ -11,34 +11,45 @@ SHORT = 64  # an inner axis shorter than this is exchanged with a longer outer o
 
 
 class Plan(NamedTuple):
-    """A batch as ``outer × inner``, and each operand as a row of the table the kernels read."""
+    """A batch as ``outer × inner``, and each operand as the kernels read it."""
 
     outer: int
     inner: int
-    table: npt.NDArray[np.int64]
+    table: tuple[tuple[int, ...], ...]  # a row an operand: its address, then three strides
     operands: tuple[Array, ...]  # kept alive as long as their addresses are in use
 
 
 def plan(batch: Shape, operands: tuple[Array, ...]) -> Plan | None:
     """Return the plan for operands with components last, each batch broadcasting to ``batch``.
 
-    None if their common batch does not reduce to two axes of constant stride, or if memory is not
-    aligned: then `straightened` operands are needed.
+    The strides lead from one component to the next, along the outer and along the inner axis, counted in
+    numbers. None if the common batch does not reduce to two axes of constant stride, or if memory is
+    not aligned: then `straightened` operands are needed.
     """
-    axes = _reduce(batch, [_strides(batch, a) for a in operands])
-    if len(axes) > 2 or any(map(_odd, operands)):
+    if not all(a.flags.aligned for a in operands):
+        return None
+    shape = _geometry(batch, tuple((a.shape, a.strides, a.itemsize) for a in operands))
+    if shape is None:
+        return None
+    outer, inner, strides = shape
+    table = tuple((a.ctypes.data, *s) for a, s in zip(operands, strides, strict=True))
+    return Plan(outer, inner, table, operands)
+
+
+@lru_cache(maxsize=1024)  # frame after frame has arrays of the same kind
+def _geometry(
+    batch: Shape, arrays: tuple[tuple[Shape, Shape, int], ...]
+) -> tuple[int, int, tuple[Shape, ...]] | None:
+    """Return outer and inner length and the strides of arrays given by shape, strides and item size."""
+    axes = _reduce(batch, [_strides(batch, shape, strides) for shape, strides, _ in arrays])
+    if len(axes) > 2 or any(s % item for _, strides, item in arrays for s in strides):
         return None
     while len(axes) < 2:
-        axes.insert(0, (1, *(0 for _ in operands)))
+        axes.insert(0, (1, *(0 for _ in arrays)))
     (outer, *outer_strides), (inner, *inner_strides) = axes
-    table = np.array(
-        [
-            (a.ctypes.data, *(s // a.itemsize for s in (a.strides[-1], o, i)))
-            for a, o, i in zip(operands, outer_strides, inner_strides, strict=True)
-        ],
-        np.int64,
-    )
-    return Plan(outer, inner, table, operands)
+    found = zip(arrays, outer_strides, inner_strides, strict=True)
+    strides = tuple((own[-1] // item, o // item, i // item) for (_, own, item), o, i in found)
+    return outer, inner, strides
 
 
 def straightened(batch: Shape, array: Array) -> Array:
@@ -46,12 +57,11 @@ def straightened(batch: Shape, array: Array) -> Array:
     return np.array(np.broadcast_to(array, (*batch, array.shape[-1])), order="C")
 
 
-def _strides(batch: Shape, array: Array) -> Shape:
-    """Return the strides of the array's batch when broadcast, in bytes."""
-    own = array.shape[:-1]
-    missing = len(batch) - len(own)
+def _strides(batch: Shape, shape: Shape, strides: Shape) -> Shape:
+    """Return the strides of an array's batch when broadcast, in bytes."""
+    missing = len(batch) - len(shape) + 1
     return (0,) * missing + tuple(
-        0 if n == 1 else s for n, s in zip(own, array.strides[:-1], strict=True)
+        0 if n == 1 else s for n, s in zip(shape[:-1], strides[:-1], strict=True)
     )
 
 
@@ -73,14 +83,13 @@ def _reduce(batch: Shape, strides: list[Shape]) -> list[tuple[int, ...]]:
     return merged
 
 
-def _odd(array: Array) -> bool:
-    return not array.flags.aligned or any(s % array.itemsize for s in array.strides)
-
-
 def parameters(points: Array, *arrays: Array) -> tuple[Any, ...]:
     """Return zeros of the points' and the parameters' type, and the parameters in one type.
 
     float64 if a parameter is, or if the points are: so that three combinations are compiled, not eight.
     """
+    if all(a.dtype == points.dtype for a in arrays):
+        zero = points.dtype.type(0)
+        return zero, zero, *arrays
     kind = np.result_type(points.dtype, *(a.dtype for a in arrays))
     return points.dtype.type(0), kind.type(0), *(a.astype(kind, copy=False) for a in arrays)

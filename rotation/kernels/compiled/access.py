@@ -9,13 +9,12 @@ literal where it is called: only constant strides vectorise.
 
 from typing import Any
 
-import numpy as np
 from numba import types
 
-from rotation.kernels.compiled.compiling import called, inlined, primitive
+from rotation.kernels.compiled.compiling import inlined, primitive
 
-BLOCK = 512  # points at a time; what is copied for a block stays in the caches
-TAKE = 16  # blocks a thread takes at a time
+BLOCK = 2048  # points at a time; what is copied for a block stays in the caches
+TAKE = 4  # blocks a thread takes at a time
 
 
 @primitive
@@ -93,58 +92,3 @@ def view(what: Any, outer: Any, start: Any) -> Any:
 def near(what: Any, outer: Any, start: Any) -> Any:
     """Return the same view where the components lie side by side, as the compiler must know."""
     return what[0], outer * what[2] + start * what[3], 1
-
-
-@inlined
-def scratch(memory: Any) -> Any:
-    """Return the view of memory that holds a block, component after component."""
-    return np.int64(memory.ctypes.data), np.int64(0), np.int64(BLOCK)
-
-
-@called
-def fetch(what: Any, outer: Any, start: Any, m: Any, memory: Any, zero: Any) -> Any:
-    """Copy ``m`` rows of an operand into memory made by `new`; return the view of the copy."""
-    target = scratch(memory)
-    if packed(what) and memory.size == 3 * BLOCK:
-        v = near(what, outer, start)
-        for i in range(m):  # the compiler turns these loads into shuffles
-            put(target, 1, i, 0, at(v, 3, i, 0, zero))
-            put(target, 1, i, 1, at(v, 3, i, 1, zero))
-            put(target, 1, i, 2, at(v, 3, i, 2, zero))
-        return target
-    v, step = view(what, outer, start), what[3]
-    for k in range(memory.size // BLOCK):
-        if step == 1:
-            for i in range(m):
-                put(target, 1, i, k, at(v, 1, i, k, zero))
-        else:
-            for i in range(m):
-                put(target, 1, i, k, at(v, step, i, k, zero))
-    return target
-
-
-@called
-def deliver(what: Any, outer: Any, start: Any, m: Any, memory: Any, zero: Any) -> Any:
-    """Copy ``m`` points out of memory made by `new` to where the operand has them."""
-    source = scratch(memory)
-    if packed(what):
-        v = near(what, outer, start)
-        for i in range(m):
-            put(v, 3, i, 0, at(source, 1, i, 0, zero))
-            put(v, 3, i, 1, at(source, 1, i, 1, zero))
-            put(v, 3, i, 2, at(source, 1, i, 2, zero))
-        return
-    v, step = view(what, outer, start), what[3]
-    for k in range(3):
-        if step == 1:
-            for i in range(m):
-                put(v, 1, i, k, at(source, 1, i, k, zero))
-        else:
-            for i in range(m):
-                put(v, step, i, k, at(source, 1, i, k, zero))
-
-
-@inlined
-def new(number: Any, zero: Any) -> Any:
-    """Return memory for a block of ``number`` components."""
-    return np.full(number * BLOCK, zero)

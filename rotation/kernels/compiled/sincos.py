@@ -3,9 +3,8 @@
 import math
 from typing import Any
 
-import numpy as np
-
 from rotation.kernels.compiled.compiling import inlined
+from rotation.kernels.compiled.lanes import bit, where
 
 # π/2 = P1 + P2 + P3 with 23 bits in P1 and in P2: the products with a whole number below 2^30 and the
 # differences are exact, with or without FMA (Cody and Waite 1980). P3 holds the next 53 bits.
@@ -30,20 +29,15 @@ def reachable(x: Any) -> Any:
 
 
 @inlined
-def sincos(x: Any, careful: Any) -> Any:
-    """Return sine and cosine of ``x``; by the system if ``careful``, else for reachable ``x``."""
-    if careful:
-        return math.sin(x), math.cos(x)
+def sincos(x: Any) -> Any:
+    """Return sine and cosine of reachable lanes ``x``."""
     k = x * TWO_OVER_PI + ROUND
     n = k - ROUND
     r = ((x - n * P1) - n * P2) - n * P3
     z = r * r
     s = r + r * z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))))
-    s = s if r != 0.0 else r  # the sum loses the sign of −0
+    s = where(r != 0.0, s, r)  # the sum loses the sign of −0
     c = 1.0 - z * (0.5 - z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))))))
-    quadrant = np.float64(k).view(np.int64)  # its last two bits are those of n
-    odd = (quadrant & 1) != 0
-    a = c if odd else s
-    b = -s if odd else c
-    beyond = (quadrant & 2) != 0
-    return -a if beyond else a, -b if beyond else b
+    odd, beyond = bit(k, 0), bit(k, 1)  # the last two bits of n
+    a, b = where(odd, c, s), where(odd, -s, c)
+    return where(beyond, -a, a), where(beyond, -b, b)
