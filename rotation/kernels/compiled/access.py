@@ -3,8 +3,8 @@
 One machine code then serves every layout, stride and flag of an array. An operand is a row of the
 table that `rotation.kernels.memory.plan` makes: its address, then its strides counted in elements, from
 one component to the next, along the outer and along the inner axis of the batch. Inside a block it
-is a *view* ``(address, first element, stride between components)``, walked with a step that is a
-literal where it is called: only constant strides vectorise.
+is a *view* ``(address, first element, stride between components)``, walked with a step that is best a
+literal where it is called: only loops of constant stride are vectorised by the compiler.
 """
 
 from typing import Any

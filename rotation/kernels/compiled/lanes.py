@@ -18,6 +18,7 @@ from numba.extending import lower_builtin, models, register_model, type_callable
 from rotation.kernels.compiled.compiling import primitive
 
 GROUP = 8
+ALL = 2**GROUP - 1  # the bits of a condition that holds in every lane
 
 _FLAGS = ("contract",)
 _INDEX = ir.IntType(32)
@@ -159,16 +160,16 @@ def where(context: Any, condition: Any, a: Any, b: Any) -> Any:
 
 
 @primitive
-def every(context: Any, condition: Any) -> Any:
-    """Tell whether the condition, of lanes or one for all, holds in every lane."""
+def bits(context: Any, condition: Any) -> Any:
+    """Return a number whose bit k tells whether the condition, of lanes or one for all, holds in lane k."""
 
     def code(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        if not isinstance(condition, Mask):
-            return args[0]
-        together = ir.IntType(GROUP)
-        return builder.icmp_unsigned("==", builder.bitcast(args[0], together), together(-1))
+        together, number = ir.IntType(GROUP), ir.IntType(64)
+        if isinstance(condition, Mask):
+            return builder.zext(builder.bitcast(args[0], together), number)
+        return builder.select(args[0], number(ALL), number(0))
 
-    return types.boolean(condition), code
+    return types.int64(condition), code
 
 
 @primitive

@@ -1,4 +1,4 @@
-"""Sine and cosine without a branch, so that the loop around them vectorises."""
+"""Sine and cosine of eight angles, without a branch."""
 
 import math
 from typing import Any

@@ -31,8 +31,9 @@ from rotation.kernels.compiled.access import (
 )
 from rotation.kernels.compiled.compiling import called, inlined, primitive
 from rotation.kernels.compiled.lanes import (
+    ALL,
     GROUP,
-    every,
+    bits,
     load,
     load_rows,
     prefetch,
@@ -78,6 +79,17 @@ def number(column: Any, step: Any, i: Any, zero: Any) -> Any:
 def write(column: Any, step: Any, i: Any, value: Any) -> None:
     """Write row ``i`` of a column."""
     put((column, 0, 0), step, i, 0, value)
+
+
+@inlined
+def row(columns: Any, i: Any, zero: Any) -> Any:
+    """Return row ``i`` of four columns as float64."""
+    return (
+        np.float64(number(columns[0], 1, i, zero)),
+        np.float64(number(columns[1], 1, i, zero)),
+        np.float64(number(columns[2], 1, i, zero)),
+        np.float64(number(columns[3], 1, i, zero)),
+    )
 
 
 @called
@@ -201,42 +213,23 @@ def stretch(
     for i in range(first, end, GROUP):
         parameters, point = read(views, i, kinds)
         point, right = fast(parameters, extra, point)
-        if not every(right):
+        if bits(right) != ALL:
             return i
         write(views, i, kinds, point)
     return end
 
 
 @called
-def one_by_one(
-    careful: Any, extra: Any, views: Any, steps: Any, first: Any, end: Any, kinds: Any
-) -> Any:
-    """Rotate the rows from ``first`` on by the careful form; tell whether one has no rotation."""
-    v, u, r = views
-    p, t, _ = kinds
-    step, wide, last = steps
-    missing = False
-    for i in range(first, end):
-        parameters = (
-            np.float64(number(u[0], wide, i, t)),
-            np.float64(number(u[1], wide, i, t)),
-            np.float64(number(u[2], wide, i, t)),
-            np.float64(number(u[3], last, i, t)),
-        )
-        point = (
-            np.float64(number(v[0], step, i, p)),
-            np.float64(number(v[1], step, i, p)),
-            np.float64(number(v[2], step, i, p)),
-        )
-        point, right = careful(parameters, extra, point)
-        missing |= not right
-        for k in range(3):
-            write(r[k], step, i, type(p)(point[k]))
-    return missing
+def eight(read: Any, fast: Any, extra: Any, views: Any, kinds: Any) -> Any:
+    """Rotate one eight in columns; return the bits of the rows that are right."""
+    parameters, point = read(views, 0, kinds)
+    point, right = fast(parameters, extra, point)
+    write_apart(views, 0, kinds, point)
+    return bits(right)
 
 
 @called
-def rest(
+def few(
     apart: Any,
     fast: Any,
     careful: Any,
@@ -247,25 +240,33 @@ def rest(
     m: Any,
     kinds: Any,
 ) -> Any:
-    """Rotate the last rows, fewer than eight, as the others: the last is repeated to fill up."""
+    """Rotate ``m`` rows, eight at most, of whatever kind; tell whether one of them has no rotation.
+
+    They are copied, the last repeated to fill up, so that each is computed as in any other place.
+    """
     v, u, r = views
     p, t, _ = kinds
     step, wide, last = steps
     memory = np.empty(3 * 4 * 8 * GROUP, np.uint8)
     mine = room(memory, 0, GROUP), room(memory, 1, GROUP), room(memory, 2, GROUP)
     for j in range(GROUP):
-        i = min(first + j, m - 1)
+        i = first + min(j, m - 1)
         for k in range(3):
             write(mine[0][k], 1, j, number(v[k], step, i, p))
             write(mine[1][k], 1, j, number(u[k], wide, i, t))
         write(mine[1][3], 1, j, number(u[3], last, i, t))
-    if stretch(apart, write_apart, fast, extra, mine, 0, GROUP, kinds) < GROUP:
-        missing = one_by_one(careful, extra, views, steps, first, m, kinds)
-    else:
-        missing = False
-        for k in range(3):
-            for i in range(first, m):
-                write(r[k], step, i, number(mine[2][k], 1, i - first, p))
+    right = eight(apart, fast, extra, mine, kinds)
+    missing = False
+    for j in range(m):
+        if right & (1 << j):
+            for k in range(3):
+                write(r[k], step, first + j, number(mine[2][k], 1, j, p))
+        else:
+            point, turns = row(mine[0], j, p), row(mine[1], j, t)
+            turned, some = careful(turns, extra, point[:3])
+            missing |= not some
+            for k in range(3):
+                write(r[k], step, first + j, type(p)(turned[k]))
     return missing and memory.size > 0  # the memory is in use until here
 
 
@@ -287,10 +288,10 @@ def walk(
     whole = m - m % GROUP
     i = stretch(read, write, fast, extra, views, 0, whole, kinds)
     while i < whole:
-        missing |= one_by_one(careful, extra, views, steps, i, i + GROUP, kinds)
+        missing |= few(apart, fast, careful, extra, views, steps, i, GROUP, kinds)
         i = stretch(read, write, fast, extra, views, i + GROUP, whole, kinds)
     if whole < m:
-        missing |= rest(apart, fast, careful, extra, views, steps, whole, m, kinds)
+        missing |= few(apart, fast, careful, extra, views, steps, whole, m - whole, kinds)
     return missing
 
 
