@@ -70,6 +70,17 @@ def test_every_layout_gives_what_the_twin_gives(kind: str, out_kind: str) -> Non
     np.testing.assert_allclose(out, expected, rtol=0, atol=1e-14)
 
 
+@pytest.mark.parametrize("layout", ["aos", "soa"])
+def test_the_angles_may_be_components_of_the_axes(layout: Any) -> None:
+    turn = (lambda a: a) if layout == "aos" else (lambda a: a.T.copy())
+    for k in range(3):
+        axes = turn(AXES)
+        angles = axes[:, k] if layout == "aos" else axes[k]
+        turned = rotate(turn(POINTS), axes, angles, layout=layout)
+        expected = turn(twins.axis_angle(POINTS, AXES, AXES[:, k]))
+        np.testing.assert_allclose(turned, expected, rtol=0, atol=1e-14)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_zero_rows_are_found_in_every_layout(kind: str) -> None:
     for array in (AXES, QUATS):

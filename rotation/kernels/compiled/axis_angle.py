@@ -55,4 +55,6 @@ def axis_angle(
     """Rotate points about axes (operand 1) by angles (operand 2); return whether an axis is zero."""
     operands = table[0], table[1], table[2], table[3]
     kinds = p, t, 0.0
-    return sweep(fast, careful, None, apart, triples, counter, outer, inner, operands, 3, kinds)
+    return sweep(
+        fast, careful, None, apart, triples, counter, outer, inner, operands, (3, 1), kinds
+    )

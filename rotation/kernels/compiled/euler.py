@@ -73,5 +73,15 @@ def euler(
     operands = table[0], table[1], table[1], table[2]
     kinds = p, t, 0.0
     return sweep(
-        fast, careful, (axes, backward), apart, triples, counter, outer, inner, operands, 3, kinds
+        fast,
+        careful,
+        (axes, backward),
+        apart,
+        triples,
+        counter,
+        outer,
+        inner,
+        operands,
+        (3, 0),
+        kinds,
     )

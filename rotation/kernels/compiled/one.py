@@ -28,5 +28,15 @@ def one(
     operands = table[0], table[0], table[0], table[1]
     kinds = p, p, p
     return sweep(
-        turned, turned, rows, point_apart, point_together, counter, outer, inner, operands, 0, kinds
+        turned,
+        turned,
+        rows,
+        point_apart,
+        point_together,
+        counter,
+        outer,
+        inner,
+        operands,
+        (0, 0),
+        kinds,
     )

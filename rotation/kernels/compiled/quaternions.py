@@ -28,4 +28,6 @@ def quaternions(
     """Rotate points by quaternions (operand 1); return whether one is zero."""
     operands = table[0], table[1], table[1], table[2]
     kinds = p, t, 0.0
-    return sweep(fast, careful, None, apart, quadruples, counter, outer, inner, operands, 4, kinds)
+    return sweep(
+        fast, careful, None, apart, quadruples, counter, outer, inner, operands, (4, 0), kinds
+    )

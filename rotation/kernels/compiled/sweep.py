@@ -306,19 +306,18 @@ def sweep(
     outer: Any,
     inner: Any,
     operands: Any,
-    width: Any,
+    widths: Any,
     kinds: Any,
 ) -> Any:
     """Rotate a batch, taking blocks from the counter; tell whether some row has no rotation.
 
-    The operands are points, turns, one more parameter, and result. The turns have ``width`` components,
-    0 if none of the parameters is used, and only with 3 of them is there one more; where there is
-    not, it is again the turns. ``apart`` and ``together`` read eights from columns and from rows whose
-    components lie side by side.
+    The operands are points, two of parameters, and result. ``widths`` are the components of those two:
+    3 and 1, 3 and 0, 4 and 0, or none at all; one without components is not looked at. ``apart`` and
+    ``together`` read eights from columns and from rows whose components lie side by side.
     """
     points, turns, more, result = operands
+    width, four = widths[0], widths[1] == 1
     p, t, _ = kinds
-    four = width == 3 and more[0] != turns[0]
     rows_together = packed(points) and packed(result) and (not four or more[3] == 1)
     rows_together = rows_together and (width == 0 or (turns[1] == 1 and turns[3] == width))
     memory = np.empty(0 if rows_together else 3 * 4 * 8 * BLOCK, np.uint8)
