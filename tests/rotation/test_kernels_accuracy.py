@@ -134,6 +134,32 @@ def test_axes_of_every_length(size: float) -> None:
         np.testing.assert_allclose(rotate_quat([1, 2, 3], q), expected, atol=2e-14)
 
 
+@pytest.mark.parametrize("size", [1e-280, 1e-200, 1e-100, 1e-10, 1e10, 1e100, 1e200, 1e307])
+@pytest.mark.parametrize("many", [1e-150, 1e-30, 1.0, 1e30, 1e150])
+def test_points_of_every_size_by_quaternions_of_every_length(size: float, many: float) -> None:
+    points, q = RNG.normal(size=(20, 3)), RNG.normal(size=(20, 4))
+    points *= size / np.abs(points).max()
+    q *= many
+    assert errors(points, rotate_quat(points, q), q) <= 5 * ULP
+    axes, angles = q[:, 1:], RNG.uniform(-4, 4, 20)
+    turned = rotate(points, axes, angles)
+    half, unit = angles / 2, axes / np.linalg.norm(axes / many, axis=-1, keepdims=True) / many
+    turns = np.concatenate([np.cos(half)[:, None], np.sin(half)[:, None] * unit], axis=-1)
+    assert errors(points, turned, turns) <= 12 * ULP  # the quaternions are rounded here
+    points[5] = 0.0
+    np.testing.assert_array_equal(rotate(points, axes, angles)[5], 0.0)
+
+
+def test_coordinates_near_the_largest_float() -> None:
+    points = np.array([[1e308, 1e308, 1e308]] * 9)
+    turned = rotate_quat(points, [[1.0, 1.0, 0.0, 0.0]] * 9)
+    np.testing.assert_allclose(turned, points * [1.0, -1.0, 1.0], rtol=1e-15)
+    turned = rotate(points, [[1.0, 0.0, 0.0]] * 9, np.full(9, np.pi / 2))
+    np.testing.assert_allclose(turned, points * [1.0, -1.0, 1.0], rtol=1e-15)
+    turned = rotate_euler(points, [[np.pi / 2, 0.0, 0.0]] * 9, "XYZ")
+    np.testing.assert_allclose(turned, points * [1.0, -1.0, 1.0], rtol=1e-15)
+
+
 def test_small_rotations_are_not_lost() -> None:
     turned = rotate(np.array([[1.0, 0.0, 0.0]] * 2), [[0.0, 0.0, 3.0]] * 2, 1e-200)
     np.testing.assert_allclose(turned[:, 1], 1e-200, rtol=1e-15)

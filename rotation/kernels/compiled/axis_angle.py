@@ -4,14 +4,14 @@ import math
 from typing import Any
 
 from rotation.kernels.compiled.compiling import SOURCES, inlined, kernel
-from rotation.kernels.compiled.ranges import not_finite, safe, scaled
+from rotation.kernels.compiled.ranges import measured, safe, scaled, zero
 from rotation.kernels.compiled.sincos import reachable, sincos
 from rotation.kernels.compiled.sweep import apart, sweep, triples
 
 
 @inlined
-def turned(axis: Any, square: Any, sine: Any, cosine: Any, point: Any) -> Any:
-    """Return v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|².
+def turned(axis: Any, square: Any, sine: Any, cosine: Any, point: Any, poison: Any) -> Any:
+    """Return v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|², plus ``poison``.
 
     Of the cheap forms tried it has the smallest error, below 4·2⁻⁵²·|v|, since |a|² is divided by but once.
     """
@@ -19,7 +19,6 @@ def turned(axis: Any, square: Any, sine: Any, cosine: Any, point: Any) -> Any:
     x, y, z = point
     w, versine = math.sqrt(square) * sine, 1.0 - cosine
     part = 1.0 / square
-    poison = not_finite(x, y, z)
     fx = b * z - c * y
     fy = c * x - a * z
     fz = a * y - b * x
@@ -36,16 +35,19 @@ def fast(parameters: Any, extra: Any, point: Any) -> Any:
     a, b, c, angle = parameters
     square = a * a + b * b + c * c
     sine, cosine = sincos(angle)
-    point = turned((a, b, c), square, sine, cosine, point)
-    return point, reachable(angle) & safe(square)
+    poison, fine = measured(point)
+    point = turned((a, b, c), square, sine, cosine, point, poison)
+    return point, fine & reachable(angle) & safe(square)
 
 
 @inlined
 def careful(parameters: Any, extra: Any, point: Any) -> Any:
     """Rotate a point about an axis of any length by an angle of any size; see `sweep`."""
-    (a, b, c, _), some = scaled((parameters[0], parameters[1], parameters[2], 0.0))
+    axis = (parameters[0], parameters[1], parameters[2], 0.0)
+    (a, b, c, _), _ = scaled(axis)
     sine, cosine = math.sin(parameters[3]), math.cos(parameters[3])
-    return turned((a, b, c), a * a + b * b + c * c, sine, cosine, point), some
+    square = a * a + b * b + c * c
+    return turned((a, b, c), square, sine, cosine, point, 0.0), not zero(axis)
 
 
 @kernel

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from rotation.kernels.compiled.compiling import SOURCES, inlined, kernel
-from rotation.kernels.compiled.ranges import not_finite
+from rotation.kernels.compiled.ranges import measured, not_finite
 from rotation.kernels.compiled.sincos import reachable, sincos
 from rotation.kernels.compiled.sweep import apart, sweep, triples
 
@@ -25,11 +25,10 @@ def fast(angles: Any, extra: Any, point: Any) -> Any:
     """Rotate eight points; see `sweep`."""
     axes, backward = extra
     e, f, g, _ = angles
-    fine = reachable(e) & reachable(f) & reachable(g)
+    poison, fine = measured(point)
+    fine = fine & reachable(e) & reachable(f) & reachable(g)
     if backward:
         e, g = g, e
-    x, y, z = point
-    poison = not_finite(x, y, z)
     s, c = sincos(e)
     point = turn(point, axes[0], s, c)
     s, c = sincos(f)
@@ -46,8 +45,7 @@ def careful(angles: Any, extra: Any, point: Any) -> Any:
     e, f, g, _ = angles
     if backward:
         e, g = g, e
-    x, y, z = point
-    poison = not_finite(x, y, z) + not_finite(e, f, g)
+    poison = not_finite(e, f, g)
     point = turn(point, axes[0], math.sin(e), math.cos(e))
     point = turn(point, axes[1], math.sin(f), math.cos(f))
     x, y, z = turn(point, axes[2], math.sin(g), math.cos(g))

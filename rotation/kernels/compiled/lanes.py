@@ -109,6 +109,8 @@ _binary(operator.mul, lambda builder, a, b: builder.fmul(a, b, flags=_FLAGS))
 _binary(operator.truediv, lambda builder, a, b: builder.fdiv(a, b, flags=_FLAGS))
 _binary(operator.le, lambda builder, a, b: builder.fcmp_ordered("<=", a, b), logical=True)
 _binary(operator.ge, lambda builder, a, b: builder.fcmp_ordered(">=", a, b), logical=True)
+_binary(operator.lt, lambda builder, a, b: builder.fcmp_ordered("<", a, b), logical=True)
+_binary(operator.gt, lambda builder, a, b: builder.fcmp_ordered(">", a, b), logical=True)
 _binary(operator.ne, lambda builder, a, b: builder.fcmp_unordered("!=", a, b), logical=True)
 
 
@@ -139,14 +141,23 @@ _unary(math.sqrt, _by_llvm("sqrt"))
 _unary(abs, _by_llvm("fabs"))
 
 
-@type_callable(operator.and_)  # type: ignore[untyped-decorator]
-def _and_type(context: Any) -> Any:
-    return lambda a, b: mask if isinstance(a, Mask) and isinstance(b, Mask) else None
+def _between_masks(operation: Any, number: int, name: str) -> None:
+    """Teach numba a logical operation on a number of masks."""
+
+    @type_callable(operation)  # type: ignore[untyped-decorator]
+    def typing(context: Any) -> Any:
+        if number == 1:
+            return lambda a: mask if isinstance(a, Mask) else None
+        return lambda a, b: mask if isinstance(a, Mask) and isinstance(b, Mask) else None
+
+    @lower_builtin(operation, *[Mask] * number)  # type: ignore[untyped-decorator]
+    def lower(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return getattr(builder, name)(*args)
 
 
-@lower_builtin(operator.and_, Mask, Mask)  # type: ignore[untyped-decorator]
-def _and(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-    return builder.and_(*args)
+_between_masks(operator.and_, 2, "and_")
+_between_masks(operator.or_, 2, "or_")
+_between_masks(operator.invert, 1, "not_")
 
 
 @primitive

@@ -3,7 +3,7 @@
 from typing import Any
 
 from rotation.kernels.compiled.compiling import SOURCES, inlined, kernel
-from rotation.kernels.compiled.ranges import safe, scaled, turned
+from rotation.kernels.compiled.ranges import measured, safe, scaled, turned, zero
 from rotation.kernels.compiled.sweep import apart, quadruples, sweep
 
 
@@ -11,14 +11,14 @@ from rotation.kernels.compiled.sweep import apart, quadruples, sweep
 def fast(q: Any, extra: Any, point: Any) -> Any:
     """Rotate eight points; see `sweep`."""
     w, a, b, c = q
-    return turned(q, point), safe((w * w + a * a) + (b * b + c * c))
+    poison, fine = measured(point)
+    return turned(q, point, poison), fine & safe((w * w + a * a) + (b * b + c * c))
 
 
 @inlined
 def careful(q: Any, extra: Any, point: Any) -> Any:
     """Rotate a point by a quaternion of any length; see `sweep`."""
-    q, some = scaled(q)
-    return turned(q, point), some
+    return turned(scaled(q)[0], point, 0.0), not zero(q)
 
 
 @kernel

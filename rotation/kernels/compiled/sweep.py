@@ -1,10 +1,10 @@
 """The walk over a batch that all rotating kernels share: blocks, layouts, eight points at a time.
 
 A kernel brings two forms of its formula. ``fast(parameters, extra, point)`` takes lanes and returns the
-rotated points and where they are right. ``careful``, for the eights that are not right everywhere, takes
-numbers and returns the rotated point and whether it has a rotation (a zero axis is none). Parameters
-are four, whatever the formula takes of them. Eight points are read before they are written, so the
-result may be the points.
+rotated points and where they are right. ``careful``, for the rows where they are not, takes numbers and
+returns the rotated point and whether it has a rotation (a zero axis is none); the point it is given is
+scaled to a largest coordinate of about 1, or NaN. Parameters are four, whatever the formula takes of them.
+Eight points are read before they are written, so the result may be the points.
 
 Names here: ``kinds`` are zeros of the types that points and parameters have in memory, and of the type
 computed in; ``views`` are the addresses of the columns of points, parameters and result at a block,
@@ -12,6 +12,7 @@ four each; ``steps`` how many numbers lie from one row to the next in the column
 the first three of the parameters and in the fourth.
 """
 
+import math
 from typing import Any
 
 import numpy as np
@@ -40,6 +41,7 @@ from rotation.kernels.compiled.lanes import (
     store,
     store_triples,
 )
+from rotation.kernels.compiled.ranges import scaled
 
 AHEAD = 8 * GROUP  # rows
 
@@ -262,11 +264,12 @@ def few(
             for k in range(3):
                 write(r[k], step, first + j, number(mine[2][k], 1, j, p))
         else:
-            point, turns = row(mine[0], j, p), row(mine[1], j, t)
-            turned, some = careful(turns, extra, point[:3])
+            x, y, z, _ = row(mine[0], j, p)
+            point, exponent = scaled((x, y, z, 0.0))
+            turned, some = careful(row(mine[1], j, t), extra, point[:3])
             missing |= not some
             for k in range(3):
-                write(r[k], step, first + j, type(p)(turned[k]))
+                write(r[k], step, first + j, type(p)(math.ldexp(turned[k], exponent)))
     return missing and memory.size > 0  # the memory is in use until here
 
 

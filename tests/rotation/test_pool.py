@@ -1,0 +1,67 @@
+"""The threads that help with a call."""
+
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from rotation.kernels.pool import share, threads
+
+PATIENCE = 20.0  # seconds until a test that waits for a thread is given up
+
+
+@pytest.fixture(autouse=True)
+def two_threads() -> Iterator[None]:
+    before = threads()
+    threads(2)
+    yield
+    threads(before)
+
+
+def test_what_a_helper_raises_reaches_the_caller() -> None:
+    caller, both = threading.current_thread(), threading.Barrier(2, timeout=PATIENCE)
+
+    def work(counter: int) -> bool:
+        both.wait()
+        if threading.current_thread() is not caller:
+            raise ValueError("from the helper")
+        return False
+
+    for _ in range(3):  # the helper lives on
+        with pytest.raises(ValueError, match="from the helper"):
+            share(work, 2, None)
+
+
+def test_what_a_helper_finds_reaches_the_caller() -> None:
+    caller, both = threading.current_thread(), threading.Barrier(2, timeout=PATIENCE)
+
+    def work(counter: int) -> bool:
+        both.wait()
+        return threading.current_thread() is not caller
+
+    assert share(work, 2, None)
+
+
+def test_a_call_does_not_wait_for_helpers_that_have_not_begun() -> None:
+    begun, go = threading.Barrier(3, timeout=PATIENCE), threading.Event()
+    occupied: list[bool] = []
+
+    def slow(counter: int) -> bool:
+        begun.wait()
+        return not go.wait(PATIENCE)
+
+    other = threading.Thread(target=lambda: occupied.append(share(slow, 2, None)))
+    other.start()
+    begun.wait()  # the other thread and the only helper are both in the slow call
+    ran: list[str] = []
+    assert not share(lambda counter: bool(ran.append(threading.current_thread().name)), 2, None)
+    assert ran == [threading.current_thread().name]
+    go.set()
+    other.join(PATIENCE)
+    assert occupied == [False]
+
+
+def test_no_helper_is_asked_for_one_piece() -> None:
+    ran: list[str] = []
+    share(lambda counter: bool(ran.append(threading.current_thread().name)), 1, None)
+    assert ran == [threading.current_thread().name]
