@@ -6,7 +6,14 @@ from rotation import euler, matrices, quaternions, vectors
 from rotation.angles import to_degrees
 from rotation.batch import Batch
 from rotation.errors import DTypeError
-from rotation.namespaces import Array, expect_last, floats, namespace, refuse_rows
+from rotation.namespaces import (
+    Array,
+    expect_last,
+    expect_numpy,
+    floats,
+    namespace,
+    refuse_rows,
+)
 
 
 class Conversions(Batch):
@@ -128,10 +135,13 @@ class Conversions(Batch):
         ------
         RotationError
             A row is NaN: scipy has no such rotations.
+        ForeignArrayError
+            The rotations are not held in numpy arrays.
         """
         from scipy.spatial.transform import Rotation
 
         q = self.as_quat(scalar_first=False)
+        expect_numpy("to_scipy", q)
         invalid = namespace(q).isnan(q[..., 0])
         refuse_rows(invalid, "the rotation", "is NaN, which scipy does not take; leave it out")
         return Rotation.from_quat(q)

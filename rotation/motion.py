@@ -55,6 +55,8 @@ def integrate(
     ------
     RotationError
         Times that are not monotonic, samples that do not fit them, or another frame.
+    ForeignArrayError
+        Arrays that are not numpy's.
 
     Examples
     --------
@@ -65,7 +67,8 @@ def integrate(
     check_frame(frame)
     if initial is not None:
         expect_rotations(initial=initial)
-    expect_numpy("integrate", times, None if initial is None else initial._q)
+    known = None if callable(omega) else omega
+    expect_numpy("integrate", known, times, None if initial is None else initial._q)
     t = floats(times, "times")
     steps = np.diff(t) if t.ndim == 1 and t.size else np.array([np.nan])
     if not (np.all(steps > 0.0) or np.all(steps < 0.0)):
@@ -92,7 +95,9 @@ def integrate(
 def _values(omega: Any, times: Array, at: Array) -> Array:
     """The angular velocities at points of which one lies in each interval, (n − 1, …, 3)."""
     if callable(omega):
-        values = [floats(omega(float(x)), "omega(t)") for x in at]
+        found = [omega(float(x)) for x in at]
+        expect_numpy("integrate", *found)
+        values = [floats(w, "omega(t)") for w in found]
         if len({v.shape for v in values}) > 1:
             raise RotationError("omega(t) has different shapes at different times")
         w = np.stack(values) if values else np.empty((0, 3))

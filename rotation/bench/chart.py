@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.commands.output import OutputError
 from hfield.errors import shorten
 from rotation.bench.measure import Result, Settings
+from rotation.bench.report import counted
 from rotation.figures.drawing import BLUE, GREY, INK, PALE, RED
 from rotation.figures.saving import FORMATS, picture, try_folder, write_whole
 
@@ -88,7 +89,9 @@ def _draw(figure: Figure, groups: Sequence[Sequence[Result]], settings: Settings
         ax.set_xscale("log")
         ax.set_title(group[0].test.title if group else "", loc="left")
     axes[-1].set_xlim(min(times) / 2, max(times) * 4)
+    part = any(result.scale > 1 for group in groups for result in group)
     axes[-1].set_xlabel(
         f"best frame of {settings.points} points, ms; "
-        f"{settings.threads} thread{'s' if settings.threads > 1 else ''}; dashed: the copy"
+        f"{counted(settings.threads, 'thread')}; dashed: the copy"
+        + ("; hatched: scaled from a part of the points" if part else "")
     )

@@ -19,8 +19,8 @@ def table(results: Sequence[Result], settings: Settings) -> str:
     """Lay out the results in columns, one table a test."""
     s = settings
     lines = [
-        f"{s.points} points of float64, {s.frames} frames, {s.repeats} repeats, "
-        f"{s.threads} thread{'s' if s.threads > 1 else ''} for every way",
+        f"{s.points} points of float64, {counted(s.frames, 'frame')}, "
+        f"{counted(s.repeats, 'repeat')}, {counted(s.threads, 'thread')} for every way",
         machine_line(),
         "Times are for a frame of all points: the mean of all repeats, and the best frame. Ratios are",
         "of the best, to the copy and to hfield's (N, 3) call. A run is the mean times the frames.",
@@ -37,6 +37,11 @@ def table(results: Sequence[Result], settings: Settings) -> str:
     if absent := missing(results):
         lines += ["", f"Not installed: {', '.join(absent)}. To compare with them: {HINT}"]
     return "\n".join(lines)
+
+
+def counted(number: int, thing: str) -> str:
+    """Return ``3 frames``, ``1 frame``."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
 
 
 def missing(results: Iterable[Result]) -> list[str]:
@@ -87,9 +92,9 @@ def remark(result: Result, settings: Settings) -> str:
     if result.points < settings.points:
         parts.append(f"on {result.points} points, scaled by {result.scale:.4g}")
     if result.frames < settings.frames:
-        parts.append(f"on {result.frames} frame{'s' if result.frames > 1 else ''}")
+        parts.append(f"on {counted(result.frames, 'frame')}")
     if len(result.samples) < settings.repeats:
-        parts.append(f"{len(result.samples)} repeats")
+        parts.append(counted(len(result.samples), "repeat"))
     return ", ".join(parts)
 
 

@@ -57,10 +57,12 @@ class _Part:
 
     def result(self) -> bool:
         """Call the part off if it has not begun, else wait for its answer."""
-        if not self._begun.acquire(blocking=False):
-            self._done.acquire()
-            if self._error is not None:
-                raise self._error
+        if self._begun.acquire(blocking=False):
+            self._task = bool  # it may stay in the queue, and would keep arrays alive
+            return False
+        self._done.acquire()
+        if self._error is not None:
+            raise self._error
         return self._answer
 
 
@@ -90,7 +92,7 @@ def _checked(value: int | str, name: str) -> int:
         number = int(value)
     except (ValueError, OverflowError):
         number = 0
-    if number < 1 or number != float(value):
+    if number < 1 or number != float(value) or isinstance(value, bool):
         raise RotationError(f"{name} is {value!r}; expected a whole number of at least 1")
     return number
 

@@ -167,7 +167,15 @@ def test_python_sides_of_foreign_rotations() -> None:
     assert "Rotation.from_quat" in repr(r)
     assert hash(r[0]) == hash(Rotation.from_quat(Q)[0])
     assert len(list(r)) == 5
-    for fails in (lambda: Slerp(xp.asarray(T), r), lambda: integrate([0, 0, 1], [0.0, 1.0], r[0])):
+    omega, times = xp.ones((3, 3)), [0.0, 1.0, 2.0]
+    for fails in (
+        lambda: Slerp(xp.asarray(T), r),
+        lambda: integrate([0, 0, 1], [0.0, 1.0], r[0]),
+        lambda: integrate(omega, times),
+        lambda: integrate(omega[0, :], times),
+        lambda: integrate(lambda t: omega[0, :], times),
+        r.to_scipy,
+    ):
         with pytest.raises(ForeignArrayError, match="numpy arrays only"):
             fails()
 
