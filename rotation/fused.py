@@ -153,7 +153,7 @@ def rotate_euler(
     batch = common_batch(points=points_batch, angles=angles_batch)
     result, target = destination(out, batch, p, (a,), layout)
     if degrees:
-        a = radians(np, a)
+        a = radians(np, a.astype(np.float64, copy=False))
     turns = axes[::-1] if intrinsic else axes
     if len(turns) < 3:  # the rest are no turns at all
         a = a[..., ::-1] if intrinsic else a

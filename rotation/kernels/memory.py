@@ -32,7 +32,8 @@ def plan(batch: Shape, operands: tuple[Array, ...]) -> Plan | None:
     if shape is None:
         return None
     outer, inner, strides = shape
-    table = tuple((a.ctypes.data, *s) for a, s in zip(operands, strides, strict=True))
+    pairs = zip(operands, strides, strict=True)
+    table = tuple((a.__array_interface__["data"][0], *s) for a, s in pairs)
     return Plan(outer, inner, table, operands)
 
 

@@ -27,7 +27,7 @@ class _State:
 
     def forget_helpers(self) -> None:
         """Threads do not survive a fork: the child starts without them, and with a free lock."""
-        self.lock = threading.Lock()
+        self.lock = threading.RLock()  # a signal's handler may come in between
         self.helpers = 0
         self.waiting: SimpleQueue[_Part] = SimpleQueue()
 
@@ -78,13 +78,12 @@ def threads(number: int | None = None) -> int:
     At first it is the environment variable ``ROTATION_NUM_THREADS``, else the number of processors
     this process may run on. Raises `RotationError` unless it is a whole number of at least 1.
     """
-    with _state.lock:
-        if number is not None:
-            _state.number = _checked(number, "the number of threads")
-        elif _state.number is None:
-            given = os.environ.get(VARIABLE)
-            _state.number = _processors() if not given else _checked(given, VARIABLE)
-        return _state.number or 1
+    if number is not None:
+        _state.number = _checked(number, "the number of threads")
+    elif _state.number is None:
+        given = os.environ.get(VARIABLE)
+        _state.number = _processors() if not given else _checked(given, VARIABLE)
+    return _state.number
 
 
 def _checked(value: int | str, name: str) -> int:

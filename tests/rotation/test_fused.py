@@ -119,3 +119,11 @@ def test_threads_change_nothing_but_the_time() -> None:
                 kernels.threads(wrong)  # type: ignore[arg-type]
     finally:
         kernels.threads(before)
+
+
+@pytest.mark.parametrize("points", [np.float32, np.float64])
+def test_degrees_in_float32_are_converted_in_float64(points: Any) -> None:
+    angles = RNG.uniform(-1e4, 1e4, (50, 3)).astype(np.float32)
+    turned = rotate_euler(np.ones((50, 3), points), angles, degrees=True)
+    expected = rotate_euler(np.ones((50, 3)), angles.astype(np.float64), degrees=True)
+    np.testing.assert_array_equal(turned, expected.astype(points))

@@ -1,6 +1,7 @@
 """The threads that help with a call."""
 
 import threading
+import weakref
 from collections.abc import Iterator
 
 import pytest
@@ -54,8 +55,12 @@ def test_a_call_does_not_wait_for_helpers_that_have_not_begun() -> None:
     other.start()
     begun.wait()  # the other thread and the only helper are both in the slow call
     ran: list[str] = []
-    assert not share(lambda counter: bool(ran.append(threading.current_thread().name)), 2, None)
+    alive = {"memory"}
+    kept = weakref.ref(alive)
+    assert not share(lambda counter: bool(ran.append(threading.current_thread().name)), 2, alive)
     assert ran == [threading.current_thread().name]
+    del alive
+    assert kept() is None  # though the helper has not come to it yet
     go.set()
     other.join(PATIENCE)
     assert occupied == [False]

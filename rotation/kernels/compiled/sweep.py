@@ -347,6 +347,8 @@ def sweep(
                     fetch(more, o, start, m, 1, w, t)
                 if result[3] != 1:
                     r = room(memory, 2, BLOCK)
+            if width == 0:  # what is read without being used must be memory of ours all the same
+                u = v
             if four or width < 4:
                 u = (u[0], u[1], u[2], w[0] if four else u[0])
             views = v, u, r
