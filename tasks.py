@@ -10,7 +10,7 @@ TASKS = {
     "format": ["ruff", "format", "--check", "."],
     "lint": ["ruff", "check", "."],
     "types": ["mypy"],
-    "test": ["pytest"],
+    "test": ["pytest", "-n", "auto"],
 }
 
 

@@ -5,9 +5,9 @@
 Three loads: one rotation of all points; an axis and an angle for each point; Euler angles for each
 point. The floor is `np.copyto` into a preallocated array of the same size and dtype, which is also how
 our calls are made (``out=``). Every way is called in turn, round after round, for SECONDS (default 20)
-a load, and its best time counts, so that a busy machine disturbs all alike. It is called twice, and the second
-call is timed: frame follows frame, and no way finds the caches full of another's arrays. Our calls are timed with
-one thread and with two; the copy and the peers have one. Peers build what they need
+a load, and its best time counts, so that a busy machine disturbs all alike. It is called twice, and the
+second call is timed: frame follows frame, and no way finds the caches full of another's arrays. Our
+calls are timed with one thread and with two; the copy and the peers have one. Peers build what they need
 (quaternions, rotations) within the time, as their users must when every frame is new. Answers are compared
 before anything is timed.
 """
