@@ -4,12 +4,12 @@
 
 Three loads: one rotation of all points; an axis and an angle for each point; Euler angles for each
 point. The floor is `np.copyto` into a preallocated array of the same size and dtype, which is also how
-our calls are made (``out=``). Every way is called in turn, round after round, for SECONDS (default 20)
-a load, and its best time counts, so that a busy machine disturbs all alike. It is called twice, and the
-second call is timed: frame follows frame, and no way finds the caches full of another's arrays. Our
-calls are timed with one thread and with two; the copy and the peers have one. Peers build what they need
-(quaternions, rotations) within the time, as their users must when every frame is new. Answers are compared
-before anything is timed.
+our calls are made (``out=``). The ways take turns, round after round, for SECONDS (default 20) a load,
+and the best time of a call counts, so that a busy machine disturbs all alike. A turn is a run of calls, as
+frame follows frame: the first is not timed, since it finds the caches full of another's arrays. Our calls
+have one thread and then two; the copy and the peers have one. Peers build what they need (quaternions,
+rotations) within the time, as their users must when every frame is new. Answers are compared before
+anything is timed.
 """
 
 import os
@@ -29,6 +29,7 @@ from rotation.kernels import threads
 Way = Callable[[], Any]
 Array = Any
 RNG = np.random.default_rng(1)
+TURN = 0.03  # seconds of a run of calls
 
 
 def ours(number: int, call: Way) -> Way:
@@ -148,18 +149,21 @@ def compared(ways: dict[str, Way]) -> None:
 
 
 def best(ways: dict[str, Way], seconds: float) -> dict[str, float]:
-    """Return the best time of each way, taken in turn until the time is over."""
+    """Return the best time of each way, which take turns until the time is over."""
     times = dict.fromkeys(ways, float("inf"))
     end, spent = time.perf_counter() + seconds, dict.fromkeys(ways, 0.0)
     while time.perf_counter() < end:
         for name, way in ways.items():
             if spent[name] > seconds / len(ways):  # a slow peer does not use up the rounds
                 continue
+            began = time.perf_counter()
             way()
             start = time.perf_counter()
-            way()
-            took = time.perf_counter() - start
-            times[name], spent[name] = min(times[name], took), spent[name] + 2 * took
+            while start - began < TURN or times[name] == float("inf"):
+                way()
+                now = time.perf_counter()
+                times[name], start = min(times[name], now - start), now
+            spent[name] += start - began
     return times
 
 
