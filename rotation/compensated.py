@@ -28,14 +28,19 @@ def two_product(xp: Any, a: Array, b: Array) -> Pair:
     return p, ((a1 * b1 - p) + (a1 * b2 + a2 * b1)) + a2 * b2
 
 
-def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
-    """Return ``√(Σ c²)`` as a pair; for coordinates whose squares neither overflow nor vanish."""
+def total(pairs: Iterable[Pair]) -> Pair:
+    """Return the sum of pairs as a pair."""
     high: Array = 0.0
     low: Array = 0.0
-    for c in coordinates:
-        p, e = two_product(xp, c, c)
+    for p, e in pairs:
         high, f = two_sum(high, p)
         low = low + (e + f)
+    return high, low
+
+
+def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
+    """Return ``√(Σ c²)`` as a pair; for coordinates whose squares neither overflow nor vanish."""
+    high, low = total(two_product(xp, c, c) for c in coordinates)
     root = xp.sqrt(high)
     square, e = two_product(xp, root, root)
     safe = xp.where(root > 0.0, root, xp.ones_like(root))

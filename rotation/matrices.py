@@ -4,10 +4,21 @@ from functools import reduce
 from operator import add
 from typing import Any
 
+from rotation import kernels
 from rotation.angles import radians
-from rotation.coordinates import Coordinates, join, split, sum_of_squares, unit
-from rotation.namespaces import Array, expect_last, finfo, floats, namespace, quiet, refuse_rows
-from rotation.rowwise import in_pieces
+from rotation.compensated import total, two_product
+from rotation.coordinates import Coordinates, join, split, unit
+from rotation.namespaces import (
+    Array,
+    expect_last,
+    finfo,
+    floats,
+    is_numpy,
+    namespace,
+    quiet,
+    refuse_rows,
+)
+from rotation.rowwise import MANY, in_pieces
 
 # How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
 TOLERANCE = {64: 1e-6, 32: 1e-3}  # by the bits of a float
@@ -61,24 +72,41 @@ def _entries(m: Array) -> Entries:
 
 
 def to_matrix(q: Array) -> Array:
-    """Return the matrices (…, 3, 3) of quaternions (…, 4) of any nonzero norm.
+    """Return the matrices (…, 3, 3) of quaternions (…, 4) whose norm is 1, or off by rounding.
 
-    The factor 2/N(q), in place of 2, keeps the result orthogonal where the norm is a little off.
+    N(q) is computed with twice the digits, and how far it is from 1 is taken off each entry: an entry is
+    right to 2⁻⁵², and the matrix orthogonal.
     """
+    if is_numpy(namespace(q)) and q.size > 4 * MANY:
+        m, left = kernels.matrices(q)
+        if not left:
+            return m
     return in_pieces(_to_matrix, q)
 
 
 def _to_matrix(q: Array) -> Array:
     xp = namespace(q)
     w, x, y, z = split(q)
-    s = 2.0 / sum_of_squares((w, x, y, z))
-    sx, sy, sz = s * x, s * y, s * z
+    (ww, we), (xx, xe), (yy, ye), (zz, ze) = (two_product(xp, c, c) for c in (w, x, y, z))
+    high, low = total([(ww, we), (xx, xe), (yy, ye), (zz, ze)])
+    more = ((1.0 - high) - low) / high  # 1/N(q) − 1
+
+    def entry(half: Array) -> Array:
+        return 2.0 * half + (2.0 * half) * more
+
+    def cosine(plus: Array, minus: Array) -> Array:
+        """Plus less minus, by the smaller of them: it loses less."""
+        return xp.where(minus < plus, 1.0 - entry(minus), entry(plus) - 1.0)
+
+    wx, yz = (ww + xx) + (we + xe), (yy + zz) + (ye + ze)
+    wy, xz = (ww + yy) + (we + ye), (xx + zz) + (xe + ze)
+    wz, xy = (ww + zz) + (we + ze), (xx + yy) + (xe + ye)
     return _assemble(
         xp,
         [
-            [1.0 - (sy * y + sz * z), sx * y - sz * w, sx * z + sy * w],
-            [sx * y + sz * w, 1.0 - (sx * x + sz * z), sy * z - sx * w],
-            [sx * z - sy * w, sy * z + sx * w, 1.0 - (sx * x + sy * y)],
+            [cosine(wx, yz), entry(x * y - w * z), entry(x * z + w * y)],
+            [entry(x * y + w * z), cosine(wy, xz), entry(y * z - w * x)],
+            [entry(x * z - w * y), entry(y * z + w * x), cosine(wz, xy)],
         ],
     )
 

@@ -13,6 +13,7 @@ import numpy as np
 from rotation.namespaces import Array
 from rotation.scalars import Row
 
+MANY = 50_000  # rows for which it pays to import numba, where there is a kernel
 _ROWS = 16384
 
 

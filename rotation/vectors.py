@@ -25,9 +25,7 @@ from rotation.namespaces import (
     refuse_zeros,
 )
 from rotation.quaternions import multiplied, upright
-from rotation.rowwise import in_pieces
-
-_LONG = 50_000  # vectors for which numba need not be imported
+from rotation.rowwise import MANY, in_pieces
 
 
 @quiet
@@ -39,7 +37,7 @@ def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
     """
     v = floats(vectors, "rotation vectors")
     expect_last(v, (3,), "rotation vectors")
-    if is_numpy(namespace(v)) and v.size > 3 * _LONG:
+    if is_numpy(namespace(v)) and v.size > 3 * MANY:
         return _compiled(v, degrees)
     return in_pieces(lambda v: _from_rotvec(v, degrees), v)
 

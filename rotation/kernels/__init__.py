@@ -22,6 +22,7 @@ __all__ = [
     "contains_zero",
     "cumulative",
     "euler",
+    "matrices",
     "one",
     "quaternions",
     "rotation_vectors",
@@ -74,6 +75,14 @@ def rotation_vectors(vectors: Array, unit: float) -> tuple[Array, bool]:
     v = np.require(vectors, np.float64, ["C", "A"])
     q = np.empty((*v.shape[:-1], 4))
     return q, _run("rotation_vectors", HEAVY, (v, q), (0.0, unit))
+
+
+def matrices(q: Array) -> tuple[Array, bool]:
+    """Return the matrices ``(…, 3, 3)`` of quaternions of norm about 1, and whether they are left to do."""
+    q = np.require(q, np.float64, ["C", "A"])
+    m = np.empty((*q.shape[:-1], 9))
+    left = _run("matrices", HEAVY, (q, m), (0.0,))
+    return m.reshape(*q.shape[:-1], 3, 3), left
 
 
 def cumulative(q: Array) -> Array:

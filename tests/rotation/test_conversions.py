@@ -337,3 +337,32 @@ def test_T_q_is_the_rotation() -> None:
     v = np.random.default_rng(13).standard_normal((100, 3))
     assert T_q(q, v) == pytest.approx(Rotation.from_quat(q).apply(v), abs=1e-14)
     assert T_q(q[:, None], v).shape == (100, 100, 3)
+
+
+# Matrices of quaternions, and the sine of an angle on its way through a rotation
+
+
+def test_entries_of_matrices_are_right_to_an_ulp_of_one() -> None:
+    r = Rotation.random(3000, seed=8)
+    q, m = r.as_quat(), r.as_matrix()
+    for row, found in zip(q, m, strict=True):
+        right = reference.matrix_of(reference.exact(row))
+        assert (
+            max(abs(mp.mpf(float(found[i, k])) - right[i, k]) for i in range(3) for k in range(3))
+            < ULP
+        )
+
+
+@pytest.mark.parametrize("reach", [4.0, 1e9])
+def test_sines_and_cosines_of_matrices_that_come_from_angles(reach: float) -> None:
+    angles = np.random.default_rng(9).uniform(-reach, reach, 4000)
+    vectors = angles[:, None] * [0.0, 0.0, 1.0]
+    expected = [(mp.cos(a), mp.sin(a)) for a in reference.exact(angles)]
+    for r in (
+        Rotation.from_rotvec(vectors),
+        Rotation.from_axis_angle([0.0, 0.0, 1.0], angles),
+        Rotation.from_euler("Z", angles[:, None]),
+    ):
+        for found, (cosine, sine) in zip(r.as_matrix()[:, :2, 0], expected, strict=True):
+            c, s = reference.exact(found)
+            assert max(abs(c - cosine), abs(s - sine)) <= ULP

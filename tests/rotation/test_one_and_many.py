@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotation import Rotation, kernels, vectors
+from rotation import Rotation, kernels, matrices, vectors
 from rotation.namespaces import quiet
 
 RNG = np.random.default_rng(2024)
@@ -103,6 +103,17 @@ def test_compiled_rotation_vectors_are_those_of_the_formula(degrees: bool) -> No
     np.testing.assert_array_equal(Rotation.from_rotvec(v, degrees).as_quat(), expected)
     backward = Rotation.from_rotvec(v.reshape(20, 3000, 3)[:, ::-1], degrees).as_quat()
     np.testing.assert_array_equal(backward[:, ::-1].reshape(-1, 4), expected)
+
+
+def test_compiled_matrices_are_those_of_the_formula() -> None:
+    q = RNG.standard_normal((60_000, 4))
+    q[1:4] = [[1.0, 0.0, 0.0, 0.0], [-0.0, 0.0, -1.0, 0.0], [np.nan] * 4]
+    r = Rotation(q)
+    expected = quiet(matrices._to_matrix)(r.as_quat())
+    np.testing.assert_array_equal(r.as_matrix(), expected)
+    backward = r[::-1].as_matrix()
+    np.testing.assert_array_equal(backward[::-1], expected)
+    assert not kernels.matrices(r.as_quat())[1]
 
 
 def test_the_compiled_loop_leaves_few_vectors_to_the_formula() -> None:
