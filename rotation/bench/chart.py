@@ -80,6 +80,11 @@ def _draw(figure: Figure, groups: Sequence[Sequence[Result]], settings: Settings
                 textcoords="offset points",
                 va="center",
                 fontsize=8.5,
+                bbox={
+                    "facecolor": "white",
+                    "edgecolor": "none",
+                    "pad": 0.8,
+                },  # over the dashed line
             )
         floor = next((1e3 * r.best for r in group if r.way.role == "floor"), None)
         if floor is not None:
@@ -93,5 +98,5 @@ def _draw(figure: Figure, groups: Sequence[Sequence[Result]], settings: Settings
     axes[-1].set_xlabel(
         f"best frame of {settings.points} points, ms; "
         f"{counted(settings.threads, 'thread')}; dashed: the copy"
-        + ("; hatched: scaled from a part of the points" if part else "")
+        + ("\nhatched: scaled from a part of the points" if part else "")
     )
