@@ -132,7 +132,9 @@ class _Compiler:
                 return four, (lambda v: tuple(-x for x in of(v))) if four else (lambda v: -of(v))
             case Binary(op, left, right):
                 x, y = self.term(left), self.term(right)
-                return self.binary(op, x, (False, self.reciprocal(y[1])) if op == "/" else y)
+                return self.binary(
+                    op, x, (False, self.defined(self.world.reciprocal, y[1])) if op == "/" else y
+                )
             case Power(base, exponent):
                 return self.power(self.term(base), exponent)
             case Index(base, index):
@@ -197,7 +199,7 @@ class _Compiler:
         """Return a power; a negative one is one of the inverse."""
         four, f = base
         if exponent < 0:
-            f = self.inverse(f) if four else self.reciprocal(f)
+            f = self.defined(self.world.inverse if four else self.world.reciprocal, f)
         raised, n = self.world.power, abs(exponent)
         return four and n > 0, lambda v: raised(f(v), n)
 
@@ -216,33 +218,20 @@ class _Compiler:
             zero = self.world.zero
             return True, lambda v: (zero, *f(v)[1:])
         if function == "inv":
-            return True, self.inverse(f)
+            return True, self.defined(self.world.inverse, f)
         g = self.embedded(arguments[1])
         return self.binary("-", (True, self.product(f, g)), (True, self.product(g, f)))
 
-    def reciprocal(self, f: Function) -> Function:
-        """Return 1/x for a scalar."""
-        of_world = self.world.reciprocal
+    def defined(self, of_world: Callable[[Any], tuple[Any, bool]], f: Function) -> Function:
+        """Return ``of_world`` after ``f``, where it is defined: an inverse or a reciprocal."""
 
-        def reciprocal(v: Values) -> Any:
+        def value(v: Values) -> Any:
             x, defined = of_world(f(v))
             if not defined:
                 raise _UndefinedError
             return x
 
-        return reciprocal
-
-    def inverse(self, f: Function) -> Function:
-        """Return the inverse of a quaternion."""
-        of_world = self.world.inverse
-
-        def inverse(v: Values) -> Any:
-            x, defined = of_world(f(v))
-            if not defined:
-                raise _UndefinedError
-            return x
-
-        return inverse
+        return value
 
 
 def _undefined(values: Values) -> Any:

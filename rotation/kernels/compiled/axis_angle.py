@@ -5,8 +5,9 @@ from typing import Any
 
 from rotation.kernels.compiled.compiling import SOURCES, inlined, kernel
 from rotation.kernels.compiled.ranges import measured, safe, scaled, zero
+from rotation.kernels.compiled.rows import apart, triples
 from rotation.kernels.compiled.sincos import reachable, sincos
-from rotation.kernels.compiled.sweep import apart, sweep, triples
+from rotation.kernels.compiled.sweep import sweep
 
 
 @inlined

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from rotation.kernels.compiled.access import TAKE, at, blocks, near, put, span, take
+from rotation.kernels.compiled.access import at, put, throughout
 from rotation.kernels.compiled.compiling import SOURCES, kernel, strict
 from rotation.kernels.compiled.pairs import two_product, two_sum
 
@@ -21,7 +21,7 @@ def cosine(plus: Any, minus: Any, more: Any) -> Any:
 
 @strict
 def loop(quaternions: Any, out: Any, m: Any, zero: Any) -> Any:
-    """Write the nine entries of ``m`` matrices, row after row."""
+    """Write the nine entries of ``m`` matrices, row after row; none is left."""
     for i in range(m):
         w, x = at(quaternions, 4, i, 0, zero), at(quaternions, 4, i, 1, zero)
         y, z = at(quaternions, 4, i, 2, zero), at(quaternions, 4, i, 3, zero)
@@ -45,6 +45,7 @@ def loop(quaternions: Any, out: Any, m: Any, zero: Any) -> Any:
         put(out, 9, i, 6, entry(x * z - w * y, more))
         put(out, 9, i, 7, entry(y * z + w * x, more))
         put(out, 9, i, 8, cosine((ww + zz) + (we + ze), (xx + yy) + (xe + ye), more))
+    return False
 
 
 @kernel
@@ -52,12 +53,4 @@ def matrices(
     counter: Any, outer: Any, inner: Any, table: Any, zero: Any, sources: int = SOURCES
 ) -> Any:
     """Write the matrices, nine numbers each, of quaternions in one piece."""
-    quaternions, result = table[0], table[1]
-    total = blocks(outer, inner)
-    while True:
-        first = take(counter, TAKE)
-        if first >= total:
-            return False
-        for block in range(first, min(first + TAKE, total)):
-            o, start, m = span(block, inner)
-            loop(near(quaternions, o, start), near(result, o, start), m, zero)
+    return throughout(loop, counter, outer, inner, table, zero)

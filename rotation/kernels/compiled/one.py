@@ -4,7 +4,8 @@ from typing import Any
 
 from rotation.kernels.compiled.compiling import SOURCES, inlined, kernel
 from rotation.kernels.compiled.ranges import not_finite
-from rotation.kernels.compiled.sweep import point_apart, point_together, sweep
+from rotation.kernels.compiled.rows import point_apart, point_together
+from rotation.kernels.compiled.sweep import sweep
 
 
 @inlined

@@ -4,7 +4,8 @@ from typing import Any
 
 from rotation.kernels.compiled.compiling import SOURCES, inlined, kernel
 from rotation.kernels.compiled.ranges import measured, safe, scaled, turned, zero
-from rotation.kernels.compiled.sweep import apart, quadruples, sweep
+from rotation.kernels.compiled.rows import apart, quadruples
+from rotation.kernels.compiled.sweep import sweep
 
 
 @inlined

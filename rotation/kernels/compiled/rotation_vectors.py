@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from rotation.kernels.compiled.access import TAKE, at, blocks, near, put, span, take
+from rotation.kernels.compiled.access import at, put, throughout
 from rotation.kernels.compiled.compiling import SOURCES, kernel, strict
 from rotation.kernels.compiled.pairs import two_product, two_sum
 from rotation.kernels.compiled.ranges import LARGE, SMALL
@@ -48,8 +48,9 @@ def sine_and_cosine(a: Any, b: Any) -> Any:
 
 
 @strict
-def loop(vectors: Any, out: Any, m: Any, zero: Any, unit: Any) -> Any:
+def loop(vectors: Any, out: Any, m: Any, extra: Any) -> Any:
     """Convert ``m`` vectors; return whether some are left to others, their quaternions NaN."""
+    zero, unit = extra
     left = False
     for i in range(m):
         x, y, z = at(vectors, 3, i, 0, zero), at(vectors, 3, i, 1, zero), at(vectors, 3, i, 2, zero)
@@ -97,13 +98,4 @@ def rotation_vectors(
     ``unit`` radians are one of angle. Returns whether some are left: longer ones, tiny ones, zeros,
     inf and NaN.
     """
-    vectors, result = table[0], table[1]
-    left = False
-    total = blocks(outer, inner)
-    while True:
-        first = take(counter, TAKE)
-        if first >= total:
-            return left
-        for block in range(first, min(first + TAKE, total)):
-            o, start, m = span(block, inner)
-            left |= loop(near(vectors, o, start), near(result, o, start), m, zero, unit)
+    return throughout(loop, counter, outer, inner, table, (zero, unit))
