@@ -43,6 +43,7 @@ def test_the_whole_panel_is_certified_and_accepted() -> None:
                 data = certificate(proposition, decision, field)
                 assert data is not None, (claim.id, field)
                 assert proposition is not None
+                assert set(data["assumes"]) == set(decision.assumes), (claim.id, field)
                 check(data, Pin((proposition.statement,), data["field"]))
                 rows += 1
     assert rows > 1_500

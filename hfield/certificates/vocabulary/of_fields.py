@@ -181,7 +181,7 @@ def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence
         )  # the roots that are not negative: their products are not negative
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
-        return finding(FIELD, "exhaustion")
+        return finding(FIELD, "exhaustion", "choice of roots")
     if kind == "pure subgroup" and field.order is None and not is_square(field, field.number(-1)):
         # {1, −1} is pure, so a complement of it contains one root of each.
         return finding(FIELD, "choice of roots").citing(KULIKOV)

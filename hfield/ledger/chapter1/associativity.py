@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from itertools import pairwise, permutations
 from itertools import product as tuples
 
+from hfield.certificates.theorems import INDUCTION
 from hfield.ledger.claim import Claim
 from hfield.ledger.multilinear import (
-    INDUCTION,
     CurriedIsLinear,
     DeterminedBy,
     LastArgument,
