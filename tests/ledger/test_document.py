@@ -7,7 +7,7 @@ import pytest
 
 from hfield.cli import main
 from hfield.ledger.claim import NO_FIELD, PANEL, decide
-from hfield.ledger.document import LedgerError, load, read_ledger, read_ledgers
+from hfield.ledger.document import LedgerError, Propositions, load, read_ledger, read_ledgers
 from hfield.ledger.registry import claims
 
 ROOT = Path(__file__).parents[2]
@@ -160,6 +160,4 @@ def test_the_thesis_is_kept_in_documents() -> None:
 
 def test_a_proposition_without_its_claim_is_refused() -> None:
     with pytest.raises(LedgerError, match="there is no claim C9"):
-        from hfield.ledger.document import Propositions
-
         load("anim.ledger", "chapter4.toml", {"C9": Propositions()})
