@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from anim.ledger.counting import model_has
-from hfield.certificates.ledger import CIRCLE
+from hfield.certificates.theorems import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
