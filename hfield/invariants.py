@@ -198,13 +198,17 @@ class Invariants(Parent):
         """Return how many elements there are, over a finite ring.
 
         ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
-        of norm n, ``square=s`` for those with square s. Closed formulas answer over a field (see
-        :func:`hfield.structure.confirm` for their confirmation), exhaustion over ℤ/n.
-        Raises :class:`NotFiniteError`, and :class:`CoercionError` for a kind that does not exist.
+        of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
+        (:func:`hfield.structure.confirm` confirms them), exhaustion over other finite rings.
+        Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
+        :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
+        there is too much to go through.
 
         >>> from hfield import H
         >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
         (801, 92, 92)
+        >>> H("ZZ/1000").count(norm=0)
+        299600000
         """
         if sum((kind != "elements", norm is not None, square is not None)) > 1:
             raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
@@ -215,7 +219,7 @@ class Invariants(Parent):
         elif kind in ("norm", "square roots"):
             raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
         kind = _KINDS.get(kind, kind)
-        if ring.order is not None and not ring.is_field:
+        if ring.order is not None and not structure.has_formulas(ring):
             found = structure.tally(ring, c)
             tables = {"norm": found.norms, "square roots": found.roots}
             if kind in tables:

@@ -36,7 +36,7 @@ def page(capsys, *words):
         ("(-1,-1|GF(2))", ["commutative yes", "centre spanned by e, i, j, k (dimension 4)"]),
         ("(-1,-1|ZZ)", ["ZZ is not a field", "only 0 has norm 0"]),
         ("(1,2|RDF)", ["division algebra undecided: RDF is inexact", "nothing is proved"]),
-        ("(2,3|ZZ/6)", ["centre undecided", "counted by going through all 1296 elements"]),
+        ("(2,3|ZZ/6)", ["centre undecided", "confirmed by going through all 1296 elements"]),
         ("(sqrt(2),pi|RR)", ["i ↦ [root(2,4), 0; 0, −root(2,4)]"]),
         ("[x,t,x|GF(4)(t))", ["isomorphic to [x+1,t|GF(4)(t)), with (x+1)i for i", "ramified at t, inf"]),
     ],
