@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from hfield.structure.commutators import centre, is_commutative
-    from hfield.structure.counts import count
+    from hfield.structure.counts import count, has_formulas
     from hfield.structure.elements import (
         characteristic_polynomial,
         conjugator,
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 # Where the names live. Each is imported on first use, so that asking for a centre loads no conics.
 _HOMES = {
     "commutators": ["centre", "is_commutative"],
-    "counts": ["count"],
+    "counts": ["count", "has_formulas"],
     "elements": [
         "characteristic_polynomial",
         "conjugator",
@@ -79,6 +79,7 @@ __all__ = [
     "division_or_splitting",
     "four_squares",
     "from_ramification_q",
+    "has_formulas",
     "hilbert_symbol",
     "hurwitz_order",
     "is_central_simple",
