@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         ramified_places,
         reduced_discriminant,
     )
+    from hfield.structure.reasons import norm_evidence
     from hfield.structure.roots import square_roots
     from hfield.structure.splitting import division_or_splitting, split
     from hfield.structure.zero import is_division, zero_norm
@@ -62,6 +63,7 @@ _HOMES = {
         "ramified_places",
         "reduced_discriminant",
     ],
+    "reasons": ["norm_evidence"],
     "roots": ["square_roots"],
     "splitting": ["division_or_splitting", "split"],
     "zero": ["is_division", "zero_norm"],
@@ -93,6 +95,7 @@ __all__ = [
     "lipschitz_order",
     "maximal_order",
     "multiplicative_order",
+    "norm_evidence",
     "place",
     "places",
     "radical",
