@@ -73,7 +73,7 @@ class PrimeNumber(Place):
     """ℚ at p: integral are the fractions whose denominator p does not divide."""
 
     def __init__(self, p: int) -> None:
-        self.p, self.residues, self.uniformiser = p, Residues(p, True), Fraction(p)
+        self.p, self.residues, self.uniformiser = p, Residues(p, True, f"GF({p})"), Fraction(p)
 
     def residue(self, x: Fraction) -> int | None:
         """Return the class modulo p."""
@@ -116,14 +116,17 @@ class OnlyPrimeIdeal(_Quadratic):
         self.residues: Ring
         if self.half or (p > 2 and self.d % p):
             minimal = [self.norm % p, -self.trace % p, 1]
-            self.residues, self.uniformiser = Quotient(Residues(p, True), minimal), field.number(p)
+            self.residues, self.uniformiser = (
+                Quotient(Residues(p, True, f"GF({p})"), minimal),
+                field.number(p),
+            )
             self.omega: Any = self.residues.generator
             return
         root = self.d % p
         if self.minimal(root) % (p * p) == 0:
             reject(f"{field.d} is not squarefree")
         omega = field.read("I" if field.d == -1 else f"sqrt({field.d})")
-        self.residues, self.omega = Residues(p, True), root
+        self.residues, self.omega = Residues(p, True, f"GF({p})"), root
         self.uniformiser = field.add(omega, field.number(-root))
 
     def residue(self, x: Any) -> Any:
@@ -147,7 +150,7 @@ class SplitPrimeIdeal(_Quadratic):
         simple = (2 * self.root - self.trace) % p != 0 == self.minimal(self.root) % p
         if not simple or (self.half and r % 2 == 0) or r >= max(p, 4):
             reject(f"√{self.d} is not {r} at a prime ideal above {p}")
-        self.residues, self.uniformiser = Residues(p, True), field.number(p)
+        self.residues, self.uniformiser = Residues(p, True, f"GF({p})"), field.number(p)
 
     def residue(self, x: Any) -> int | None:
         """Return the class of u + v·ω: a numerator that p divides as often as the denominator."""
