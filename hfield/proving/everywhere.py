@@ -7,11 +7,12 @@ from hfield.errors import TooLargeError
 from hfield.proving import named
 from hfield.proving.answers import implied, scope_of_identity
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision
+from hfield.proving.defined import algebra_exists
 from hfield.proving.expand import Expanded, expand
 from hfield.proving.implication import Proof, prove_clauses
 from hfield.proving.language import Statement
 from hfield.proving.search import prime_search
-from hfield.proving.setting import Setting, has_constants
+from hfield.proving.setting import Setting
 from hfield.proving.vanish import prime_factors
 from hfield.rings import ring
 
@@ -98,9 +99,9 @@ def counterexample(statement: Statement, setting: Setting, deadline: float) -> D
         left = deadline - monotonic()
         if left <= 0:
             return None
-        if not has_constants(ring(name), setting):
-            continue
         there = replace(setting, field=ring(name))
+        if not algebra_exists(statement, there, deadline):
+            continue
         decision = named.decide(statement, there, monotonic() + max(SHARE * left, 0.1))
         if decision.verdict == REFUTED:
             return elsewhere(decision, name)

@@ -8,6 +8,7 @@ from typing import Any
 from hfield.errors import HFieldError
 from hfield.proving import everywhere, named
 from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.defined import algebra_exists
 from hfield.proving.language import Sort, Statement
 from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
@@ -72,7 +73,7 @@ def _exists(
     if decision.verdict == PROVED:
         evidence = {"kind": "none exists", "proof": decision.evidence}
         steps = (*decision.steps, "so there is none")
-        return replace(decision, verdict=REFUTED, evidence=evidence, steps=steps)
+        return replace(decision, verdict=REFUTED, scope=None, evidence=evidence, steps=steps)
     return decision
 
 
@@ -106,6 +107,8 @@ def _everywhere(
         if left <= 0:
             break
         there = replace(setting, field=ring(name))
+        if not algebra_exists(statement, there, deadline):
+            continue
         one = decide(statement, there, monotonic() + max(0.2 * left, 0.1), named.decide)
         if one.verdict == REFUTED:
             return everywhere.elsewhere(one, name)
@@ -134,6 +137,8 @@ def _at_zero(
     free = [name for name, _ in statement.unknowns if name not in statement.exists]
     values = {name: Number(0) for name in free}
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
+    if not algebra_exists(statement, there, deadline):
+        return None
     node = substitute(matrix(statement), values)
     one = _exists(
         about(statement, node, statement.exists, setting.field), there, deadline, decide_one
@@ -168,6 +173,9 @@ def _by_places(
         new = (c for text in there.constants for c in constants_in(parse(text), field))
         constants = tuple(dict.fromkeys((*instance.constants, *new)))
         instance = replace(instance, divides=True, constants=constants)
+        count += 1
+        if not algebra_exists(instance, there, deadline):
+            continue
         try:
             one = _exists(instance, there, deadline, decide_one)
         except HFieldError:
@@ -179,7 +187,6 @@ def _by_places(
             return replace(one, witness=witness, steps=steps, evidence=evidence)
         if finite and one.verdict != PROVED:
             return one
-        count += 1
     if finite and monotonic() < deadline:
         steps = (f"there is one for each of the {count} values of what is given",)
         counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}

@@ -62,8 +62,10 @@ class Proof:
         """Return where the proof is valid."""
         if self.forms or self.has_constants:
             return FIELD
-        if self.characteristic:
-            return characteristics([self.characteristic])
+        if self.characteristic:  # by contradiction it is shown over fields, not over F₂[ε]
+            fields_only = statement.divides or statement.compares_unequal
+            direct = self.is_direct and not fields_only
+            return characteristics([self.characteristic]) if direct else FIELD
         if abs(self.denominator) != 1:
             return FIELD
         if statement.divides or statement.compares_unequal:
@@ -213,6 +215,8 @@ def _clause(
                 for t, c in zip(targets, found, strict=True)
             ]
     choices = [[g for g in goal if not zero(g)] for goal in clause.goals]
+    # A goal with a number in it that is not 0 is out of reach: there is nothing to choose from it.
+    choices = [goal for goal in choices if not any(g.is_constant() for g in goal)]
     if math.prod(map(len, choices)) > MAX_CHOICES:
         return None
     out = []

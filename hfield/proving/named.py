@@ -40,23 +40,22 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
     except TooLargeError as error:
         return _unexpanded(statement, setting, deadline, str(error))
     left = [c for c in x.clauses if not is_trivial(c, x, field)]
-    scope = scope_of_identity(statement, x)
     if not left:
-        return identity(statement, x, field, scope)
+        return identity(statement, x, field, scope_of_identity(statement, x))
     if any(_is_hopeless(c, x, field) for c in left):
-        return _refuted_identity(statement, setting, x, left, deadline, scope)
+        return _refuted_identity(statement, setting, x, left, deadline)
     found = look_quickly(statement, setting, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, scope)
+        return refuted("counterexample", field, found, statement, x)
     p = field.characteristic
     proof = prove_clauses(statement, setting, p, min(deadline, monotonic() + SHORT))
     if not proof.complete:
         found = look(statement, setting, FEW, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, scope)
+            return refuted("counterexample", field, found, statement, x)
         found = solve_clauses(statement, setting, x, left, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, scope)
+            return refuted("counterexample", field, found, statement, x)
         proof = prove_clauses(statement, setting, p, deadline)
     if proof.complete:
         return implied(proof, statement, setting)
@@ -64,7 +63,7 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
         return exhaust(statement, setting, x, deadline)
     found = look(statement, setting, MANY, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, scope)
+        return refuted("counterexample", field, found, statement, x)
     return Decision(UNDECIDED, "none", tried=_tried(deadline, field))
 
 
@@ -88,7 +87,6 @@ def _refuted_identity(
     x: Expanded,
     left: Sequence[Clause],
     deadline: float,
-    scope: str | None,
 ) -> Decision:
     field = setting.field
     assert field is not None
@@ -107,8 +105,7 @@ def _refuted_identity(
         return Decision(
             UNDECIDED, "identity", tried=("the identity fails, but no place was found",)
         )
-    exactly = all(len(c.goals) == 1 and not c.zeros for c in x.clauses)
-    return refuted("identity", field, found, scope, exactly)
+    return refuted("identity", field, found, statement, x)
 
 
 def _tried(deadline: float, field: Ring) -> tuple[str, ...]:
@@ -124,7 +121,7 @@ def _unexpanded(statement: Statement, setting: Setting, deadline: float, why: st
     assert field is not None
     found = look(statement, setting, FEW, deadline)
     if found is not None:
-        return refuted("counterexample", field, found)
+        return refuted("counterexample", field, found, statement)
     if field.order is not None:
         return exhaust(statement, setting, None, deadline)
     return Decision(UNDECIDED, "none", tried=(why, f"{FEW} small places"))
@@ -136,7 +133,7 @@ def _ring(statement: Statement, setting: Setting, deadline: float) -> Decision:
     assert field is not None
     found = look(statement, setting, FEW, deadline)
     if found is not None:
-        return refuted("counterexample", field, found)
+        return refuted("counterexample", field, found, statement)
     tried = [f"{FEW} small places over {field.name}"]
     try:
         x = expand(statement, setting.constants)
@@ -162,6 +159,8 @@ def _floats(statement: Statement, setting: Setting, deadline: float) -> Decision
     if not statement.divides and not statement.constants:
         found = prime_search(statement, setting.constants, 0, FEW, deadline)
         if found is not None:
-            return refuted("floats, exact on small integers", field, lifted(field, found))
+            return refuted(
+                "floats, exact on small integers", field, lifted(field, found), statement
+            )
     tried = (f"{field.name} is inexact, so nothing is proved there: decide over RR or QQ",)
     return Decision(UNDECIDED, "floats", tried=tried)

@@ -53,15 +53,17 @@ class Searcher:
         if isinstance(world, RingInterpretation):
             self.fixed = {text: constant(world.ring, text) for text in statement.constants}
         self.compiled: Truth | None = None
+        self.defined = True
         if not any(c.isalpha() for text in constants for c in text):
-            bind(world, constants, self.fixed)
+            self.defined = bool(bind(world, constants, self.fixed))
             self.compiled = compile_statement(statement, world, self.fixed)
 
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether the statement has the wanted truth value there."""
+        """Tell whether the algebra exists there and the statement has the wanted truth value."""
         if self.compiled is not None:
-            return self.compiled(assignment) is self.wanted
-        bind(self.world, self.constants, {**self.fixed, **assignment})
+            return self.defined and self.compiled(assignment) is self.wanted
+        if not bind(self.world, self.constants, {**self.fixed, **assignment}):
+            return False
         return holds(self.world, self.statement) is self.wanted
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
