@@ -1,6 +1,6 @@
 """Proving that something exists by naming it: a term in what is given, that serves everywhere."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, product
 from time import monotonic
@@ -96,7 +96,7 @@ def by_terms(
     free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
     if choices is None:
         kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
-        choices = islice(product(*kinds), MAX_TERMS)
+        choices = combined(kinds, MAX_TERMS)
     node = matrix(statement)
     for terms in choices:
         if monotonic() > deadline:
@@ -130,6 +130,11 @@ def by_terms(
                 evidence=evidence,
             )
     return None
+
+
+def combined(kinds: Sequence[Sequence[str]], most: int) -> Iterator[tuple[str, ...]]:
+    """Run through choices of one term for each name, ``most`` at most."""
+    return islice(product(*kinds), most)
 
 
 def _terms(free: dict[str, Sort], sort: Sort) -> list[str]:
