@@ -68,7 +68,7 @@ def _given(statement: Statement, setting: Setting, node: Node) -> Statement:
         node = Logic("=>", h, node)
     free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
     made = about(statement, node, free, setting.field)
-    return replace(made, divides=True, compares_unequal=True)
+    return replace(made, compares_unequal=True)
 
 
 def _proof(
@@ -79,7 +79,7 @@ def _proof(
     node = Logic("=>", parse(case.when), inside.node)
     free = tuple(name for name, _ in inside.unknowns)
     made = about(statement, node, free, setting.field)
-    return decide_one(replace(made, divides=True, compares_unequal=True), setting, deadline)
+    return decide_one(replace(made, compares_unequal=True), setting, deadline)
 
 
 def _put_together(

@@ -17,7 +17,7 @@ from hfield.proving.linear import linear_cases
 from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
 from hfield.proving.search import Searcher, by_weight, small_scalars, witness_texts
-from hfield.proving.setting import Setting, put_letters
+from hfield.proving.setting import Setting, divides, put_letters
 from hfield.proving.terms import Decide, about, by_terms, constants_in, matrix, true_place
 from hfield.proving.trees import quaternion_node, substitute
 from hfield.proving.vanish import constant
@@ -252,7 +252,8 @@ def _instance(
     there = put_letters(setting, values)
     new = (c for text in there.constants for c in constants_in(parse(text), field))
     constants = tuple(dict.fromkeys((*instance.constants, *new)))
-    return replace(instance, divides=True, constants=constants), there
+    divided = instance.divides or divides(there)
+    return replace(instance, divides=divided, constants=constants), there
 
 
 def _refuted_at(

@@ -13,9 +13,11 @@ from typing import Any
 from hfield.errors import HFieldError, UndecidedError
 from hfield.product import Constants
 from hfield.proving.setting import Setting
-from hfield.rings.base import INFINITY, Ring
+from hfield.rings.base import INFINITY, Ring, power
+from hfield.syntax import Call, Number, parse
 
 NORM, SQUARES, ROOTS = "norm", "squares", "roots"
+MAX_ROOT = 12
 
 
 @dataclass(frozen=True)
@@ -134,17 +136,26 @@ def structure_constants(setting: Setting) -> Constants:
 def relation(field: Ring, text: str) -> tuple[int, ...] | None:
     """Return integers ``(c0, c1, …)`` with Σ cₙ·gⁿ = 0 for the constant g of that text, if known.
 
-    For the generator of a finite field that is its modulus, for a square root its square.
+    For the generator of a finite field that is its modulus, for a root of a rational number its power.
     """
     modulus = getattr(field, "coefficients", None)
     if field.order is not None and modulus is not None and text == field.gen_name:
         return tuple(int(c) for c in modulus)
     if field.characteristic == 0:
+        degree = _root_degree(text)
         try:
-            x = field(text)
-            square = field.text(x * x)
-            top, _, bottom = square.partition("/")
-            return (-int(top), 0, int(bottom or 1))
+            top, _, bottom = field.text(power(field.one, field(text), degree)).partition("/")
+            return (-int(top), *[0] * (degree - 1), int(bottom or 1))
         except (HFieldError, ValueError):
             return None
     return None
+
+
+def _root_degree(text: str) -> int:
+    """Return n for the text of an n-th root, and 2 for any other constant, which may be a square root."""
+    match parse(text):
+        case Call("cbrt", _):
+            return 3
+        case Call("root", (_, Number(int(n)))) if 1 <= n <= MAX_ROOT:
+            return n
+    return 2

@@ -22,7 +22,7 @@ from hfield.proving.language import Statement
 from hfield.proving.refutation import Problem, member, refute
 from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
-from hfield.proving.vanish import vanishes
+from hfield.proving.vanish import is_nonzero_constant, vanishes
 from hfield.rings.base import Ring
 
 MAX_CHOICES = 64
@@ -187,7 +187,12 @@ def _clause(
             return vanishes(p, x, field)
         return bool(p == 0 or (characteristic and int(p.content()) % characteristic == 0))
 
-    if any(all(map(zero, goal)) for goal in clause.goals):
+    def nonzero_number(p: Any) -> bool:
+        if field is not None:
+            return is_nonzero_constant(p, x, field)
+        return bool(p.is_constant() and not zero(p) and (characteristic or p in (1, -1)))
+
+    if any(all(map(zero, goal)) for goal in clause.goals) or any(map(nonzero_number, clause.zeros)):
         return []
     zeros = [z for z in clause.zeros if not zero(z)]
     relations = relations_of(x, field)
@@ -220,7 +225,7 @@ def _clause(
     if math.prod(map(len, choices)) > MAX_CHOICES:
         return None
     out = []
-    nonzero = nonzero_constants_of(x, field)
+    nonzero = nonzero_constants_of(x, field, [*zeros, *(g for goal in choices for g in goal)])
     for chosen in product(*choices):
         choice = (*chosen, *nonzero)
         if monotonic() > deadline:

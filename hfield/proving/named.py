@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from time import monotonic
 
 from hfield.errors import TooLargeError
+from hfield.proving import over_rings
 from hfield.proving.answers import identity, implied, refuted, scope_of_identity
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.expand import Expanded, expand
@@ -22,7 +23,7 @@ from hfield.proving.places import (
 )
 from hfield.proving.search import letters_in, prime_search
 from hfield.proving.setting import Setting
-from hfield.proving.vanish import vanishes, vanishes_as_function
+from hfield.proving.vanish import is_nonzero_constant, vanishes, vanishes_as_function
 from hfield.proving.witness import nonzero_place
 from hfield.rings.base import Ring
 
@@ -34,7 +35,7 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
     if not field.is_exact:
         return _floats(statement, setting, deadline)
     if not field.is_field:
-        return _ring(statement, setting, deadline)
+        return over_rings.decide(statement, setting, deadline, decide)
     try:
         x = expand(statement, setting.constants)
     except TooLargeError as error:
@@ -71,7 +72,7 @@ def is_trivial(clause: Clause, x: Expanded, field: Ring) -> bool:
     """Tell whether a clause holds because a goal is identically 0, or a hypothesis a nonzero number."""
     if any(all(vanishes_as_function(p, x, field) for p in goal) for goal in clause.goals):
         return True
-    return any(z.is_constant() and not vanishes(z, x, field) for z in clause.zeros)
+    return any(is_nonzero_constant(z, x, field) for z in clause.zeros)
 
 
 def _is_hopeless(clause: Clause, x: Expanded, field: Ring) -> bool:
@@ -125,31 +126,6 @@ def _unexpanded(statement: Statement, setting: Setting, deadline: float, why: st
     if field.order is not None:
         return exhaust(statement, setting, None, deadline)
     return Decision(UNDECIDED, "none", tried=(why, f"{FEW} small places"))
-
-
-def _ring(statement: Statement, setting: Setting, deadline: float) -> Decision:
-    """Decide over a ring that is no field: by what holds over all commutative rings, or by cases."""
-    field = setting.field
-    assert field is not None
-    found = look(statement, setting, FEW, deadline)
-    if found is not None:
-        return refuted("counterexample", field, found, statement)
-    tried = [f"{FEW} small places over {field.name}"]
-    try:
-        x = expand(statement, setting.constants)
-    except TooLargeError as error:
-        x = None
-        tried.append(str(error))
-    if x is not None and not statement.divides:
-        if all(any(all(vanishes(p, x, field) for p in g) for g in c.goals) for c in x.clauses):
-            return identity(statement, x, field, scope_of_identity(statement, x))
-        proof = prove_clauses(statement, setting, 0, deadline)
-        if proof.complete and (proof.is_direct or field.name == "ZZ"):
-            return implied(proof, statement, setting)
-        tried.append("ideal membership of the conclusion")
-    if field.order is not None:
-        return exhaust(statement, setting, x, deadline)
-    return Decision(UNDECIDED, "none", tried=tuple(tried))
 
 
 def _floats(statement: Statement, setting: Setting, deadline: float) -> Decision:

@@ -12,7 +12,7 @@ from hfield.proving.language import BASIS, RESULT, Sort, Statement, generators
 from hfield.proving.printing import to_text
 from hfield.proving.search import prime_search, ring_search
 from hfield.proving.setting import Setting
-from hfield.proving.trees import children, substitute
+from hfield.proving.trees import children, divides_in, substitute
 from hfield.rings.base import Ring
 from hfield.syntax import Call, Logic, Name, Node, Not, parse
 
@@ -55,6 +55,7 @@ def about(
         hypotheses=tuple(hypotheses),
         conclusion=conclusion,
         constants=tuple(dict.fromkeys((*statement.constants, *constants_in(node, field)))),
+        divides=statement.divides or divides_in(node),
     )
 
 
@@ -102,9 +103,7 @@ def by_terms(
         if monotonic() > deadline:
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
-        instance = replace(
-            about(statement, substitute(node, chosen), tuple(free), setting.field), divides=True
-        )
+        instance = about(statement, substitute(node, chosen), tuple(free), setting.field)
         try:
             if true_place(about(instance, Not(instance.node)), setting, 30, deadline) is not None:
                 continue
