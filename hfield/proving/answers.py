@@ -10,7 +10,6 @@ from hfield.proving.decision import (
     characteristics,
 )
 from hfield.proving.expand import Expanded
-from hfield.proving.facts import rules
 from hfield.proving.implication import Proof
 from hfield.proving.language import Statement
 from hfield.proving.search import Assignment, witness_texts
@@ -121,7 +120,8 @@ def refuted(
 
 def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
     """Return the decision "proved" by a complete proof."""
-    used = [rule for rule in rules(setting) if rule.form in proof.forms]
+    own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
+    used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
     facts = [f"over {setting.algebra} {rule}" for rule in used]
     assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
     evidence = {

@@ -6,13 +6,13 @@ stand in the evidence beside the rule.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 from hfield.errors import HFieldError, UndecidedError
 from hfield.product import Constants
-from hfield.proving.setting import Setting
+from hfield.proving.setting import Setting, read_setting
 from hfield.rings.base import INFINITY, Ring, power
 from hfield.syntax import Call, Number, parse
 
@@ -36,18 +36,22 @@ class Rule:
     positive: bool = False
     assumes: tuple[str, ...] = ()
     by: str = ""
+    algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
     places: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         if self.form == ROOTS:
             return self.reason
         what = "the norm" if self.form == NORM else "a sum of squares"
+        what += f" of {self.algebra}" if self.algebra else ""
         return f"{what} is 0 only if all its terms are ({self.reason})"
 
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""
         out: dict[str, Any] = {"form": self.form, "by": self.by}
+        if self.algebra:
+            out["algebra"] = self.algebra
         if self.places:
             out["places"] = list(self.places)
         if self.form == SQUARES:
@@ -95,6 +99,17 @@ def _roots_rule(field: Ring) -> Rule | None:
         return None
     reason = f"a quadratic has a root in {field.name} only if its discriminant is a square there"
     return Rule(ROOTS, reason, most=2, by="squares")
+
+
+@lru_cache(maxsize=256)
+def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
+    """Return the rule that the norm of (a, b) over the field is 0 only at 0, if that is known."""
+    setting = read_setting(field, f"({a},{b}|{field.name})")
+    try:
+        found = _norm_rule(setting, field, structure_constants(setting))
+    except HFieldError:
+        return None
+    return None if found is None else replace(found, algebra=setting.algebra)
 
 
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:

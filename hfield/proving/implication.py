@@ -36,7 +36,7 @@ class Item:
     direct: bool
     single: bool
     denominators: tuple[int, ...]
-    forms: tuple[str, ...] = ()
+    rules: tuple[Rule, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Proof:
 
     def scope(self, statement: Statement) -> str:
         """Return where the proof is valid."""
-        if self.forms or self.has_constants:
+        if self.rules or self.has_constants:
             return FIELD
         if self.characteristic:  # by contradiction it is shown over fields, not over F₂[ε]
             fields_only = statement.divides or statement.compares_unequal
@@ -75,9 +75,9 @@ class Proof:
         return REDUCED_RINGS if all(item.single for item in self.items) else FIELDS
 
     @property
-    def forms(self) -> tuple[str, ...]:
-        """The forms of the rules that were used."""
-        return tuple(dict.fromkeys(form for item in self.items for form in item.forms))
+    def rules(self) -> tuple[Rule, ...]:
+        """The rules that were used."""
+        return tuple(dict.fromkeys(rule for item in self.items for rule in item.rules))
 
     @property
     def steps(self) -> tuple[str, ...]:
@@ -247,7 +247,7 @@ def _clause(
                 direct=False,
                 single=len(choices) <= 1,
                 denominators=refutation.denominators,
-                forms=refutation.forms,
+                rules=refutation.rules,
             )
         )
     return out

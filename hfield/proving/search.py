@@ -173,6 +173,10 @@ def zero_divisors(field: Ring, constants: tuple[str, str, str]) -> tuple[Any, ..
     one, zero = field.one, field.zero
     for unit in ((zero, one, zero, zero), (zero, zero, one, zero)):  # often nilpotent
         out.append(multiply(c, found, unit))
+    s, t = (trace(c, q) for q in out[-2:])  # of found·i and found·j
+    nilpotent = multiply(c, found, (zero, t, zero - s, zero))
+    if not all(map(field.is_zero, nilpotent)):
+        out.append(nilpotent)
     try:  # an idempotent: q² = tr(q)·q when N(q) = 0
         factor = field.inverse(trace(c, found))
     except NotInvertibleError:
