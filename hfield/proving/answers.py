@@ -10,6 +10,7 @@ from hfield.proving.decision import (
     characteristics,
 )
 from hfield.proving.expand import Expanded
+from hfield.proving.facts import rules
 from hfield.proving.implication import Proof
 from hfield.proving.language import Statement
 from hfield.proving.search import Assignment, witness_texts
