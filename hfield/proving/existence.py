@@ -16,6 +16,7 @@ from hfield.proving.language import Sort, Statement
 from hfield.proving.linear import linear_cases
 from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
+from hfield.proving.real_roots import by_roots
 from hfield.proving.search import Searcher, by_weight, small_scalars, witness_texts
 from hfield.proving.setting import Setting, divides, put_letters
 from hfield.proving.terms import Decide, about, by_terms, constants_in, matrix, true_place
@@ -50,15 +51,27 @@ def decide(statement: Statement, setting: Setting, deadline: float, decide_one: 
     """Decide "for all the other unknowns there exist …"."""
     if setting.field is None:
         return _everywhere(statement, setting, deadline)
+    if not setting.field.is_exact:
+        tried = (
+            f"{setting.field.name} is inexact, so nothing is proved there to exist, or not to",
+        )
+        return Decision(UNDECIDED, "floats", tried=tried)
     if any(name not in statement.exists for name, _ in statement.unknowns):
         return _for_all_exists(statement, setting, deadline, decide_one)
-    return _exists(statement, setting, deadline, decide_one)
+    return _exists(statement, setting, deadline, decide_one, statement)
 
 
 def _exists(
-    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+    statement: Statement,
+    setting: Setting,
+    deadline: float,
+    decide_one: Decide,
+    sought: Statement | None = None,
 ) -> Decision:
-    """Decide over one field, with nothing given: a witness, or a proof that there is none."""
+    """Decide over one field, with nothing given: a witness, or a proof that there is none.
+
+    ``sought`` is the statement with its quantifier, where it is one of its own.
+    """
     node = matrix(statement)
     found = true_place(about(statement, node), setting, FEW, deadline)
     if found is not None:
@@ -66,6 +79,10 @@ def _exists(
     decision = _solved(statement, setting, deadline)
     if decision is not None:
         return decision
+    if sought is not None:
+        decision = by_roots(sought, setting, deadline)
+        if decision is not None:
+            return decision
     decision = decide_one(about(statement, Not(node)), setting, deadline)
     if decision.verdict == REFUTED:
         evidence = {**(decision.evidence or {}), "kind": "witness"}
@@ -182,6 +199,9 @@ def _for_all_exists(
         decision = _refuted_at(statement, setting, place, deadline)
         if decision is not None:
             return decision
+    decision = by_roots(statement, setting, deadline)
+    if decision is not None:
+        return decision
     found = _at_zero(statement, setting, deadline, decide_one)
     if found is not None:
         decision = by_terms(statement, setting, deadline, decide_one, [found])
