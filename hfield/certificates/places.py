@@ -13,12 +13,12 @@ from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.facts import is_ordered, is_square, level_above
-from hfield.certificates.finite import is_prime
-from hfield.certificates.functions import Functions, dense
 from hfield.certificates.language import walk
-from hfield.certificates.numbers import QQ, Rationals, Surds
 from hfield.certificates.rejection import reject, shown, texts
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.functions import Functions, dense
+from hfield.certificates.scalars.numbers import QQ, Rationals, Surds
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import read_setting
 from hfield.certificates.work import charge
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from hfield.commands.output import OutputError
 from hfield.errors import shorten
+from rotation.figures.backend import import_matplotlib
 from rotation.figures.drawing import STYLE, Drawing
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ def picture(
 
     ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone.
     """
+    import_matplotlib()
     from matplotlib import style
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure

@@ -4,9 +4,9 @@ import random
 
 import pytest
 
-from hfield.certificates.fields import read_field
 from hfield.certificates.places import cited_for_norm
 from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
 from hfield.product import Constants
 from hfield.rings import ring
 from hfield.structure import zero_norm

@@ -10,14 +10,11 @@ from hfield.certificates.kinds import FIELD, Shown, kind_of
 from hfield.certificates.over_field import Place
 from hfield.certificates.places import anisotropic
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject, shown, texts
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
+from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
 
-KULIKOV = "a bounded pure subgroup of an abelian group is a direct summand (Kulikov)"
-CLOSED = {
-    "RR": "every number that is not negative is a square in RR",
-    "CC": "every number is a square in CC",
-}
+CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
 MAX_ROOTS = 8
 
 
