@@ -20,7 +20,7 @@ TOKEN = re.compile(
 SIGNS = str.maketrans({"−": "-", "·": "*", "×": "*"})
 
 
-class NotRead(Exception):
+class NotRead(Exception):  # noqa: N818  it is an answer
     """The text is not in the language."""
 
 
