@@ -63,6 +63,22 @@ def test_scope_of_what_is_established(statement: str, field: str | None, scope: 
     assert (established.verdict, established.scope) == ("proved", scope)
 
 
+@pytest.mark.parametrize(
+    "algebra",
+    [
+        "[1,t|GF(2)(t))",
+        "[x/t,t+1|GF(4)(t))",
+        "(-1,-1|QQ(sqrt(-7)))",
+        "(x,3|QQ(x))",
+        "(-1,1+sqrt(3)|QQ(sqrt(3)))",
+    ],
+)
+def test_nothing_about_an_algebra_is_assumed(algebra: str) -> None:
+    data = decided("norm(q) == 0 => q == 0", None, algebra)
+    assert data["assumes"] == []
+    assert check(data).verdict == "proved"
+
+
 def test_what_is_cited_stands_in_assumes(monkeypatch: pytest.MonkeyPatch) -> None:
     data = certified("modulus-law{*}", "QQ(sqrt(-7))", "choice of roots", {"kind": "pure subgroup"})
     established = check({**data, "assumes": [KULIKOV]})

@@ -59,10 +59,9 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
     _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
-        data = an_object(evidence, "kind by", "the evidence", "places")
         minus_one = field.number(-1)
         constants = (minus_one, field.zero, minus_one)
-        cited = anisotropic(field, constants, data, setting.algebra)
+        cited = anisotropic(field, constants, evidence, setting.algebra)
         return finding(FIELD, "anisotropic norm").citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
