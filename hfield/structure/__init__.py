@@ -16,7 +16,6 @@ if TYPE_CHECKING:
         is_idempotent,
         is_nilpotent,
         is_unit,
-        multiplicative_order,
     )
     from hfield.structure.evidence import ZeroNorm
     from hfield.structure.exhaust import confirm, tally
@@ -35,6 +34,7 @@ if TYPE_CHECKING:
     from hfield.structure.reasons import norm_evidence
     from hfield.structure.roots import square_roots
     from hfield.structure.splitting import division_or_splitting, split
+    from hfield.structure.torsion import multiplicative_order
     from hfield.structure.zero import is_division, zero_norm
 
 # Where the names live. Each is imported on first use, so that asking for a centre loads no conics.
@@ -47,7 +47,6 @@ _HOMES = {
         "is_idempotent",
         "is_nilpotent",
         "is_unit",
-        "multiplicative_order",
     ],
     "evidence": ["ZeroNorm"],
     "exhaust": ["confirm", "tally"],
@@ -66,6 +65,7 @@ _HOMES = {
     "reasons": ["norm_evidence"],
     "roots": ["square_roots"],
     "splitting": ["division_or_splitting", "split"],
+    "torsion": ["multiplicative_order"],
     "zero": ["is_division", "zero_norm"],
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
