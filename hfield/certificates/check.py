@@ -9,8 +9,6 @@ import re
 from dataclasses import dataclass
 from typing import Any, NoReturn
 
-from hfield.certificates.fields import read_field
-from hfield.certificates.ledger import establish_any, meaning
 from hfield.certificates.rejection import (
     MAX_DIGITS,
     Rejected,
@@ -20,7 +18,9 @@ from hfield.certificates.rejection import (
     shown,
     texts,
 )
+from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import read_setting
+from hfield.certificates.vocabulary.logic import establish_any, meaning
 from hfield.certificates.work import bounded
 
 SCHEMA = "hfield-cert/1"

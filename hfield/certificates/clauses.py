@@ -12,6 +12,7 @@ from typing import Any
 from hfield.certificates.evaluate import Conditions, Evaluator, Quaternion
 from hfield.certificates.language import Tree
 from hfield.certificates.polynomials import (
+    Monomial,
     Names,
     Poly,
     add,
@@ -26,7 +27,7 @@ from hfield.certificates.work import charge
 MAX_CLAUSES = 1_024
 
 Formula = tuple[Any, ...]
-Frozen = frozenset[tuple[int, int]]  # a polynomial that can be compared and hashed
+Frozen = frozenset[tuple[Monomial, int]]  # a polynomial that can be compared and hashed
 Pieces = tuple[tuple[int, int], ...]  # factors of a denominator with their multiplicities
 
 
@@ -63,7 +64,7 @@ class Fractions:
     def __init__(self) -> None:
         self.factors = list[Poly]()
         self.zero: Any = ({}, ())
-        self.one: Any = self.polynomial({0: 1})
+        self.one: Any = self.polynomial(constant(1))
 
     @staticmethod
     def polynomial(f: Poly) -> Any:
@@ -110,7 +111,7 @@ class Fractions:
         for piece, n in x[1]:
             for _ in range(n):
                 below = multiply(below, self.factors[piece])
-        if top == {0: 1}:
+        if top == constant(1):
             return self.polynomial(below), ()
         if top not in self.factors:
             self.factors.append(top)
@@ -215,7 +216,7 @@ def _clause(literals: frozenset[Formula]) -> Clause:
 def without_factors(f: Poly, known: list[Poly]) -> Poly:
     """Divide by factors that are known not to be 0, as often as they divide."""
     for factor in known:
-        while f and factor not in ({0: 1}, {0: -1}):
+        while f and factor not in (constant(1), constant(-1)):
             quotient = divide(f, factor)
             if quotient is None:
                 break

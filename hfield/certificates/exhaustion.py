@@ -7,9 +7,9 @@ from hfield.certificates.clauses import Expansion, expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
-from hfield.certificates.polynomials import BITS, MASK
+from hfield.certificates.polynomials import ONE, Monomial, variables
 from hfield.certificates.rejection import reject
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
 
@@ -17,7 +17,7 @@ FEW = 5_000
 COST = 200  # what evaluating a statement once is charged
 MAX_ORDER = 5_000
 
-Coefficients = dict[int, Any]
+Coefficients = dict[Monomial, Any]
 Case = tuple[list[Coefficients], list[list[Coefficients]]]
 
 
@@ -113,8 +113,7 @@ class _Tree:
         for clause in expansion.clauses:
             polynomials = [*clause.zeros, *(g for goal in clause.goals for g in goal)]
             for f in polynomials:
-                for m, _ in f:
-                    used.update(n for n in range(expansion.unknowns) if (m >> (BITS * n)) & MASK)
+                used |= {v for v in variables(dict(f)) if v < expansion.unknowns}
             zeros = [place.coefficients(dict(f), True) for f in clause.zeros]
             goals = [[place.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
             self.cases.append((zeros, goals))
@@ -131,13 +130,13 @@ class _Tree:
             return
         if depth == len(self.used):
             reject("the statement is false in one of the cases")
-        shift = BITS * self.used[depth]
+        variable = self.used[depth]
         for value in self.elements:
             rest = []
             for zeros, goals in cases:
                 case = (
-                    [self._put(f, shift, value) for f in zeros],
-                    [[self._put(f, shift, value) for f in goal] for goal in goals],
+                    [self._put(f, variable, value) for f in zeros],
+                    [[self._put(f, variable, value) for f in goal] for goal in goals],
                 )
                 if not self._settled(case):
                     rest.append(case)
@@ -146,17 +145,17 @@ class _Tree:
     def _settled(self, case: Case) -> bool:
         """Tell whether a clause is true whatever the other coordinates are."""
         zeros, goals = case
-        return any(len(z) == 1 and 0 in z for z in zeros) or any(not any(goal) for goal in goals)
+        return any(set(z) == {ONE} for z in zeros) or any(not any(goal) for goal in goals)
 
-    def _put(self, f: Coefficients, shift: int, value: Any) -> Coefficients:
+    def _put(self, f: Coefficients, variable: int, value: Any) -> Coefficients:
         ring = self.ring
         charge(len(f) + 1)
         out: Coefficients = {}
         for m, c in f.items():
-            e = (m >> shift) & MASK
+            e = dict(m).get(variable, 0)
             if e:
                 c = ring.mul(c, self._power(value, e))
-                m -= e << shift
+                m = tuple(pair for pair in m if pair[0] != variable)
             out[m] = ring.add(out[m], c) if m in out else c
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
 

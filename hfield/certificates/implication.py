@@ -5,11 +5,11 @@ from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
 from hfield.certificates.context import Context
-from hfield.certificates.finite import is_prime
 from hfield.certificates.items import Item
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import is_constant
 from hfield.certificates.rejection import a_list, reject
+from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
 

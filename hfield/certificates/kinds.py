@@ -7,10 +7,8 @@ from typing import Any
 from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Quaternion
 from hfield.certificates.exhaustion import check_all, check_exists, evaluator_at
-from hfield.certificates.fields import read_field
 from hfield.certificates.implication import check_implication
 from hfield.certificates.language import Tree, parse, substitute, walk
-from hfield.certificates.numbers import Floats
 from hfield.certificates.over_field import Place
 from hfield.certificates.rejection import (
     a_list,
@@ -21,7 +19,9 @@ from hfield.certificates.rejection import (
     shown,
     texts,
 )
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.numbers import Floats
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree, sort_of
 from hfield.certificates.work import charge
 

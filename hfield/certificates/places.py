@@ -13,13 +13,13 @@ from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.facts import is_ordered, level_above
-from hfield.certificates.functions import Functions, dense
 from hfield.certificates.language import walk
 from hfield.certificates.local.quotients import has_no_zero
 from hfield.certificates.local.residues import read_place
-from hfield.certificates.numbers import QQ
 from hfield.certificates.rejection import Rejected, a_list, a_text, an_object, reject, texts
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.functions import Functions, dense
+from hfield.certificates.scalars.numbers import QQ
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import read_setting
 from hfield.certificates.work import bounded
 
@@ -40,7 +40,7 @@ def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str
     by = data.get("by") if isinstance(data, Mapping) else None
     if not isinstance(by, str) or by not in KEYS:
         reject(f"the reason for the norm form of {algebra} is of no known kind")
-    data = an_object(data, KEYS[by], "a fact about a norm", "form kind")
+    data = an_object(data, KEYS[by], "a fact about a norm")
     if not field.is_field or field.name == "RDF":
         reject(f"{field.name} is no exact field")
     if by == "ordering":

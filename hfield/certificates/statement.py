@@ -7,10 +7,10 @@ import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from hfield.certificates.fields import read_field
 from hfield.certificates.language import Tree, parse, walk
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 QUATERNIONS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"

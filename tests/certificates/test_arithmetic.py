@@ -4,8 +4,8 @@ import random
 
 import pytest
 
-from hfield.certificates.fields import read_field
 from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
 from hfield.rings import ring
 
 RINGS = (

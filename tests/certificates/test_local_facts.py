@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.fields import read_field
 from hfield.certificates.local.quotients import Quotient, has_no_zero
 from hfield.certificates.places import is_certified
 from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
 from hfield.product import Constants
 from hfield.rings import ring
 from hfield.structure import norm_evidence, place, ramified_places, zero_norm

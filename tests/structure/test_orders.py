@@ -1,4 +1,3 @@
-import time
 from fractions import Fraction
 
 import pytest
@@ -19,6 +18,7 @@ from hfield.structure.hurwitz import (
     nearest,
 )
 from hfield.structure.orders import hurwitz_order, lipschitz_order, maximal_order
+from tests.steps import steps
 
 
 def test_lipschitz_and_hurwitz():
@@ -65,10 +65,9 @@ def test_units_of_definite_maximal_orders(a, b, units):
 
 
 def test_units_where_the_coefficients_are_large():
-    start = time.perf_counter()
     order = maximal_order(Constants(-(2**521 - 1), 0, -3))
     assert len(order.units()) == 12
-    assert time.perf_counter() - start < 5
+    assert steps(order.units) < 100_000
 
 
 def test_what_has_no_orders_or_infinitely_many_units():
@@ -121,10 +120,9 @@ def test_four_squares():
         squares = four_squares(n)
         assert sum(x * x for x in squares) == n
         assert tuple(sorted(squares, reverse=True)) == squares
-    start = time.perf_counter()
     for n in (10**60 + 7, 10**60 - 1, 8 * (10**59 + 9)):
         assert sum(x * x for x in four_squares(n)) == n
-    assert time.perf_counter() - start < 3
+        assert steps(lambda n=n: four_squares(n)) < 100_000
     for wrong in (-1, 1.5):
         with pytest.raises(CoercionError, match="integer ≥ 0"):
             four_squares(wrong)

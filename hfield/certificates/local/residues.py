@@ -10,12 +10,12 @@ from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import Any
 
-from hfield.certificates.finite import Residues, is_prime
-from hfield.certificates.functions import Functions, dense
 from hfield.certificates.local.quotients import Quotient
-from hfield.certificates.numbers import Rationals, Surds
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.finite import Residues, is_prime
+from hfield.certificates.scalars.functions import Functions, dense
+from hfield.certificates.scalars.numbers import Rationals, Surds
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 MAX_POWER = 4_000  # of a prime in a denominator

@@ -3,12 +3,12 @@
 import re
 from functools import lru_cache
 
-from hfield.certificates.finite import Residues, galois_field
-from hfield.certificates.functions import Functions, Polynomials
 from hfield.certificates.language import Tree, parse
-from hfield.certificates.numbers import QQ, Floats, Rationals, Surds
 from hfield.certificates.rejection import MAX_DIGITS, Rejected, reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.finite import Residues, galois_field
+from hfield.certificates.scalars.functions import Functions, Polynomials
+from hfield.certificates.scalars.numbers import QQ, Floats, Rationals, Surds
+from hfield.certificates.scalars.ring import Ring
 
 MAX_NAME = 4_000
 RESERVED = {*"eijk", "I", "and", "or", "not", "exists"}

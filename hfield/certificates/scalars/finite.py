@@ -4,10 +4,10 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from hfield.certificates.conway import CONWAY
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.conway import CONWAY
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 MAX_BITS = 512

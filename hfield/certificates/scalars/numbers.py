@@ -12,7 +12,7 @@ from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart

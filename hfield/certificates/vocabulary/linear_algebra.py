@@ -4,11 +4,11 @@ from itertools import permutations, product
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
-from hfield.certificates.fields import read_field
-from hfield.certificates.finite import is_prime
 from hfield.certificates.kinds import FIELD, FIELDS, RINGS, Shown, kind_of
-from hfield.certificates.polynomials import BITS, MASK, Names, Poly, add, constant, multiply
+from hfield.certificates.polynomials import Names, Poly, add, constant, multiply
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject, shown
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import HAMILTON, Setting
 
 MAX_SIZE = 6
@@ -203,16 +203,8 @@ def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
     """
     if verdict == "proved":
         return not difference
-    linear = all(e <= 1 for m in difference for e in _digits(m))
+    linear = all(e == 1 for m in difference for _, e in m)
     return linear and any(abs(c) == 1 for c in difference.values())
-
-
-def _digits(m: int) -> list[int]:
-    out = []
-    while m:
-        out.append(m & MASK)
-        m >>= BITS
-    return out
 
 
 def curried_linear(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:

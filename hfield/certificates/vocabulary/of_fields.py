@@ -10,14 +10,11 @@ from hfield.certificates.kinds import FIELD, Shown, kind_of
 from hfield.certificates.over_field import Place
 from hfield.certificates.places import anisotropic
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject, shown, texts
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
+from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
 
-KULIKOV = "a bounded pure subgroup of an abelian group is a direct summand (Kulikov)"
-CLOSED = {
-    "RR": "every number that is not negative is a square in RR",
-    "CC": "every number is a square in CC",
-}
+CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
 MAX_ROOTS = 8
 
 
@@ -55,7 +52,8 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)
         hamilton = (minus_one, field.zero, minus_one)
-        return FIELD, anisotropic(field, hamilton, evidence, setting.algebra)
+        reason = {key: value for key, value in evidence.items() if key != "kind"}
+        return FIELD, anisotropic(field, hamilton, reason, setting.algebra)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):

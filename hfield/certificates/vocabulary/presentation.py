@@ -4,11 +4,11 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.certificates.finite import is_prime
 from hfield.certificates.kinds import FIELD, RINGS, Shown
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 Words = dict[str, int]

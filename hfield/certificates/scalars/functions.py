@@ -5,7 +5,7 @@ from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 MAX_TERMS = 4_000

@@ -14,26 +14,21 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates import forms, special
-from hfield.certificates.fields import read_field
 from hfield.certificates.kinds import FIELD, FIELDS, RINGS, Shown, establish, kind_of
 from hfield.certificates.language import parse
-from hfield.certificates.lemmas import LEMMAS
-from hfield.certificates.presentation import establish_presentation, read_presentation
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
+from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
+from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME
+from hfield.certificates.vocabulary import linear_algebra, of_fields
+from hfield.certificates.vocabulary.lemmas import LEMMAS
+from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
 
 # How many parts each word has: from, to.
 LOGIC = {
     "every": (1, 64), "implies": (2, 2), "iff": (2, 2), "not-everywhere": (1, 1),
     "over": (2, 2), "angles": (1, 2), "citing": (2, 2),
 }  # fmt: skip
-CIRCLE = "(cos θ, sin θ) runs once through the points of the circle c² + s² = 1 for θ in [0, 2π)"
-# The theorems of analysis that a statement may be read with, by the names that it gives them.
-THEOREMS = {
-    "odd-degree": "a real polynomial of odd degree has a real root (intermediate value theorem)",
-    "limits": "a real polynomial with leading term λⁿ, n odd, tends to ±∞ as λ tends to ±∞",
-}
 NAMED = ("over", "citing")  # words whose first part is a name and no statement
 MAX_DEPTH = 6
 MAX_PARTS = 64
@@ -48,7 +43,7 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Shown]
-SPECIAL: dict[str, Check] = {**special.CHECKS, **forms.CHECKS}
+SPECIAL: dict[str, Check] = {**of_fields.CHECKS, **linear_algebra.CHECKS}
 
 
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
@@ -151,7 +146,7 @@ class _Logic:
         ):
             return _over(self.text, self.setting, verdict, evidence, self.depth)
         if word == "citing":
-            theorem = THEOREMS.get(self.p.parts[0].strip())
+            theorem = CITED_BY_NAME.get(self.p.parts[0].strip())
             if theorem is None:
                 reject(f"there is no theorem {shown(self.p.parts[0].strip())!r} to cite")
             if self.setting.field is None or self.setting.field.name != "RR":
