@@ -43,10 +43,11 @@ class Context:
             evaluator = Evaluator(RingScalars(ring), self.setting.constants, self._constants())
             if evaluator.conditions or self.setting.letters:
                 reject("the structure constants are not known")
+            reason = {key: value for key, value in fact.items() if key != "form"}
             values = [evaluator.term(tree)[0] for tree in self.setting.constants]
             a, t, b = values
             self.assumes.update(
-                dict.fromkeys(anisotropic(ring, (a, t, b), fact, self.setting.algebra))
+                dict.fromkeys(anisotropic(ring, (a, t, b), reason, self.setting.algebra))
             )
         elif fact["form"] == "squares":
             if not isinstance(fact["positive"], bool):

@@ -40,7 +40,7 @@ def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str
     by = data.get("by") if isinstance(data, Mapping) else None
     if not isinstance(by, str) or by not in KEYS:
         reject(f"the reason for the norm form of {algebra} is of no known kind")
-    data = an_object(data, KEYS[by], "a fact about a norm", "form kind")
+    data = an_object(data, KEYS[by], "a fact about a norm")
     if not field.is_field or field.name == "RDF":
         reject(f"{field.name} is no exact field")
     if by == "ordering":
