@@ -7,6 +7,7 @@ stand in the evidence beside the rule.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from dataclasses import field as a_field
 from functools import lru_cache
 from typing import Any
 
@@ -26,8 +27,8 @@ class Rule:
 
     Or, with the form ``roots``, that roots in the field are told by factoring. ``positive`` tells
     that the squares may have positive rational coefficients, as in an ordered field. ``reason`` is
-    for people, ``by`` its kind in a word, ``places`` those that it speaks of, ``assumes`` what it
-    cites.
+    for people, ``by`` its kind in a word, ``assumes`` the theorems it cites, and ``data`` what a norm form is
+    shown with.
     """
 
     form: str
@@ -37,7 +38,7 @@ class Rule:
     assumes: tuple[str, ...] = ()
     by: str = ""
     algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
-    places: tuple[str, ...] = ()
+    data: Mapping[str, Any] | None = a_field(default=None, compare=False)
 
     def __str__(self) -> str:
         if self.form == ROOTS:
@@ -49,11 +50,10 @@ class Rule:
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""
+        if self.data is not None:
+            own = {"algebra": self.algebra} if self.algebra else {}
+            return {"form": self.form, **own, **self.data}
         out: dict[str, Any] = {"form": self.form, "by": self.by}
-        if self.algebra:
-            out["algebra"] = self.algebra
-        if self.places:
-            out["places"] = list(self.places)
         if self.form == SQUARES:
             out["most"] = None if self.most == INFINITY else int(self.most)
             out["positive"] = self.positive
@@ -113,6 +113,7 @@ def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
 
 
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
+    from hfield.structure.reasons import norm_evidence
     from hfield.structure.zero import zero_norm
 
     if field.order is not None:  # over a finite field every norm form has zeros
@@ -123,21 +124,10 @@ def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
         return None
     if answer.element is not None:
         return None
-    places = tuple(map(str, answer.places))
-    assumes = _cited(setting, answer.method, places)
-    return Rule(NORM, answer.reason, assumes=assumes, by=answer.method, places=places)
-
-
-def _cited(setting: Setting, by: str, places: tuple[str, ...]) -> tuple[str, ...]:
-    """Return what has to be cited: nothing where the checker of certificates verifies the reason."""
-    from hfield.certificates.places import cited_for_norm
-    from hfield.certificates.rejection import Rejected
-
-    assert setting.field is not None
-    try:
-        return cited_for_norm(setting.algebra, setting.field.name, by, list(places))
-    except Rejected:
-        return (f"the norm form of {setting.algebra} is 0 only at 0 ({by})",)
+    data = norm_evidence(setting.algebra, field, c, answer)
+    if data is None:
+        return None
+    return Rule(NORM, answer.reason, by=answer.method, data=data)
 
 
 @lru_cache(maxsize=256)

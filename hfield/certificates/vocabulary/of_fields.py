@@ -50,9 +50,9 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
     _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
-        data = an_object(evidence, "kind by", "the evidence", "places")
         minus_one = field.number(-1)
-        return FIELD, anisotropic(field, (minus_one, field.zero, minus_one), data, setting.algebra)
+        hamilton = (minus_one, field.zero, minus_one)
+        return FIELD, anisotropic(field, hamilton, evidence, setting.algebra)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
