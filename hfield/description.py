@@ -129,8 +129,9 @@ def describe(A: QuaternionAlgebra, factors: Sequence[int] | None = None) -> Desc
     d = Description(A, relations(A))
     d.commutative = A.is_commutative()
     d.center = d.ask("center", A.center)
-    if F.is_field and F.is_exact:
+    if F.is_exact:
         d.radical = d.ask("radical", A.radical)
+    if F.is_field and F.is_exact:
         d.central_simple = A.is_central_simple()
     d.normal_form, d.substitution = _normal_form(A)
     derivations = d.ask("derivations", A.derivations)

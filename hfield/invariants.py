@@ -43,7 +43,17 @@ class Invariants(Parent):
     # --- linear algebra ------------------------------------------------------------------------
 
     def center(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the centre, found by linear algebra in the base ring (thesis 1.1.2)."""
+        """Return a basis of the centre, e first, found by linear algebra in the base ring (thesis 1.1.2).
+
+        Over a ring over which it is not free these are generators, none superfluous: every central element
+        is a combination of them, with coefficients that are not unique. Over ℤ/n the centre is the direct
+        sum of what each of them generates. Raises :class:`UndecidedError` over infinite rings that are not
+        domains, and over rings of one's own, where elimination meets no units.
+
+        >>> from hfield import H
+        >>> H("QQ").center(), H("ZZ/4").center()
+        ((1,), (1, 2i, 2j, 2k))
+        """
         return tuple(self(*c) for c in structure.centre(*self._here()))
 
     def is_commutative(self) -> bool:
@@ -51,7 +61,16 @@ class Invariants(Parent):
         return structure.is_commutative(*self._here())
 
     def radical(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the Jacobson radical, over a field: () where the algebra is semisimple."""
+        """Return a basis of the Jacobson radical: () where it is 0, as over a field for a semisimple algebra.
+
+        Over a ring over which it is not free these are generators, as in :meth:`center`. Raises
+        :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings, over finite
+        ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
+
+        >>> from hfield import H
+        >>> H("GF(2)").radical(), H("ZZ/9").radical()
+        ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
+        """
         return tuple(self(*c) for c in structure.radical(*self._here()))
 
     def is_central_simple(self) -> bool:
@@ -61,7 +80,8 @@ class Invariants(Parent):
     def derivations(self) -> tuple[LinearMap, ...]:
         """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
 
-        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3.
+        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3. Over a ring
+        over which they are not free these are generators, as in :meth:`center`.
         """
         from hfield.maps import LinearMap
 
@@ -198,13 +218,17 @@ class Invariants(Parent):
         """Return how many elements there are, over a finite ring.
 
         ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
-        of norm n, ``square=s`` for those with square s. Closed formulas answer over a field (see
-        :func:`hfield.structure.confirm` for their confirmation), exhaustion over ℤ/n.
-        Raises :class:`NotFiniteError`, and :class:`CoercionError` for a kind that does not exist.
+        of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
+        (:func:`hfield.structure.confirm` confirms them), exhaustion over other finite rings.
+        Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
+        :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
+        there is too much to go through.
 
         >>> from hfield import H
         >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
         (801, 92, 92)
+        >>> H("ZZ/1000").count(norm=0)
+        299600000
         """
         if sum((kind != "elements", norm is not None, square is not None)) > 1:
             raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
@@ -215,7 +239,7 @@ class Invariants(Parent):
         elif kind in ("norm", "square roots"):
             raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
         kind = _KINDS.get(kind, kind)
-        if ring.order is not None and not ring.is_field:
+        if ring.order is not None and not structure.has_formulas(ring):
             found = structure.tally(ring, c)
             tables = {"norm": found.norms, "square roots": found.roots}
             if kind in tables:

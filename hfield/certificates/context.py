@@ -29,7 +29,7 @@ class Context:
         for raw in a_list(facts, "facts"):
             form = raw.get("form") if isinstance(raw, dict) else None
             keys = "form by most positive" if form == "squares" else "form by"
-            fact = an_object(raw, keys, "a fact", "places" if form == "norm" else "")
+            fact = raw if form == "norm" else an_object(raw, keys, "a fact")
             if form not in ("norm", "squares", "roots") or form in self.facts:
                 reject("a fact is of no known form, or stands there twice")
             self._verify(fact)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from hfield.structure.commutators import centre, is_commutative
-    from hfield.structure.counts import count
+    from hfield.structure.counts import count, has_formulas
     from hfield.structure.elements import (
         characteristic_polynomial,
         conjugator,
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         ramified_places,
         reduced_discriminant,
     )
+    from hfield.structure.reasons import norm_evidence
     from hfield.structure.roots import square_roots
     from hfield.structure.splitting import division_or_splitting, split
     from hfield.structure.zero import is_division, zero_norm
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
 # Where the names live. Each is imported on first use, so that asking for a centre loads no conics.
 _HOMES = {
     "commutators": ["centre", "is_commutative"],
-    "counts": ["count"],
+    "counts": ["count", "has_formulas"],
     "elements": [
         "characteristic_polynomial",
         "conjugator",
@@ -62,6 +63,7 @@ _HOMES = {
         "ramified_places",
         "reduced_discriminant",
     ],
+    "reasons": ["norm_evidence"],
     "roots": ["square_roots"],
     "splitting": ["division_or_splitting", "split"],
     "zero": ["is_division", "zero_norm"],
@@ -79,6 +81,7 @@ __all__ = [
     "division_or_splitting",
     "four_squares",
     "from_ramification_q",
+    "has_formulas",
     "hilbert_symbol",
     "hurwitz_order",
     "is_central_simple",
@@ -92,6 +95,7 @@ __all__ = [
     "lipschitz_order",
     "maximal_order",
     "multiplicative_order",
+    "norm_evidence",
     "place",
     "places",
     "radical",

@@ -11,6 +11,7 @@ from hfield.rings.base import Ring, power
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
+from hfield.structure.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.structure.integers import factorise
 from hfield.structure.linear import kernel
 
@@ -31,9 +32,15 @@ def is_nilpotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
 
 
 def _nilpotent_scalar(ring: Ring, x: Any) -> bool:
-    if ring.order is None or ring.is_field:  # these rings have no nilpotent elements but 0
+    if ring.is_zero(x) or ring.is_field:
         return ring.is_zero(x)
-    return ring.is_zero(power(ring.one, x, ring.order.bit_length()))
+    if ring.order is not None:
+        return is_nilpotent_scalar(ring, x)
+    if ring.annihilator(x) is None:  # a nilpotent element is a zero divisor
+        return False
+    if any(ring.is_zero(power(ring.one, x, n)) for n in (2, 64)):
+        return True
+    raise UndecidedError(f"whether {ring.text(x)} is nilpotent in {ring.name} is not decided")
 
 
 def is_idempotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
