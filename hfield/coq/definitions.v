@@ -1,4 +1,3 @@
-From Coq Require Ncring Ncring_tac.
 From Coq Require Import QArith Qround Qcanon ZArith Znumtheory List Bool Lia Ring Ring_theory Ring_polynom InitialRing Field Decidable.
 
 (* ---------------------------------------------------------------------------------------------- *)

@@ -18,14 +18,22 @@ from hfield.proving.decision import PROVED, VACUOUS
 from hfield.proving.prove import Answer, prove
 
 # What every file begins with; theorems of the first kind stand in the section that rings.v opens.
-BY_HAND = ("rings.v", "fields.v", "multilinear.v", "presentations.v")
+BY_HAND = ("rings.v", "fields.v", "multilinear.v")
 ENDS = {
     "rings.v": "End Commutative_rings.",
     "fields.v": "End Fields.",
     "multilinear.v": "End Multilinear_maps.",
-    "presentations.v": "End Associative_rings.\nEnd Presentations.",
 }
-JUDGE = ("statements.v", "evidence.v", "values.v", "direct.v", "judged.v", "models.v", "judges.v")
+JUDGE = (
+    "statements.v",
+    "evidence.v",
+    "values.v",
+    "direct.v",
+    "judged.v",
+    "models.v",
+    "judges.v",
+    "words.v",
+)
 HEADER = """\
 Quaternion algebras: theorems for Coq, written by `hfield export --coq`. Check them with
 `coqc FILE.v` (Coq 8.16 or later). The last line prints what all of them rest on: "Closed under the
@@ -77,11 +85,7 @@ class Export:
     @property
     def text(self) -> str:
         """The file: its last command prints what all theorems together assume."""
-        inside = {*_stated(_piece("presentations.v"))} | {
-            t.name for t in self.theorems if t.place == "presentations.v"
-        }
-        shown = (f"Presentations.{name}" if name in inside else name for name in self.names)
-        used = "".join(f"  let _ := @{name} in\n" for name in shown)
+        used = "".join(f"  let _ := @{name} in\n" for name in self.names)
         everything = (
             f"Definition all_theorems : True :=\n{used}  I.\nPrint Assumptions all_theorems.\n"
         )

@@ -38,7 +38,7 @@ from hfield.syntax import Binary, Compare, Logic, Name, Node, Not, parse
 
 MAX_CASES = 300_000
 MAX_WORDS = 64  # of a list of tuples of basis vectors
-IN_RINGS, IN_ASSOCIATIVE = "rings.v", "presentations.v"
+IN_RINGS = "rings.v"
 COMPUTED = "vm_cast_no_check (@eq_refl bool true)."
 
 

@@ -1,6 +1,6 @@
 """Statements about all associative algebras in Coq: what follows from relations, and tables against it.
 
-The cofactors of a certificate become a sum of ``left * (l - r) * right`` over the relations. Where
+The cofactors of a certificate are sums of word·relation·word, which Coq multiplies out (words.v). Where
 the identity is not assumed, the table that refutes a claim becomes a counterexample over every
 commutative ring.
 """
@@ -10,13 +10,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.judgement import IN_ASSOCIATIVE, IN_RINGS, Proved
+from hfield.coq.judgement import COMPUTED, IN_RINGS, Proved
 from hfield.coq.rooms import room_of
 from hfield.coq.terms import NotCoveredError
 from hfield.proving.setting import Setting
 from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse
 
 PLACES = ("re", "im", "jm", "km")
+MAX_POWER = 200
 
 
 def is_presentation(text: str) -> bool:
@@ -24,32 +25,111 @@ def is_presentation(text: str) -> bool:
     return re.match(r"\s*associative\s*\(", text) is not None
 
 
+class Presentation:
+    """Relations and goals in letters, as a proposition about rings in which ``characteristic`` is 0."""
+
+    def __init__(self, text: str, characteristic: int) -> None:
+        m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL)
+        letters = "".join(m[1].split()) if m else ""
+        tree = parse(m[2]) if m else None
+        if letters not in ("i,j,k", "e,i,j,k") or not isinstance(tree, Logic) or tree.op != "=>":
+            raise MismatchError("expected associative(i, j, k): relations => goals")
+        self.letters, self.characteristic = letters.split(","), characteristic
+        self.identity = "e" not in self.letters
+        self.relations, self.goals = _equations(tree.left), _equations(tree.right)
+
+    @property
+    def text(self) -> str:
+        """The proposition."""
+        ring = "every associative ring R"
+        opening = f"{ring} with identity, " if self.identity else f"{ring}, "
+        p = self.characteristic
+        if p:
+            opening += f"(forall x : R, multiple {p} x = 0) -> "
+        goals = " /\\\n  ".join(self._equation(g) for g in self.goals)
+        said = " ->\n  ".join([*(self._equation(r) for r in self.relations), goals])
+        return f"{opening}forall {' '.join(self.letters)} : R,\n  {said}"
+
+    def data(self, equations: Sequence[Compare]) -> str:
+        """Equations as data."""
+        pairs = (f"({self._data(e.left)}, {self._data(e.right)})" for e in equations)
+        return "[" + ";\n   ".join(pairs) + "]"
+
+    def word(self, letters: str) -> str:
+        """A word as data."""
+        if not set(letters) <= set(self.letters):
+            raise MismatchError(f"{letters!r} is no word in {', '.join(self.letters)}")
+        return "[" + "; ".join(f"{'eijk'.index(x)}" for x in letters) + "]%nat"
+
+    def _equation(self, node: Compare) -> str:
+        return f"{self._text(node.left)} = {self._text(node.right)}"
+
+    def _text(self, node: Node) -> str:
+        match node:
+            case Name(name) if name in self.letters:
+                return name
+            case Name("e"):
+                return "1"
+            case Number(0):
+                return "0"
+            case Number(value) if isinstance(value, int) and self.identity:
+                return f"multiple {value} 1"
+            case Negate(x):
+                return f"- ({self._text(x)})"
+            case Binary("*", Number(value), y) if isinstance(value, int):
+                return f"multiple {value} ({self._text(y)})"
+            case Binary("+" | "-" | "*" as op, x, y):
+                return f"{self._inner(x)} {op} {self._inner(y)}"
+            case Power(x, n) if 0 < n <= MAX_POWER:
+                return " * ".join([self._inner(x)] * n)
+        raise MismatchError("a relation is a polynomial in the letters with integer coefficients")
+
+    def _inner(self, node: Node) -> str:
+        text = self._text(node)
+        return text if text in ("e", "i", "j", "k", "0", "1") else f"({text})"
+
+    def _data(self, node: Node) -> str:
+        match node:
+            case Name(name) if name in ("e", *self.letters):
+                return f"Letter {'eijk'.index(name)}"
+            case Number(0):
+                return "Nothing"
+            case Number(value) if isinstance(value, int) and self.identity:
+                return f"Multiple {value} (Letter 0)"
+            case Negate(x):
+                return f"Minus ({self._data(x)})"
+            case Binary("*", Number(value), y) if isinstance(value, int):
+                return f"Multiple {value} ({self._data(y)})"
+            case Binary("+" | "-" | "*" as op, x, y):
+                word = {"+": "Plus", "-": "Less", "*": "Times"}[op]
+                return f"{word} ({self._data(x)}) ({self._data(y)})"
+            case Power(x, n) if 0 < n <= MAX_POWER:
+                out = self._data(x)
+                for _ in range(n - 1):
+                    out = f"Times ({out}) ({self._data(x)})"
+                return out
+        raise MismatchError("a relation is a polynomial in the letters with integer coefficients")
+
+
 def presentation(
     name: str, text: str, setting: Setting, verdict: str, evidence: Mapping[str, Any]
 ) -> Proved:
-    """Prove what a verdict on a presentation says, over every ring: it holds for algebras over one.
+    """Prove what a verdict on a presentation says.
 
-    Raises :class:`NotCoveredError` when the proof is one for a single characteristic.
+    Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
+    all rings. Raises :class:`NotCoveredError` for proofs that divide.
     """
-    m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL)
-    letters = "".join(m[1].split()) if m else ""
-    tree = parse(m[2]) if m else None
-    if letters not in ("i,j,k", "e,i,j,k") or not isinstance(tree, Logic) or tree.op != "=>":
-        raise MismatchError("expected associative(i, j, k): relations => goals")
-    if setting.field is not None:
-        room_of(setting.field)
-    relations, goals = _equations(tree.left), _equations(tree.right)
+    p = 0 if setting.field is None else room_of(setting.field).characteristic
+    said = Presentation(text, p)
     kind = evidence["kind"]
     if (kind, verdict) == ("presentation", "proved"):
-        if letters != "i,j,k":
-            raise NotCoveredError("consequences of relations without an identity")
-        return _consequence(relations, goals, evidence)
+        return _consequence(said, evidence)
     if (kind, verdict) == ("algebra", "refuted"):
-        if letters == "i,j,k":
+        if said.identity:
             raise NotCoveredError("a table against a statement with an identity")
         if setting.field is not None:
             raise NotCoveredError("a table over one field")
-        return _counterexample(name, relations, goals, evidence)
+        return _counterexample(name, said.relations, said.goals, evidence)
     raise MismatchError(f"evidence of the kind {kind!r} does not show that this is {verdict}")
 
 
@@ -61,27 +141,31 @@ def _equations(node: Node) -> list[Compare]:
     return [node]
 
 
-def _consequence(
-    relations: Sequence[Node], goals: Sequence[Node], evidence: Mapping[str, Any]
-) -> Proved:
-    proofs = evidence["proofs"]
-    if len(proofs) != len(goals):
-        raise MismatchError("there are not as many proofs as goals")
-    if evidence["characteristic"] or any(p["denominator"] != 1 for p in proofs):
-        raise NotCoveredError("the proof divides by integers, so it is not one for every ring")
-    hypotheses = [_text(r) for r in relations]
-    conclusion = " /\\\n  ".join(_text(g) for g in goals)
-    names = [f"h{n + 1}" for n in range(len(hypotheses))]
-    lines = [f"intros i j k {' '.join(names)}; repeat split."]
-    for proof in proofs:
-        sum_of = "nil"
-        for c, left, n, right in reversed(proof["cofactors"]):
-            if not set(left + right) <= set("ijk"):
-                raise MismatchError("a cofactor is no word in i, j, k")
-            sum_of = f"(cons ({_factor(c, left)}) ({_word(right)}) {names[n]} {sum_of})"
-        lines.append(f"- combine {sum_of}.")
-    text = " ->\n  ".join(["forall i j k : R,\n  " + hypotheses[0], *hypotheses[1:], conclusion])
-    return Proved(text, tuple(lines), place=IN_ASSOCIATIVE)
+def _consequence(said: Presentation, evidence: Mapping[str, Any]) -> Proved:
+    if evidence["characteristic"] not in (0, said.characteristic):
+        raise MismatchError("the proof is one for another characteristic")
+    if evidence["identity"] is not said.identity:
+        raise MismatchError("whether e is the identity is not as in the statement")
+    if any(p["denominator"] != 1 for p in evidence["proofs"]):
+        raise NotCoveredError("a proof about associative algebras that divides by integers")
+    proofs = []
+    for proof in evidence["proofs"]:
+        parts = (
+            f"(({int(c)})%Z, {said.word(v)}, {int(n)}%nat, {said.word(w)})"
+            for c, v, n, w in proof["cofactors"]
+        )
+        proofs.append("[" + "; ".join(parts) + "]")
+    judge = "presented" if said.identity else "presented_without"
+    names = ["R", "operations", "laws"]
+    if said.identity:
+        names.append("one")
+    last = "char" if said.characteristic else "(fun _ => eq_refl)"
+    data = [said.data(said.relations), said.data(said.goals), "[" + ";\n   ".join(proofs) + "]"]
+    call = "\n  ".join([f"{judge} {said.characteristic}", *data, " ".join(["_", *names, last])])
+    introduced = [*names, "char"] if said.characteristic else names
+    return Proved(
+        said.text, (f"intros {' '.join(introduced)}.", f"refine ({call}).", f"all: {COMPUTED}")
+    )
 
 
 def _counterexample(
@@ -113,51 +197,6 @@ def _counterexample(
         f"combine (cons ({sign}) (f_equal {PLACES[at]} E) nil).",
     ]
     return Proved(" /\\\n  ".join(parts), tuple(lines), (definition,), IN_RINGS)
-
-
-# --- words in an associative ring ----------------------------------------------------------------
-
-
-def _text(node: Node) -> str:
-    """Write a relation or a term of the letters, e being the identity 1."""
-    match node:
-        case Compare("==", x, y):
-            return f"{_text(x)} == {_text(y)}"
-        case Name(name):
-            return "1" if name == "e" else name
-        case Number(value) if isinstance(value, int):
-            return _number(value)
-        case Negate(x):
-            return f"- ({_text(x)})"
-        case Binary("+" | "-" | "*" as op, x, y):
-            return f"{_inner(x)} {op} {_inner(y)}"
-        case Power(x, n) if n > 0:
-            return " * ".join([_inner(x)] * n)
-    raise NotCoveredError("this is no polynomial in the letters with integer coefficients")
-
-
-def _inner(node: Node) -> str:
-    text = _text(node)
-    return text if text in ("i", "j", "k", "0", "1") else f"({text})"
-
-
-def _number(n: int) -> str:
-    """Write an integer by doubling, which any ring with 1 understands."""
-    if n < 2:
-        return str(n)
-    half = f"(1 + 1) * ({_number(n // 2)})"
-    return f"1 + {half}" if n % 2 else half
-
-
-def _word(word: str) -> str:
-    return " * ".join(word) or "1"
-
-
-def _factor(c: int, word: str) -> str:
-    text = _word(word)
-    if abs(c) != 1:
-        text = f"({_number(abs(c))}) * {text}"
-    return f"- ({text})" if c < 0 else text
 
 
 # --- an algebra given by its table ---------------------------------------------------------------

@@ -7,7 +7,8 @@ from typing import Any
 
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.judgement import Judgement, Proved
-from hfield.coq.presented import is_presentation, presentation
+from hfield.coq.presented import Presentation, is_presentation, presentation
+from hfield.coq.rooms import room_of
 from hfield.coq.terms import NotCoveredError
 from hfield.proving.setting import Setting
 from hfield.rings import ring
@@ -81,7 +82,8 @@ def claimed(text: str, setting: Setting) -> str:
     whole = read_whole(text)
     if whole is None:
         if is_presentation(text):
-            raise NotCoveredError("a statement about associative algebras inside another")
+            field = setting.field
+            return Presentation(text, 0 if field is None else room_of(field).characteristic).text
         return Judgement("", text, setting).sentence.text
     parts = [claimed(part, setting) for part in whole.parts] if whole.word in LOGIC[:3] else []
     match whole.word, parts:
@@ -91,7 +93,7 @@ def claimed(text: str, setting: Setting) -> str:
             return f"({p}) -> {q}"
         case "iff", [p, q]:
             return f"({p}) <-> ({q})"
-        case "angles", _ if len(whole.parts) == 1 and not _is_real(setting):
+        case "angles", _ if not _is_real(setting):
             return claimed(whole.parts[0], setting)
         case "over", _:
             here = replace(setting, field=ring(whole.parts[0].strip()))
@@ -121,7 +123,7 @@ class _Logic:
             return Judgement(name, text, self.setting).true_vacuously(evidence), name
         own = judge(name, text, self.setting, verdict, evidence, self.depth + 1)
         if own.place:
-            raise NotCoveredError("a statement about associative algebras inside another")
+            raise NotCoveredError("a table against associative algebras inside another statement")
         return own, name
 
     def judge(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
@@ -132,7 +134,7 @@ class _Logic:
         if word == "over":
             here = replace(self.setting, field=ring(self.whole.parts[0].strip()))
             return judge(self.name, self.whole.parts[1], here, verdict, evidence, self.depth + 1)
-        if word == "angles" and len(self.whole.parts) == 1 and not _is_real(self.setting):
+        if word == "angles" and not _is_real(self.setting):
             return judge(
                 self.name, self.whole.parts[0], self.setting, verdict, evidence, self.depth + 1
             )

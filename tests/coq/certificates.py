@@ -9,7 +9,12 @@ import copy
 import json
 from functools import cache
 
+from hfield.ledger.certificate import certificate
+from hfield.ledger.claim import UNIVERSAL
+from hfield.ledger.registry import find
+from hfield.proving.multilinear import decide_multilinear
 from hfield.proving.prove import prove
+from hfield.rings import ring
 
 # Statements, fields, algebras: one of every kind that is translated.
 TRUE = {
@@ -65,11 +70,43 @@ TRUE = {
     "trace": ("q**2 - trace(q)*q + norm(q) == 0", None, "[a,b,t|F)"),
     "not": ("not (s == 0 and y == 0) => s != 0 or y != 0", None, None),
 }
+# Propositions of the ledger that are no statements of the language, over a field or over all.
+LEDGER = {
+    "relations": ("C1.2-c", "as_printed", None),
+    "relations over GF(5)": ("C1.2-c", "as_printed", "GF(5)"),
+    "a table and a statement": ("C1.2-a", "corrected", None),
+    "a table over GF(3)": ("C1.2-a", "corrected", "GF(3)"),
+    "both or none": ("C1.1.2-b", "as_printed", "GF(13)"),
+    "points of a circle": ("C2.1.1-e", "as_printed", None),
+    "points and more": ("C2.2.4-j", "as_printed", "QQ"),
+}
+
+
+def _of_ledger(claim, which, field):
+    proposition = getattr(find(claim), which)
+    decision = proposition.decide(None if field is None else ring(field))
+    return certificate(proposition, decision, field or UNIVERSAL)
+
+
+def _multilinear(text, field):
+    decision = decide_multilinear(text, field)
+    return {
+        "schema": "hfield-cert/1",
+        "statement": text,
+        "algebra": f"(-1,-1|{field or 'F'})",
+        "field": field,
+        "verdict": decision.verdict,
+        "method": decision.method,
+        "assumes": [],
+        "evidence": dict(decision.evidence),
+    }
 
 
 @cache
 def _true():
-    found = {}
+    found = {name: json.dumps(_of_ledger(*where)) for name, where in LEDGER.items()}
+    found["tuples"] = json.dumps(_multilinear("conj(p*q) == conj(q)*conj(p)", None))
+    found["tuples over GF(3)"] = json.dumps(_multilinear("trace(p*q) == trace(q*p)", "GF(3)"))
     for name, (statement, field, algebra) in TRUE.items():
         certificate = prove(statement, field, algebra=algebra).certificate
         if certificate is not None:
@@ -126,6 +163,30 @@ def forged_certificates():
     forge("inverse of anything", "inverse exists", statement="exists q: p*q == e")
     forge("indefinite", "definite", statement="norm(q) == 0 => q == 1")
     forge("difference of squares", "squares", statement="s**2 - 2*y**2 == 0 => s == 0 and y == 0")
+    forge(
+        "other relations",
+        "relations",
+        statement=true["relations"]["statement"].replace("i*i == -e", "i*i == e"),
+    )
+    forge(
+        "other goals",
+        "a table over GF(3)",
+        statement=true["a table over GF(3)"]["statement"].replace("j*i == -k", "j*i == k"),
+    )
+    forge(
+        "all of it",
+        "a table and a statement",
+        statement=true["a table and a statement"]["statement"].replace(
+            "every{", "every{p*q == q*p; "
+        ),
+    )
+    forge("neither", "both or none", statement="iff{p*q == q*p; 2 == 2}")
+    forge(
+        "a harmless circle",
+        "points of a circle",
+        statement=true["points of a circle"]["statement"].replace("== 1", "== 2"),
+    )
+    forge("tuples in order", "tuples", statement="conj(p*q) == conj(p)*conj(q)")
     # Another field, another algebra.
     forge("Fermat everywhere", "Fermat", field=None, algebra=H)
     forge("Fermat elsewhere", "Fermat", field="GF(5)", algebra="(-1,-1|GF(5))")
@@ -169,6 +230,22 @@ def forged_certificates():
     forge("wrong terms", "solvable", evidence=_first(["terms", "u"], "s"))
     forge("the wrong inverse", "inverse exists", evidence=_first(["terms", "q"], "conj(p)"))
     forge("a wrong step", "norms", evidence=_step("cofactors"))
+    forge("a tuple", "tuples", evidence=_first(["tuples", 5, 1, 0], 1))
+    forge("a word", "tuples over GF(3)", evidence=_first(["tuples", 7, 0], "ee"))
+    forge("a relation", "relations", evidence=lambda e: e["proofs"][0]["cofactors"].pop())
+    forge("a number", "relations over GF(5)", evidence=_first(["proofs", 1, "cofactors", 0, 0], 2))
+    forge("a missing goal", "relations", evidence=lambda e: e["proofs"].pop())
+    forge(
+        "a part refuted",
+        "a table and a statement",
+        evidence=_first(["parts", 0, "verdict"], "refuted"),
+    )
+    forge(
+        "a part of another",
+        "a table over GF(3)",
+        evidence=lambda e: e["parts"].__setitem__(1, e["parts"][0]),
+    )
+    forge("one side", "both or none", evidence=_first(["left", "verdict"], "proved"))
     forge("a step without the fact", "squares", statement="s**2 + 2*y**3 == 0 => s == 0 and y == 0")
     return out
 
