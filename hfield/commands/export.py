@@ -23,6 +23,12 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("--coq", metavar="FILE", help="the file to write, - for the terminal")
     parser.add_argument(
+        "--lean",
+        metavar="FILE",
+        help="a file for Lean 4, of the certificates and statements that hold over every commutative "
+        "ring; `lean FILE` checks it",
+    )
+    parser.add_argument(
         "--statement",
         action="append",
         default=[],
@@ -55,8 +61,10 @@ def run(args: Namespace) -> int:
     from hfield.coq.ledger import export_ledger
     from hfield.ledger.registry import find
 
+    if args.lean:
+        return _lean(args)
     if not args.coq:
-        raise UsageError("expected --coq FILE, the file to write")
+        raise UsageError("expected --coq FILE or --lean FILE, the file to write")
     if args.algebra is not None and not args.statement:
         raise UsageError("--algebra is about statements: add --statement S")
     chosen = list(dict.fromkeys(find(name) for name in args.claim))
@@ -79,6 +87,31 @@ def run(args: Namespace) -> int:
     else:
         print(f"{args.coq}: {summary}")
     return int(bool(named))
+
+
+def _lean(args: Namespace) -> int:
+    """Write a file for Lean, tell how many theorems it has and what was left out."""
+    from hfield.coq.lean import lean_file, lean_theorems
+    from hfield.proving.prove import prove
+
+    if args.coq or args.claim or not (args.certificate or args.statement):
+        raise UsageError("--lean FILE takes --certificate CERT or --statement S, and no --coq")
+    certificates = _certificates(args.certificate)
+    for number, text in enumerate(args.statement, 1):
+        certificates[f"statement_{number}"] = prove(text, algebra=args.algebra).certificate
+    with open_output(args.lean) as out:
+        theorems, left = lean_theorems(certificates)
+        out.write(lean_file(theorems))
+    for name, reason in left.items():
+        note(f"not exported: {name}: {reason}")
+    summary = (
+        f"{len(theorems)} theorem{'s' * (len(theorems) != 1)} exported, {len(left)} not exported"
+    )
+    if args.lean == "-":
+        note(summary)
+    else:
+        print(f"{args.lean}: {summary}")
+    return int(bool(left))
 
 
 def _certificates(files: list[str]) -> dict[str, object]:

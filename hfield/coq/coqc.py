@@ -72,7 +72,7 @@ class Coqc:
 
     def reject_each(self, theorems: Sequence[Theorem]) -> list[bool]:
         """Tell of each theorem by itself whether Coq rejects it, all in one process of ``coqtop``."""
-        lines = [opening()]
+        lines = [opening(), "Set Silent."]
         for number, one in enumerate(theorems):
             text = str(one) if not one.place else ""
             # After an error the proof is still open, and nothing has the name.
