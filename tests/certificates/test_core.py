@@ -116,7 +116,7 @@ def test_nothing_but_rejected_leaves_the_checker(monkeypatch: pytest.MonkeyPatch
 @pytest.mark.parametrize(
     "text",
     [
-        *("q" * 20_001, "(" * 101 + "q" + ")" * 101 + " == q", "q == " + "+".join(["q"] * 202)),
+        *("q" * 20_001 + " == q", "(" * 101 + "q" + ")" * 101 + " == q", "q == " + "+".join(["q"] * 202)),
         *("q == (exists p: p == q)", "p == not q", "q**s == q", "q**(2 == q", "q**2**2 == q", "q[0][1] == 0"),
         *("q[4] == 0", "q[0 == 0", "q**" + "9" * 4_001 + " == q", "q == " + "9" * 4_001, "q == 1e99999"),
         *("q ==", "== q", "q == q)", "exists and: q == q", "exists 2: q == q", "exists q q == q", "q = q"),
@@ -653,3 +653,170 @@ def test_findings() -> None:
     assert narrow.within(RINGS).scope == FIELD
     assert together([]).scope == RINGS
     assert narrow.also_by("witness").methods == {"exhaustion", "witness"}
+
+
+# --- rules of a field ----------------------------------------------------------------------------
+
+NORM = {"form": "norm", "by": "ordering"}
+SQUARES = {"form": "squares", "by": "ordering", "most": None, "positive": True}
+ROOTS = {"form": "roots", "by": "factors"}
+
+
+def form_step(kind: str, terms: list[str], cofactors: list[str], **more: Any) -> dict[str, Any]:
+    return {"step": kind, "terms": terms, "cofactors": cofactors, "denominator": 1, **more}
+
+
+def test_a_norm_that_is_0_only_at_0() -> None:
+    coordinates = [f"q[{n}]" for n in range(4)]
+    norm = " + ".join(f"{c}**2" for c in coordinates)
+    items = [
+        opposite(
+            [norm],
+            [c],
+            [
+                form_step("norm", coordinates, ["1", "0"]),
+                ends("0", "1", *("T1" if m == n else "0" for m in range(4))),
+            ],
+        )
+        for n, c in enumerate(coordinates)
+    ]
+    data = certified("norm(q) == 0 => q == 0", "QQ", "implication", implication(items, [NORM]))
+    assert check(data)
+    named = [{**NORM, "algebra": "(-1,-1|QQ)"}]
+    step = {**items[0]["steps"][0], "algebra": "(-1,-1|QQ)"}
+    other = [{**item, "steps": [step, item["steps"][1]]} for item in items]
+    assert check({**data, "evidence": implication(other, named)})
+    for items_, facts in (
+        (items, []),
+        (items, [NORM, NORM]),
+        (items, named),
+        (other, [NORM]),
+        (items, [{**NORM, "by": "trust"}]),
+        (items, [{**NORM, "form": "form"}]),
+        (items, [{"form": "norm"}]),
+        (items, ["norm"]),
+        (items, [NORM] * 33),
+        (other, [{**NORM, "algebra": "(-1,-1|QQ(I))"}]),
+        (other, [{**NORM, "algebra": "(a,-1|QQ)"}]),
+        (other, [{**NORM, "algebra": "(1/0,-1|QQ)"}]),
+        (other, [{**NORM, "algebra": "(-1,1|QQ)"}]),
+        (items[:3], [NORM]),
+    ):
+        rejects({**data, "evidence": implication(items_, facts)}, ".")
+    for change in (
+        {"terms": coordinates[:3]},
+        {"cofactors": ["1", "1"]},
+        {"denominator": 0},
+        {"terms": ["q[0]"] * 4},
+    ):
+        bad = {**items[0], "steps": [{**items[0]["steps"][0], **change}, items[0]["steps"][1]]}
+        rejects({**data, "evidence": implication([bad, *items[1:]], [NORM])}, ".")
+    for field in (None, "ZZ", "CC", "GF(3)", "QQ(I)"):
+        rejects({**data, "field": field, "algebra": f"(-1,-1|{field or 'F'})"}, ".")
+
+
+def test_sums_of_squares() -> None:
+    steps = [
+        form_step("squares", ["s", "y"], ["1", "0"], coefficients=[1, 2]),
+        ends("0", "1", "T1", "0"),
+    ]
+    item = opposite(["s**2 + 2*y**2"], ["s"], steps)
+    data = certified(
+        "s**2 + 2*y**2 == 0 => s == 0", "QQ", "implication", implication([item], [SQUARES])
+    )
+    assert check(data)
+    level = {"form": "squares", "by": "level", "most": 2, "positive": False}
+    for fact in (
+        level,
+        {**level, "positive": True},
+        {**SQUARES, "most": 1},
+        {**SQUARES, "positive": False},
+        {**SQUARES, "positive": 1},
+        {**SQUARES, "by": "trust"},
+        {**SQUARES, "most": 0},
+    ):
+        rejects({**data, "evidence": implication([item], [fact])}, ".")
+    rejects({**data, "evidence": implication([item], [SQUARES, SQUARES])}, "twice")
+    plain = [
+        form_step("squares", ["s", "y"], ["1", "0"], coefficients=[1, 1]),
+        ends("0", "1", "T1", "0"),
+    ]
+    plain_item = opposite(["s**2 + y**2"], ["s"], plain)
+    two = certified(
+        "s**2 + y**2 == 0 => s == 0", "GF(3)", "implication", implication([plain_item], [level])
+    )
+    assert check(two)
+    for field in ("GF(5)", "QQ(I)", "CC", "GF(2)"):
+        rejects({**two, "field": field, "algebra": f"(-1,-1|{field})"}, ".")
+    three = implication([plain_item], [{**level, "most": 3}])
+    rejects({**two, "evidence": three}, "may be 0")
+    for coefficients in ([1], [0, 1], [1, -1], [1, 1, 1]):
+        bad = [{**plain[0], "coefficients": coefficients}, plain[1]]
+        evidence = implication([opposite(["s**2 + y**2"], ["s"], bad)], [level])
+        rejects({**two, "evidence": evidence}, ".")
+
+
+def test_forms_and_polynomials_without_roots() -> None:
+    steps = [
+        form_step("binary form", ["s", "y"], ["1", "0"], coefficients=["-2", "0", "1"]),
+        ends("0", "1", "T1", "0"),
+    ]
+    item = opposite(["s**2 - 2*y**2"], ["s"], steps)
+    data = certified("s**2 == 2*y**2 => s == 0", "QQ", "implication", implication([item], [ROOTS]))
+    assert check(data)
+    over_5 = {**data, "field": "GF(5)", "algebra": "(-1,-1|GF(5))"}
+    assert check(over_5)
+    for field in ("GF(7)", "RR", "GF(2)", "QQ(sqrt(2))", "QQ(x)"):
+        moved = {**data, "field": field, "algebra": f"(-1,-1|{field})"}
+        if field == "QQ(x)":
+            assert check(moved)
+        else:
+            rejects(moved, ".")
+    rejects({**data, "evidence": implication([item])}, "not there")
+    for change in (
+        {"terms": ["s"]},
+        {"coefficients": ["1", "1"]},
+        {"coefficients": ["-2", "0", "0"]},
+        {"coefficients": ["-4", "0", "1"]},
+        {"coefficients": ["-2", "s", "1"]},
+        {"coefficients": ["0"] * 65 + ["1"]},
+    ):
+        bad = opposite(["s**2 - 2*y**2"], ["s"], [{**steps[0], **change}, steps[1]])
+        rejects({**data, "evidence": implication([bad], [ROOTS])}, ".")
+    step = {"step": "no root", "polynomial": "s**2 - 3", "cofactors": ["1"], "denominator": 1}
+    none = opposite(["s**2 - 3"], [], [step])
+    data = certified("s**2 != 3", "QQ", "implication", implication([none], [ROOTS]))
+    assert check(data)
+    assert check({**data, "field": "GF(7)", "algebra": "(-1,-1|GF(7))"})
+    rejects({**data, "field": "GF(11)", "algebra": "(-1,-1|GF(11))"}, "may have one")
+    for polynomial in ("s**2 - 4", "s**2 - 3*y", "s**65 - 3", "3", "s**2 + 1"):
+        bad = opposite(["s**2 - 3"], [], [{**step, "polynomial": polynomial}])
+        rejects({**data, "evidence": implication([bad], [ROOTS])}, ".")
+    rejects({**data, "evidence": implication([none], [{**ROOTS, "by": "trust"}])}, "by 'factors'")
+    cubic = certified("s**3 != 3", "GF(7)", "implication", {})
+    bad = opposite(["s**3 - 3"], [], [{**step, "polynomial": "s**3 - 3"}])
+    rejects({**cubic, "evidence": implication([bad], [ROOTS])}, "may have one")
+
+
+def test_too_many_choices_and_clauses() -> None:
+    many = " or ".join(f"(s == {n} and y == {n})" for n in range(10))
+    item = opposite(["s*y"], [f"s - {n}" for n in range(10)], [ends(*("0",) * 11)])
+    rejects(certified(f"s*y == 0 => {many}", None, "implication", implication([item])), ".")
+    composite = direct(["s"], "s", ["1"], characteristic=6)
+    rejects(
+        certified("s == 0 => s == 0 or 1 == 0", "QQ", "implication", implication([composite])),
+        "prime",
+    )
+    single = opposite(["t**2"], ["t"], [ends("T1**2", "1 + T1*t")])
+    text = "t*t == 0 => q == 0 or q == 1 or q == i or q == j or t == 0"
+    assert check(certified(text, None, "implication", implication([single])))
+    wider = text.replace(" or t == 0", " or q == k or t == 0")
+    rejects(certified(wider, None, "implication", implication([single])), "too many branches")
+    conjunction = " and ".join(f"s*{n} != {n}*y + 1" for n in range(1, 1_030))
+    rejects(certified(conjunction, None, "identity", IDENTITY), "high|clauses")
+    halves = [
+        "(" + " and ".join(f"s != {n}" for n in range(at, at + 150)) + ")"
+        for at in range(0, 1_200, 150)
+    ]
+    rejects(certified(" and ".join(halves), None, "identity", IDENTITY), "clauses")
+    assert str(check(certified("q == q", "QQ", "identity", IDENTITY))).startswith("proved over QQ")
