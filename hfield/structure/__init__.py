@@ -31,7 +31,7 @@ if TYPE_CHECKING:
         ramified_places,
         reduced_discriminant,
     )
-    from hfield.structure.roots import square_roots
+    from hfield.structure.roots import quadric, square_roots
     from hfield.structure.splitting import division_or_splitting, split
     from hfield.structure.torsion import multiplicative_order
     from hfield.structure.zero import is_division, zero_norm
@@ -61,7 +61,7 @@ _HOMES = {
         "ramified_places",
         "reduced_discriminant",
     ],
-    "roots": ["square_roots"],
+    "roots": ["quadric", "square_roots"],
     "splitting": ["division_or_splitting", "split"],
     "torsion": ["multiplicative_order"],
     "zero": ["is_division", "zero_norm"],
@@ -95,6 +95,7 @@ __all__ = [
     "multiplicative_order",
     "place",
     "places",
+    "quadric",
     "radical",
     "ramified_places",
     "reduced_discriminant",
