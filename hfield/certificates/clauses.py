@@ -48,13 +48,15 @@ class Clause:
 class Expansion:
     """A statement as clauses; the first ``unknowns`` variables are no constants of the field.
 
-    ``factors`` are the polynomials that were divided by.
+    ``factors`` are the polynomials that were divided by, ``conditions`` those of them, and others, that
+    may not be 0 for the algebra to exist.
     """
 
     names: Names
     unknowns: int
     clauses: tuple[Clause, ...]
     factors: tuple[Poly, ...]
+    conditions: tuple[Poly, ...]
     evaluator: Evaluator
 
 
@@ -179,9 +181,11 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
     evaluator = Evaluator(scalars, setting.constants, values)
     formula = evaluator.truth(statement.matrix)
     # The algebra exists only where its structure constants are defined.
-    undefined = [_literal([c[0]], True) for c in evaluator.conditions]
+    conditions = tuple(c[0] for c in evaluator.conditions)
+    undefined = [_literal([f], True) for f in conditions]
     clauses = tuple(_clause(c) for c in _conjunction(("or", (*undefined, formula))))
-    return Expansion(names, len(variables), clauses, tuple(scalars.factors), evaluator)
+    factors = tuple(scalars.factors)
+    return Expansion(names, len(variables), clauses, factors, conditions, evaluator)
 
 
 def _conjunction(f: Formula) -> list[frozenset[Formula]]:

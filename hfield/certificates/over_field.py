@@ -4,7 +4,8 @@ from math import gcd
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, Frozen
-from hfield.certificates.polynomials import ONE, Monomial, Poly, modulo
+from hfield.certificates.polynomials import ONE, Monomial, Poly, constant, modulo, multiply
+from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import Ring
 
 
@@ -40,6 +41,14 @@ class Place:
             own = tuple(unknowns)
             out[own] = ring.add(out[own], value) if own in out else value
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
+
+    def need_algebra(self) -> None:
+        """Reject where the structure constants are defined for no values of the letters."""
+        product = constant(1)
+        for f in self.expansion.conditions:
+            product = multiply(product, f)
+        if not self.coefficients(product, True):
+            reject("the structure constants of the algebra are defined nowhere")
 
     def vanishes(self, f: Frozen | Poly) -> bool:
         """Tell whether f is 0 at every place of the field (as a function, over a finite field)."""

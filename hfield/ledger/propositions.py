@@ -89,8 +89,9 @@ class Every:
             steps += [part.text, *(f"  {step}" for step in decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
             assumes |= dict.fromkeys(decision.assumes)
+        empty = all(proof["verdict"] == "vacuous" for proof in proofs)
         return Decision(
-            "proved",
+            "vacuous" if empty else "proved",
             "; ".join(methods),
             steps=tuple(steps),
             assumes=tuple(assumes),

@@ -51,7 +51,7 @@ def test_each_key_is_needed(key: str) -> None:
         ({"verdict": "refuted"}, "does not show that the statement is refuted"),
         ({"verdict": "vacuous"}, "does not show"),
         ({"verdict": "true"}, "verdict"),
-        ({"method": "magic"}, "no method"),
+        ({"method": "magic"}, "not that of the evidence"),
         ({"assumes": ["0 == 1"]}, "does not list exactly"),
         ({"field": "GF(3)"}, "not over the field"),
         ({"field": "GF(6)", "algebra": "(-1,-1|GF(6))"}, "no power of a prime"),

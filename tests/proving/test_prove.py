@@ -101,7 +101,7 @@ ERRORS = [
     (("p == q",), {"algebra": "(p,q|F)"}, NotationError),
     (("p == q",), {"algebra": "(ab,-1|QQ)"}, NotationError),
     (("p == q",), {"given": ["p"]}, NotationError),
-    (("p == q",), {"algebra": "(1/0,-1|QQ)"}, HFieldError),
+    (("p == q",), {"algebra": "(sqrt(2),-1|QQ)"}, HFieldError),
 ]
 
 

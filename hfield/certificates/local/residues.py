@@ -21,7 +21,7 @@ from hfield.certificates.work import charge
 
 MAX_DIGITS = 1_000
 MAX_POWER = 1_000  # of n in a denominator
-GF2 = Residues(2, True)
+GF2 = Residues(2, True, "GF(2)")
 
 
 class Place(ABC):

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import MAX_DIGITS, Rejected, reject, shown
-from hfield.certificates.scalars.finite import Residues, galois_field
+from hfield.certificates.scalars.finite import PROVED_BELOW, Residues, galois_field, is_prime
 from hfield.certificates.scalars.functions import Functions, Polynomials
 from hfield.certificates.scalars.numbers import QQ, Floats, Rationals, Surds
 from hfield.certificates.scalars.ring import Ring
@@ -17,9 +17,9 @@ RESERVED = {*"eijk", "I", "and", "or", "not", "exists"}
 @lru_cache(maxsize=64)
 def read_field(text: str) -> Ring:
     """Return the ring of that name."""
-    name = "".join(text.split())
-    if len(name) > MAX_NAME:
-        reject(f"the name of a ring has {len(name)} characters; at most {MAX_NAME} are read")
+    if len(text) > MAX_NAME:
+        reject(f"the name of a ring has {len(text)} characters; at most {MAX_NAME} are read")
+    name = without_blanks(text)
     named = {"QQ": QQ, "ZZ": Rationals(False), "RDF": Floats()}
     if name in named:
         return named[name]
@@ -29,7 +29,7 @@ def read_field(text: str) -> Ring:
         n = _number(m[1])
         if n < 2:
             reject("ZZ/n needs n of at least 2")
-        return Residues(n, False)
+        return Residues(n, n < PROVED_BELOW and is_prime(n), f"ZZ/{n}")
     m = re.fullmatch(r"GF\(([0-9]+)(?:,(.+))?\)", name)
     if m is not None and ")(" not in (m[2] or ""):
         return galois_field(_number(m[1]), _modulus(m[2], _number(m[1])), name)
@@ -38,12 +38,12 @@ def read_field(text: str) -> Ring:
         if m[1] is not None and d == -1:
             reject("QQ(sqrt(-1)) is called QQ(I)")
         return Surds(name, d)
-    if m := re.fullmatch(r"(.+)\(([a-zA-Z]\w*)\)", name):
+    if m := re.fullmatch(r"(.+)\(([a-zA-Z][a-zA-Z0-9_]*)\)", name):
         base = read_field(m[1])
         if not (base is QQ or base.order is not None) or not base.is_field:
             reject(f"{shown(name)}: functions are over QQ or a finite field")
         return Functions(base, _variable(m[2], base), name)
-    if m := re.fullmatch(r"(.+)\[([a-zA-Z]\w*(?:,[a-zA-Z]\w*)*)\]", name):
+    if m := re.fullmatch(r"(.+)\[([a-zA-Z][a-zA-Z0-9_]*(?:,[a-zA-Z][a-zA-Z0-9_]*)*)\]", name):
         base = read_field(m[1])
         if not isinstance(base, Rationals | Residues) or (base.order and not base.is_field):
             reject(f"{shown(name)}: polynomials are over ZZ, QQ or GF(p)")
@@ -52,6 +52,13 @@ def read_field(text: str) -> Ring:
             reject(f"{shown(name)}: a variable occurs twice")
         return Polynomials(base, names, name)
     reject(f"there is no ring {shown(name)!r}")
+
+
+def without_blanks(text: str) -> str:
+    """Return a name without its blanks; rejects blanks that part a word or a number in two."""
+    if re.search(r"\w\s+\w", text) or not text.isascii():
+        reject(f"{shown(text)!r} cannot be read without its blanks, or has strange letters")
+    return "".join(text.split())
 
 
 def _number(digits: str) -> int:
@@ -101,6 +108,8 @@ def _modulus(text: str | None, q: int) -> list[int] | None:
         for m, a in enumerate(f):
             for n, b in enumerate(g):
                 out[m + n] += a * b
+        if any(c.bit_length() > 4 * MAX_DIGITS for c in out):
+            reject(f"the modulus {shown(text)!r} has too large coefficients")
         return out
 
     found = read(parse(text))

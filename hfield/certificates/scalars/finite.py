@@ -13,7 +13,7 @@ from hfield.certificates.work import charge
 MAX_BITS = 512
 MAX_DEGREE = 64
 # Miller–Rabin with these bases is a proof below the bound (Sorenson and Webster 2015).
-_BASES, _BOUND = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044064679887385961981
+_BASES, PROVED_BELOW = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044064679887385961981
 
 
 def is_prime(n: int) -> bool:
@@ -23,7 +23,7 @@ def is_prime(n: int) -> bool:
     for p in _BASES:
         if n % p == 0:
             return n == p
-    if n >= _BOUND:
+    if n >= PROVED_BELOW:
         reject(f"the number {shown(n)} is too large to be proved prime here")
     odd, twos = n - 1, 0
     while odd % 2 == 0:
@@ -44,10 +44,9 @@ def is_prime(n: int) -> bool:
 class Residues(Ring):
     """ℤ/n, which is the field GF(p) for a prime n."""
 
-    def __init__(self, n: int, is_field: bool) -> None:
+    def __init__(self, n: int, is_field: bool, name: str) -> None:
         self.characteristic = self.order = n
-        self.is_field = is_field
-        self.name = f"GF({n})" if is_field else f"ZZ/{n}"
+        self.is_field, self.name = is_field, name
         self.zero, self.one = 0, 1 % n
 
     def number(self, n: int) -> int:
@@ -156,10 +155,6 @@ class Extension(Ring):
             reject(f"what x is in {self.name} is not known here; write the modulus in its name")
         return (0, 1, *(0,) * (self.degree - 2))
 
-    def relation(self, tree: Tree) -> tuple[int, ...] | None:
-        """Return the modulus, of which x is a root."""
-        return self.modulus if tree == ("name", "x") else None
-
     def elements(self) -> Iterator[Digits]:
         """Run through all elements."""
         return product(range(self.characteristic), repeat=self.degree)
@@ -211,7 +206,7 @@ def galois_field(q: int, modulus: Sequence[int] | None, name: str) -> Ring:
     if n == 1:
         if modulus is not None:
             reject(f"GF({p}) takes no modulus")
-        return Residues(p, True)
+        return Residues(p, True, f"GF({p})")
     if n > MAX_DEGREE:
         reject(f"GF({shown(q)}) has the degree {n}; at most {MAX_DEGREE} is taken")
     if modulus is None and q in CONWAY:

@@ -66,10 +66,6 @@ class Polynomials(Ring):
         c = self.base.constant(tree)
         return None if c is None else self._constant(c)
 
-    def relation(self, tree: Tree) -> tuple[int, ...] | None:
-        """Return what the base says."""
-        return self.base.relation(tree)
-
     def _constant(self, c: Any) -> Poly:
         return () if self.base.is_zero(c) else (((0,) * len(self.names), c),)
 
@@ -114,7 +110,7 @@ class Functions(Ring):
 
     def inverse(self, x: Fraction) -> Fraction | None:
         """Return 1/x, None for 0."""
-        return (x[1], x[0]) if x[0] else None
+        return self._fraction(x[1], x[0]) if x[0] else None
 
     def is_zero(self, x: Fraction) -> bool:
         """Tell whether x is 0."""
@@ -124,10 +120,6 @@ class Functions(Ring):
         """Return the variable, or a constant of the base."""
         x = self.polynomials.constant(tree)
         return None if x is None else (x, self.polynomials.one)
-
-    def relation(self, tree: Tree) -> tuple[int, ...] | None:
-        """Return what the base says."""
-        return self.base.relation(tree)
 
     def sign(self, x: Fraction) -> int | None:
         """Return the sign for large values of the variable, where the base is ordered."""

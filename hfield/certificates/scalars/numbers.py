@@ -1,13 +1,13 @@
 """ℤ, ℚ, quadratic fields, and the part of ℝ and ℂ that square roots of rational numbers generate.
 
 An element is a finite sum of rational multiples of √n, where n runs through products of −1 and
-distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940), so an element is 0
-only if all its coefficients are.
+distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940; docs/trust.md has a
+proof), so an element is 0 only if all its coefficients are.
 """
 
 from fractions import Fraction
 from functools import lru_cache
-from math import isqrt
+from math import isqrt, prod
 from typing import Any
 
 from hfield.certificates.language import Tree
@@ -24,7 +24,7 @@ Surd = tuple[tuple[Radical, Fraction], ...]
 
 
 class Rationals(Ring):
-    """ℚ, or ℤ: the same numbers, but only ±1 are units there."""
+    """ℚ; or ℤ, of which nothing but integers can be named, and where only ±1 are units."""
 
     characteristic = 0
 
@@ -58,10 +58,10 @@ class Rationals(Ring):
 
 
 class Floats(Rationals):
-    """Floats, but only integers below 2⁵³, on which they compute exactly."""
+    """Floats, which are no ring: only integers below 2⁵³, on which they compute exactly."""
 
     def __init__(self) -> None:
-        super().__init__(True)
+        super().__init__(False)
         self.name = "RDF"
 
     def number(self, n: int) -> Fraction:
@@ -150,20 +150,19 @@ class Surds(Ring):
         return self.mul(top, (((), 1 / below[0][1]),))
 
     def sign(self, x: Surd) -> int | None:
-        """Return the sign of a + b·√d; None in a field that is not real or has more roots."""
+        """Return the sign of a real number; None in a field that is not real.
+
+        A sum of roots that is not () is not 0, so some precision tells its sign.
+        """
         if not self.is_real:
             return None
-        values = dict(x)
-        a = values.pop((), Fraction(0))
-        if len(values) > 1:
-            return None
-        (key, b), n = next(iter(values.items()), ((), Fraction(0))), 1
-        for p in key:
-            n *= p
-        square = (a > 0) - (a < 0), (b > 0) - (b < 0)
-        if square[0] * square[1] >= 0:
-            return square[0] or square[1]
-        return square[0] if a * a > b * b * n else square[1]
+        bits = 32
+        while x:
+            below = sum(_floor(key, c, bits) for key, c in x)  # at most len(x) below the sum
+            if below > 0 or below + len(x) < 0:
+                return 1 if below > 0 else -1
+            bits *= 2
+        return 0
 
     def signs(self, x: Surd) -> tuple[int | None, ...]:
         """Return the signs of a + b·√d and of a − b·√d; the one sign in ℝ."""
@@ -183,15 +182,6 @@ class Surds(Ring):
             return ()
         return self._inside(((key, Fraction(scale, x.denominator)),))
 
-    def relation(self, tree: Tree) -> tuple[int, ...] | None:
-        """Return (−n·d, 0, d²)-like integers for a root √(n/d)."""
-        x = self.constant(tree)
-        square = self.mul(x, x) if x is not None else None
-        if square is None or any(key for key, _ in square):
-            return None
-        value = square[0][1] if square else Fraction(0)
-        return (-value.numerator, 0, value.denominator)
-
     def _inside(self, x: Surd) -> Surd | None:
         """Return x if it lies in the field."""
         for key, _ in x:
@@ -205,6 +195,15 @@ class Surds(Ring):
         if len(values) > MAX_SUMMANDS:
             reject("too many square roots in one number")
         return tuple(sorted((key, _bounded(c)) for key, c in values.items() if c))
+
+
+def _floor(key: Radical, c: Fraction, bits: int) -> int:
+    """Return the greatest integer below or at c·√n·2^bits, n being the product of the primes."""
+    n = prod(key)
+    charge(5 + bits * bits // 10_000)
+    square = c.numerator**2 * n << 2 * bits
+    root = isqrt(square // c.denominator**2)
+    return root if c > 0 else -root - 1
 
 
 def _bounded(x: Fraction) -> Fraction:

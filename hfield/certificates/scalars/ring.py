@@ -49,10 +49,6 @@ class Ring(ABC):
         """Return the element that a name or a call names, None if it names none."""
         return None
 
-    def relation(self, tree: Tree) -> tuple[int, ...] | None:
-        """Return integers (c₀, c₁, …) with Σ cₙ·gⁿ = 0 for that constant, None if not known."""
-        return None
-
     def elements(self) -> Iterator[Any]:
         """Run through all elements of a finite ring."""
         reject(f"{self.name} has infinitely many elements")

@@ -1,12 +1,13 @@
 """Evidence for statements of linear algebra: bases, the centre, Lemma 1 on multilinear maps."""
 
+import re
 from itertools import permutations, product
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
-from hfield.certificates.kinds import FIELD, FIELDS, RINGS, Shown, kind_of
+from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
 from hfield.certificates.polynomials import Names, Poly, add, constant, multiply
-from hfield.certificates.rejection import a_list, an_integer, an_object, reject, shown
+from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of, reject, shown
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import HAMILTON, Setting
@@ -20,11 +21,9 @@ Tuple = tuple[int, ...]
 
 
 def _integers(text: str) -> Tuple:
-    parts = text.split(",")
-    if len(parts) > MAX_SIZE or not all(x.strip().lstrip("-").isdecimal() for x in parts):
-        reject(f"{shown(text)!r} is no short list of integers")
-    if any(len(x) > 9 for x in parts):
-        reject(f"{shown(text)!r} has too large a number")
+    parts = [x.strip() for x in text.split(",")]
+    if len(parts) > MAX_SIZE or not all(re.fullmatch("-?[0-9]{1,8}", x) for x in parts):
+        reject(f"{shown(text)!r} is no short list of small integers")
     return tuple(int(x) for x in parts)
 
 
@@ -46,7 +45,7 @@ def _plain(evidence: Any, *kinds: str) -> str:
     return kind_of(evidence)
 
 
-def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """The vectors are a basis of the free module of the dimension that comes first."""
     if not 2 <= len(parts) <= MAX_SIZE + 1 or len(_integers(parts[0])) != 1:
         reject("basis takes a dimension and some vectors")
@@ -57,19 +56,19 @@ def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any)
     if kind == "count":
         if verdict != "refuted" or fits:
             reject("the vectors are as many and as long as they should be")
-        return scope, ()
+        return finding(scope, "count")
     if not fits:
         reject("the vectors are not as many or as long as they should be")
     det, field = _determinant([list(v) for v in vectors]), setting.field
     unit = abs(det) == 1 if field is None else field.inverse(field.number(det)) is not None
     if verdict != ("proved" if unit else "refuted"):
         reject(f"the determinant {det} does not show this {verdict}")
-    return scope, ()
+    return finding(scope, "determinant")
 
 
-def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """The centre is everything in the characteristic given, and F·e in every other."""
-    if len(parts) != 1 or not parts[0].strip().isdecimal() or len(parts[0]) > 9:
+    if len(parts) != 1 or not re.fullmatch("[0-9]{1,8}", parts[0].strip()):
         reject("centre takes a characteristic")
     special = int(parts[0])
     data = an_object(evidence, "kind rows columns", "the evidence")
@@ -95,12 +94,12 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
         right = whole if p == special else bool(minor % p if p else minor)
         if not right:
             reject(f"over {field.name} the centre is not as stated, or the minor is 0")
-        return FIELD, ()
+        return finding(FIELD, "linear algebra")
     while minor and minor % special == 0:
         minor //= special
     if not whole or abs(minor) != 1:
         reject("the minor vanishes in another characteristic, or an equation does not vanish")
-    return FIELDS, ()
+    return finding(FIELDS, "Smith form", "linear algebra")
 
 
 def _commutators() -> Matrix:
@@ -135,7 +134,7 @@ def _arities(text: str) -> Tuple:
     return found
 
 
-def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """k-linear maps on F⁴ that agree on the tuples of basis vectors chosen are equal.
 
     f − g is Σ h_t·a₁[t₁]⋯aₖ[tₖ], where h_t is its value at the tuple t: agreeing on all tuples is
@@ -152,7 +151,7 @@ def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, eviden
             reject("expected a word in e, i, j, k with as many letters as there are arguments")
         if tuple("eijk".index(u) for u in word) in _choice(choice, len(word)):
             reject("the tuple is not left out")
-        return FIELD, ()
+        return finding(FIELD, "basis tuples")
     data = an_object(evidence, "kind tuples", "the evidence")
     lists = a_list(data["tuples"], "tuples")
     if verdict != "proved" or kind != "basis tuples" or len(lists) != len(arities):
@@ -162,7 +161,7 @@ def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, eviden
         wanted = ["".join(t) for t in product("eijk", repeat=k)]
         if words != wanted or len(_choice(choice, k)) != len(wanted):
             reject(f"the list of tuples of {k} basis vectors is not complete")
-    return (RINGS if setting.field is None else FIELD), ()
+    return finding(RINGS if setting.field is None else FIELD, "basis tuples")
 
 
 class _Form:
@@ -207,7 +206,9 @@ def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
     return linear and any(abs(c) == 1 for c in difference.values())
 
 
-def curried_linear(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def curried_linear(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
+) -> Finding:
     """Fixing the last argument at a basis vector leaves a linear map in every other argument.
 
     Shown for maps of two and three arguments: f(…, s·a + y·b, …) = s^power·f(…, a, …) + y·f(…, b, …).
@@ -235,10 +236,10 @@ def curried_linear(parts: tuple[str, ...], setting: Setting, verdict: str, evide
             right = add(multiply(s, at(a)), multiply(y, at(b)))
             if add(at(mixed), right, -1):
                 reject("the two sides do not expand to the same")
-    return (RINGS if setting.field is None else FIELD), ()
+    return finding(RINGS if setting.field is None else FIELD, "identity")
 
 
-def last_argument(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def last_argument(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """Σ_{i≤n} αᵢ·f(…, eᵢ) = f(…, Σ_{i≤upper} αᵢ·eᵢ) with n = 4, where e₅ is any vector at all."""
     if len(parts) != 2 or parts[0].strip() not in ("3", "4", "5"):
         reject("last-argument takes an upper bound of 3, 4 or 5 and numbers of arguments")
@@ -257,7 +258,8 @@ def last_argument(parts: tuple[str, ...], setting: Setting, verdict: str, eviden
         shows.append(_settle(add(left, form(*fixed, total), -1), verdict, setting))
     if not (all(shows) if verdict == "proved" else verdict == "refuted" and any(shows)):
         reject("the two sides do not expand to what would show this")
-    return (RINGS if setting.field is None and verdict == "proved" else FIELD), ()
+    everywhere = setting.field is None and verdict == "proved"
+    return finding(RINGS if everywhere else FIELD, "identity")
 
 
 CHECKS = {

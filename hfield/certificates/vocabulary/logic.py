@@ -14,12 +14,21 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.kinds import FIELD, FIELDS, RINGS, Shown, establish, kind_of
-from hfield.certificates.language import parse
-from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
+from hfield.certificates.finding import FIELD, FIELDS, Finding, together
+from hfield.certificates.kinds import establish
+from hfield.certificates.language import parse, walk
+from hfield.certificates.rejection import (
+    a_list,
+    a_text,
+    an_integer,
+    an_object,
+    kind_of,
+    reject,
+    shown,
+)
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.statement import HAMILTON, Setting, read_statement
-from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME
+from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
+from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME, INDUCTION
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.lemmas import LEMMAS
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
@@ -42,13 +51,13 @@ class Proposition:
     parts: tuple[str, ...]
 
 
-Check = Callable[[tuple[str, ...], Setting, str, Any], Shown]
+Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
 SPECIAL: dict[str, Check] = {**of_fields.CHECKS, **linear_algebra.CHECKS}
 
 
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
     """Read a statement of the vocabulary; None for any other."""
-    m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\})?\s*", text, re.DOTALL)
+    m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL)
     if m is None or (m[1] not in LOGIC and m[1] not in SPECIAL):
         return None
     if depth > MAX_DEPTH:
@@ -58,7 +67,7 @@ def read_proposition(text: str, depth: int = 0) -> Proposition | None:
         reject(f"{m[1]} has {len(parts)} parts")
     if len(parts) > MAX_PARTS or not all(part.strip() for part in parts):
         reject(f"{m[1]} has an empty part, or too many")
-    return Proposition(m[1], parts)
+    return Proposition(m[1], tuple(part.strip() for part in parts))
 
 
 def _split(text: str) -> list[str]:
@@ -79,7 +88,7 @@ def _split(text: str) -> list[str]:
 def proposition_tree(p: Proposition, depth: int = 0) -> Any:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
     if p.word in SPECIAL:
-        return (p.word, tuple("".join(part.split()) for part in p.parts))
+        return (p.word, tuple(re.sub(r"\s*([,;])\s*", r"\1", part.strip()) for part in p.parts))
     out: list[Any] = []
     for part in p.parts:
         if p.word in NAMED and not out:  # the name in front
@@ -96,13 +105,15 @@ def proposition_tree(p: Proposition, depth: int = 0) -> Any:
 
 def establish_any(
     text: str, setting: Setting, verdict: str, evidence: Any, depth: int = 0
-) -> Shown:
+) -> Finding:
     """Check the evidence for a verdict on a statement of any kind."""
     p = read_proposition(text, depth)
     if p is None:
         presentation = read_presentation(text)
         if presentation is not None:
             return establish_presentation(presentation, setting.field, verdict, evidence)
+        if setting.moved:
+            setting = _with_the_same_names(text, setting)
         return establish(read_statement(text, setting), setting, verdict, evidence)
     if setting.constants != HAMILTON:
         reject("statements about wholes are about H(F)")
@@ -113,15 +124,24 @@ def establish_any(
     return _Logic(p, text, setting, depth).establish(verdict, evidence)
 
 
-def _over(text: str, setting: Setting, verdict: str, evidence: Any, depth: int) -> Shown:
+def _over(text: str, setting: Setting, verdict: str, evidence: Any, depth: int) -> Finding:
     """Refute for all fields by one field."""
     data = an_object(evidence, "kind field evidence", "the evidence")
     ring = read_field(a_text(data["field"], "the field of the evidence"))
     if verdict != "refuted" or not ring.is_field:
         reject("one field refutes what is said of all, and proves nothing")
-    here = replace(setting, field=ring)
-    _, cited = establish_any(text, here, "refuted", data["evidence"], depth + 1)
-    return FIELD, cited
+    here = replace(setting, field=ring, moved=True)
+    return establish_any(text, here, "refuted", data["evidence"], depth + 1).within(FIELD)
+
+
+def _with_the_same_names(text: str, setting: Setting) -> Setting:
+    """Reject a field in which an unknown of a statement about all fields would be an element."""
+    assert setting.field is not None
+    for node in walk(parse(text)):
+        unknown = node[0] == "name" and node[1] in (*QUATERNIONS, *SCALARS)
+        if unknown and setting.field.constant(node) is not None:
+            reject(f"{node[1]!r} means an element of {setting.field.name} there")
+    return replace(setting, moved=False)
 
 
 class _Logic:
@@ -130,79 +150,76 @@ class _Logic:
     def __init__(self, p: Proposition, text: str, setting: Setting, depth: int) -> None:
         self.p, self.text, self.setting, self.depth = p, text, setting, depth
 
-    def part(self, n: int, verdict: str, evidence: Any) -> Shown:
+    def part(self, n: int, verdict: str, evidence: Any) -> Finding:
         """Check a part."""
         return establish_any(self.p.parts[n], self.setting, verdict, evidence, self.depth + 1)
 
-    def establish(self, verdict: str, evidence: Any) -> Shown:
+    def establish(self, verdict: str, evidence: Any) -> Finding:
         """Check the evidence."""
         kind, word = kind_of(evidence), self.p.word
         if word == "over":
-            return self._in_one_ring(verdict, evidence)
-        if (
-            self.setting.field is None
-            and kind == "over"
-            and word not in ("not-everywhere", "every")
-        ):
+            ring = read_field(self.p.parts[0].strip())
+            here = replace(self.setting, field=ring, moved=False)
+            inside = establish_any(self.p.parts[1], here, verdict, evidence, self.depth + 1)
+            return inside.within(FIELD)
+        everywhere = self.setting.field is None
+        if everywhere and kind == "over" and word not in ("not-everywhere", "every"):
             return _over(self.text, self.setting, verdict, evidence, self.depth)
         if word == "citing":
             theorem = CITED_BY_NAME.get(self.p.parts[0].strip())
             if theorem is None:
                 reject(f"there is no theorem {shown(self.p.parts[0].strip())!r} to cite")
-            if self.setting.field is None or self.setting.field.name != "RR":
+            inside = self.part(1, verdict, evidence)
+            if theorem == INDUCTION:  # what fails for some number of arguments fails without it
+                return inside.citing(theorem) if verdict == "proved" else inside
+            if not self._is_real():
                 reject("theorems about real polynomials are cited over RR alone")
-            scope, cited = self.part(1, verdict, evidence)
-            return scope, tuple(dict.fromkeys((*cited, theorem)))
-        if word == "angles":
-            return self._angles(verdict, kind, evidence)
+            return inside.citing(theorem)
+        if word == "angles":  # points of the circle c² + s² = 1; they are angles over RR
+            if not self._is_real():
+                return self.part(0, verdict, evidence)
+            if len(self.p.parts) == 1:
+                return self.part(0, verdict, evidence).citing(CIRCLE)
+            return self._every(verdict, kind, evidence).citing(CIRCLE)
         if word == "every":
             return self._every(verdict, kind, evidence)
         if word == "not-everywhere":
             return self._not_everywhere(verdict, evidence)
-        if self.setting.field is None:
+        if everywhere:
             if verdict != "proved":
                 reject(f"evidence of the kind {shown(kind)!r} refutes nothing here")
             return self._everywhere(kind, evidence)
         return (self._implies if word == "implies" else self._iff)(verdict, kind, evidence)
 
-    def _in_one_ring(self, verdict: str, evidence: Any) -> Shown:
-        """Check a part about the ring that the statement names."""
-        here = replace(self.setting, field=read_field(self.p.parts[0].strip()))
-        _, cited = establish_any(self.p.parts[1], here, verdict, evidence, self.depth + 1)
-        return FIELD, cited
+    def _is_real(self) -> bool:
+        return self.setting.field is not None and self.setting.field.name == "RR"
 
-    def _angles(self, verdict: str, kind: str, evidence: Any) -> Shown:
-        """Check what is said of points of the circle c² + s² = 1; they are angles over RR."""
-        if self.setting.field is None or self.setting.field.name != "RR":
-            return self.part(0, verdict, evidence)
-        if len(self.p.parts) == 1:
-            scope, cited = self.part(0, verdict, evidence)
-        else:
-            scope, cited = self._every(verdict, kind, evidence)
-        return scope, tuple(dict.fromkeys((*cited, CIRCLE)))
-
-    def _every(self, verdict: str, kind: str, evidence: Any) -> Shown:
+    def _every(self, verdict: str, kind: str, evidence: Any) -> Finding:
         if verdict == "refuted" and kind == "part":
             data = an_object(evidence, "kind part evidence", "the evidence")
             n = an_integer(data["part"], "the number of a part", 0)
             if n >= len(self.p.parts):
                 reject("there is no part of that number")
-            return self.part(n, "refuted", data["evidence"])
-        if verdict != "proved" or kind != "parts":
+            return self.part(n, "refuted", data["evidence"]).within(FIELD)
+        if verdict not in ("proved", "vacuous") or kind != "parts":
             reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
         data = an_object(evidence, "kind parts", "the evidence")
         parts = a_list(data["parts"], "parts")
         if len(parts) != len(self.p.parts):
             reject("there is not evidence for every part")
-        scopes: list[str] = []
-        cited: list[str] = []
+        found: list[Finding] = []
+        allowed = ("proved", "vacuous") if verdict == "proved" else ("vacuous",)
         for n, raw in enumerate(parts):
-            scope, own = self.part(n, *_judged(raw, ("proved", "vacuous")))
-            scopes.append(scope)
-            cited += own
-        return _widest(scopes), tuple(dict.fromkeys(cited))
+            judged, own = _judged(raw, allowed)
+            part = self.part(n, judged, own)
+            if judged == "vacuous":
+                part = replace(part, vacuous=(*part.vacuous, self.p.parts[n]))
+            found.append(part)
+        if verdict == "proved" and all(raw["verdict"] == "vacuous" for raw in parts):
+            reject("all parts are vacuous, so the whole is vacuous and not proved")
+        return together(found)
 
-    def _not_everywhere(self, verdict: str, evidence: Any) -> Shown:
+    def _not_everywhere(self, verdict: str, evidence: Any) -> Finding:
         data = an_object(evidence, "kind field evidence", "the evidence")
         if verdict != "proved" or data["kind"] != "over":
             reject("that something fails somewhere is shown by a field where it fails")
@@ -212,7 +229,7 @@ class _Logic:
         anywhere = replace(self.setting, field=None)
         return _over(self.p.parts[0], anywhere, "refuted", data, self.depth)
 
-    def _implies(self, verdict: str, kind: str, evidence: Any) -> Shown:
+    def _implies(self, verdict: str, kind: str, evidence: Any) -> Finding:
         if verdict == "proved" and kind == "conclusion":
             data = an_object(evidence, "kind evidence", "the evidence")
             return self.part(1, "proved", data["evidence"])
@@ -221,20 +238,19 @@ class _Logic:
             return self.part(0, "refuted", data["evidence"])
         if verdict == "refuted" and kind == "both":
             data = an_object(evidence, "kind left right", "the evidence")
-            _, first = self.part(0, *_judged(data["left"], ("proved",)))
-            _, second = self.part(1, *_judged(data["right"], ("refuted",)))
-            return FIELD, tuple(dict.fromkeys((*first, *second)))
+            left = self.part(0, *_judged(data["left"], ("proved",)))
+            right = self.part(1, *_judged(data["right"], ("refuted",)))
+            return together((left, right)).within(FIELD)
         reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
 
-    def _iff(self, verdict: str, kind: str, evidence: Any) -> Shown:
+    def _iff(self, verdict: str, kind: str, evidence: Any) -> Finding:
         data = an_object(evidence, "kind left right", "the evidence")
         left, right = (_judged(data[x], ("proved", "refuted")) for x in ("left", "right"))
         if kind != "both" or verdict != ("proved" if left[0] == right[0] else "refuted"):
             reject(f"the two sides do not show this {verdict}")
-        cited = [*self.part(0, *left)[1], *self.part(1, *right)[1]]
-        return FIELD, tuple(dict.fromkeys(cited))
+        return together((self.part(0, *left), self.part(1, *right))).within(FIELD)
 
-    def _everywhere(self, kind: str, evidence: Any) -> Shown:
+    def _everywhere(self, kind: str, evidence: Any) -> Finding:
         """Prove a relation between closed statements over all fields at once, by known lemmas."""
         data = an_object(evidence, "kind proofs", "the evidence")
         said = proposition_tree(self.p)
@@ -242,12 +258,13 @@ class _Logic:
         proofs = a_list(data["proofs"], "proofs")
         if kind != "lemmas" or lemmas is None or len(proofs) != len(lemmas):
             reject("these are not the proofs that show this over all fields")
-        for lemma, proof in zip(lemmas, proofs, strict=True):
-            statement = read_statement(lemma, self.setting)
-            _, cited = establish(statement, self.setting, "proved", proof)
-            if cited:
-                reject("a proof over all fields cites what it cannot")
-        return FIELDS, ()
+        found = together(
+            establish(read_statement(lemma, self.setting), self.setting, "proved", proof)
+            for lemma, proof in zip(lemmas, proofs, strict=True)
+        )
+        if found.cites or found.scope == FIELD:
+            reject("a proof over all fields cites what it cannot")
+        return found.within(FIELDS)
 
 
 def meaning(statement: str) -> Any:
@@ -265,9 +282,3 @@ def _judged(raw: object, allowed: tuple[str, ...]) -> tuple[str, Any]:
     if data["verdict"] not in allowed:
         reject(f"a part must be {' or '.join(allowed)}")
     return data["verdict"], data["evidence"]
-
-
-def _widest(scopes: list[str]) -> str:
-    if FIELD in scopes:
-        return FIELD
-    return FIELDS if FIELDS in scopes else RINGS

@@ -1,15 +1,24 @@
 """Evidence for statements about the field: division, level, orderings, moduli."""
 
+import re
 from itertools import product
-from typing import Any
+from typing import Any, NoReturn
 
 from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.facts import is_ordered, is_square, level_above
-from hfield.certificates.kinds import FIELD, Shown, kind_of
+from hfield.certificates.finding import FIELD, Finding, finding
 from hfield.certificates.over_field import Place
 from hfield.certificates.places import anisotropic
-from hfield.certificates.rejection import a_list, an_integer, an_object, reject, shown, texts
+from hfield.certificates.rejection import (
+    a_list,
+    an_integer,
+    an_object,
+    kind_of,
+    reject,
+    shown,
+    texts,
+)
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
 from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
@@ -20,7 +29,7 @@ MAX_ROOTS = 8
 
 def _field(setting: Setting) -> Ring:
     field = setting.field
-    if field is None or not field.is_field or field.name == "RDF":
+    if field is None or not field.is_field:
         reject("this speaks of one exact field at a time")
     return field
 
@@ -41,47 +50,48 @@ def _quaternion(field: Ring, value: object) -> Quaternion:
     return Quaternion(found)
 
 
-def _unfit(kind: str, verdict: str) -> Any:
+def _unfit(kind: str, verdict: str) -> NoReturn:
     reject(f"evidence of the kind {shown(kind)!r} does not show that this is {verdict}")
 
 
-def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """Every nonzero element of H(F) has an inverse: its norm is 0 only at 0."""
     _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)
-        hamilton = (minus_one, field.zero, minus_one)
+        constants = (minus_one, field.zero, minus_one)
         reason = {key: value for key, value in evidence.items() if key != "kind"}
-        return FIELD, anisotropic(field, hamilton, reason, setting.algebra)
+        cited = anisotropic(field, constants, reason, setting.algebra)
+        return finding(FIELD, "anisotropic norm").citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
             reject("the element is 0, or its norm is not")
-        return FIELD, ()
-    return _unfit(kind, verdict)  # type: ignore[no-any-return]
+        return finding(FIELD, "zero norm", "witness")
+    _unfit(kind, verdict)
 
 
-def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """−1 is not a sum of so many squares."""
-    if len(parts) != 1 or not parts[0].strip().isdecimal() or len(parts[0]) > 5:
+    if len(parts) != 1 or not re.fullmatch("[0-9]{1,5}", parts[0].strip()):
         reject("level-above takes a number")
     return _level(int(parts[0]), setting, verdict, evidence)
 
 
-def formally_real(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def formally_real(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """−1 is not a sum of squares."""
     _nothing(parts)
     return _level(None, setting, verdict, evidence)
 
 
-def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> Shown:
+def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> Finding:
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
         an_object(evidence, "kind", "the evidence")
         if not (is_ordered(field) if bound is None else level_above(field, bound)):
             reject(f"that −1 is no sum of squares in {field.name} cannot be verified")
-        return FIELD, ()
+        return finding(FIELD, "level")
     if verdict == "refuted" and kind == "squares":
         data = an_object(evidence, "kind values", "the evidence")
         values = [field.read(text) for text in texts(data["values"], "values", 1)]
@@ -90,11 +100,13 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
             total = field.add(total, field.mul(x, x))
         if (bound is not None and len(values) > bound) or not field.equal(total, field.number(-1)):
             reject("the squares are too many, or do not add up to −1")
-        return FIELD, ()
-    return _unfit(kind, verdict)  # type: ignore[no-any-return]
+        return finding(FIELD, "sum of squares")
+    _unfit(kind, verdict)
 
 
-def norm_criterion(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def norm_criterion(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
+) -> Finding:
     """q has an inverse exactly when N(q) > 0 (or < 0) in the orderings of the field."""
     if parts not in ((">",), ("<",)):
         reject("norm-criterion takes > or <")
@@ -103,7 +115,9 @@ def norm_criterion(parts: tuple[str, ...], setting: Setting, verdict: str, evide
         an_object(evidence, "kind", "the evidence")
         if not is_ordered(field):
             reject(f"{field.name} is not known to have an ordering")
-        return FIELD, ()  # N(q) is a sum of squares, so it is positive wherever it is not 0
+        return finding(
+            FIELD, "ordering"
+        )  # N(q) is a sum of squares, so it is positive wherever it is not 0
     if verdict == "refuted" and kind == "witness":
         data = an_object(evidence, "kind value norm", "the evidence")
         n = an_integer(data["norm"], "the norm")
@@ -112,27 +126,30 @@ def norm_criterion(parts: tuple[str, ...], setting: Setting, verdict: str, evide
             reject("the norm is not that number")
         if not (n < 0 if parts == (">",) else n > 0):
             reject("the norm does not contradict the criterion")
-        return FIELD, ()
-    return _unfit(kind, verdict)  # type: ignore[no-any-return]
+        return finding(FIELD, "witness")
+    _unfit(kind, verdict)
 
 
-def modulus_exists(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def modulus_exists(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
+) -> Finding:
     """Every norm is a square in the field."""
     _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "closed" and field.name in CLOSED:
         an_object(evidence, "kind", "the evidence")
-        return FIELD, (CLOSED[field.name],)  # in RR a sum of squares is not negative
+        # In RR a sum of squares is not negative.
+        return finding(FIELD, "closed field").citing(CLOSED[field.name])
     if verdict == "proved" and kind == "identity":
         an_object(evidence, "kind", "the evidence")
         _identity("norm(q) == (q[0] + q[1] + q[2] + q[3])**2", setting)
-        return FIELD, ()
+        return finding(FIELD, "identity")
     if verdict == "refuted" and kind == "no root":
         data = an_object(evidence, "kind value", "the evidence")
         if is_square(field, _evaluator(field).norm(_quaternion(field, data["value"]))):
             reject("the norm of the element is a square")
-        return FIELD, ()
-    return _unfit(kind, verdict)  # type: ignore[no-any-return]
+        return finding(FIELD, "witness")
+    _unfit(kind, verdict)
 
 
 def _identity(text: str, setting: Setting) -> None:
@@ -141,29 +158,34 @@ def _identity(text: str, setting: Setting) -> None:
         reject(f"{text} does not hold by expanding")
 
 
-def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Shown:
+def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
     """Some choice of a root √n for each square n makes √N(pq) = √N(p)·√N(q) (or the sum) hold."""
     if parts not in (("*",), ("+",)):
         reject("modulus-law takes * or +")
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "refuted" and kind == "all choices":
         _no_choice(field, parts[0], an_object(evidence, "kind elements roots", "the evidence"))
-        return FIELD, ()
+        return finding(FIELD, "all choices of roots")
     if verdict != "proved" or parts != ("*",):
-        return _unfit(kind, verdict)  # type: ignore[no-any-return]
+        _unfit(kind, verdict)
     an_object(evidence, "kind", "the evidence")
     _identity("norm(p*q) == norm(p)*norm(q)", setting)
     p = field.characteristic
     if kind == "unique roots" and p == 2:
-        return FIELD, ()  # y² = z² means (y − z)² = 0, so the product of the roots is the root
+        return finding(
+            FIELD, kind
+        )  # y² = z² means (y − z)² = 0, so the product of the roots is the root
     if kind == "ordering" and is_ordered(field):
-        return FIELD, ()  # the roots that are not negative: their products are not negative
+        return finding(
+            FIELD, kind
+        )  # the roots that are not negative: their products are not negative
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
-        return FIELD, ()
+        return finding(FIELD, "exhaustion", "choice of roots")
     if kind == "pure subgroup" and field.order is None and not is_square(field, field.number(-1)):
-        return FIELD, (KULIKOV,)  # {1, −1} is pure, so a complement of it contains one root of each
-    return _unfit(kind, verdict)  # type: ignore[no-any-return]
+        # {1, −1} is pure, so a complement of it contains one root of each.
+        return finding(FIELD, "choice of roots").citing(KULIKOV)
+    _unfit(kind, verdict)
 
 
 def _no_choice(field: Ring, operation: str, data: Any) -> None:

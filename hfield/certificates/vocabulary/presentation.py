@@ -4,9 +4,17 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.certificates.kinds import FIELD, RINGS, Shown
+from hfield.certificates.finding import FIELD, RINGS, Finding, finding
 from hfield.certificates.language import Tree, parse
-from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, shown
+from hfield.certificates.rejection import (
+    a_list,
+    a_text,
+    an_integer,
+    an_object,
+    kind_of,
+    reject,
+    shown,
+)
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
@@ -28,7 +36,7 @@ class Presentation:
 
 def read_presentation(text: str) -> Presentation | None:
     """Read ``associative(i, j, k): relations => goals``; None for a text of another kind."""
-    m = re.fullmatch(r"\s*associative\s*\(((?:\s*[eijk]\s*,?)*)\)\s*:(.*)", text, re.DOTALL)
+    m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL)
     if m is None:
         return None
     letters = "".join(m[1].split())
@@ -121,14 +129,14 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
 
 def establish_presentation(
     target: Presentation, ring: Ring | None, verdict: str, evidence: object
-) -> Shown:
+) -> Finding:
     """Check the evidence for or against a statement about associative algebras."""
-    kind = evidence.get("kind") if isinstance(evidence, dict) else None
-    own = {"presentation": "proofs", "algebra": "table goal value"}.get(str(kind))
-    wanted = {"presentation": "proved", "algebra": "refuted"}.get(str(kind))
+    kind = kind_of(evidence)
+    own = {"presentation": "proofs", "algebra": "table goal value"}.get(kind)
+    wanted = {"presentation": "proved", "algebra": "refuted"}.get(kind)
     if own is None or wanted != verdict:
         reject(f"evidence of the kind {shown(kind)!r} does not show that this is {verdict}")
-    if ring is not None and (not ring.is_field or ring.name == "RDF"):
+    if ring is not None and not ring.is_field:
         reject("statements about associative algebras are over fields, or over all of them")
     keys = f"kind characteristic identity relations goals {own}"
     data = an_object(evidence, keys, "the evidence")
@@ -144,10 +152,10 @@ def establish_presentation(
     if ring is not None and ring.characteristic != p:
         reject("the algebra is over another characteristic than the field has")
     _table(target, p, data)
-    return FIELD, ()
+    return finding(FIELD, "algebra")
 
 
-def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Shown:
+def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Finding:
     if p and (ring is None or ring.characteristic != p):
         reject("the proof is valid in one characteristic only")
     proofs = a_list(data["proofs"], "proofs")
@@ -174,7 +182,7 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Shown
             )
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
-    return (RINGS if ring is None else FIELD), ()
+    return finding(RINGS if ring is None else FIELD, "presentation")
 
 
 Vector = list[int]
@@ -190,6 +198,7 @@ def _table(target: Presentation, p: int, data: Any) -> None:
 
     def times(v: Vector, w: Vector) -> Vector:
         out = [0] * 4
+        charge(30)
         for x, c in zip("eijk", v, strict=True):
             for y, d in zip("eijk", w, strict=True):
                 if c and d:

@@ -1,12 +1,10 @@
-"""The introduction and sections 3.1 and 3.2, decided: verdicts, twins, certificates, the code proved."""
+"""Claims about the functions of sections 3.1 and 3.2: what is proved is the code, and the order of ℚ."""
 
 import importlib
 import inspect
 import json
 import random
-import re
 import sys
-from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
@@ -15,81 +13,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hfield.certificates.check import Pin, check_text
+from hfield.certificates.check import check_text
 from hfield.ledger.certificate import certificate
-from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, decide
-from hfield.ledger.computed import Computed
-from hfield.ledger.registry import claims
+from hfield.ledger.claim import NO_FIELD, Claim, decide
 from hfield.rings import ring
 from rotation import thesis
-from rotation.ledger import CLAIMS, generator, tables
+from rotation.ledger import generator, tables
 from rotation.ledger.order import Less, between
 from rotation.ledger.symbols import Symbol, code, coordinates, equal, read_as
-
-ROWS_OF_SECTION = {"0": 5, "3.1.1": 16, "3.1.2": 4, "3.2": 3, "3.2.1": 19}
-OWN = [claim for claim in CLAIMS if claim.section in ROWS_OF_SECTION]
-CHECKABLE = [claim for claim in OWN if claim.checkable]
-# Worked out by hand from the thesis.
-WRONG = {"C3.1.1-a", "C3.1.1-h", "C3.2.1-f", "C3.2.1-l", "C3.2.1-o"}
-NOT_CHECKABLE = {
-    *("C0-a", "C0-e", "C3.1.1-c", "C3.1.1-o", "C3.2-a", "C3.2-b", "C3.2-c"),
-    *("C3.2.1-b", "C3.2.1-m", "C3.2.1-q", "C3.2.1-r"),
-}
-
-
-def test_the_rows() -> None:
-    assert Counter(claim.section for claim in OWN) == ROWS_OF_SECTION
-    assert len({claim.id for claim in OWN}) == 47
-    names = Counter(claim.name for claim in {c.id: c for c in (*claims(), *CLAIMS)}.values())
-    for claim in OWN:
-        assert names[claim.name] == 1, claim.name
-        assert re.fullmatch(r"[a-z0-9]+([-.][a-z0-9]+)*", claim.name), claim.name
-        assert claim.checkable or claim.note, f"{claim.id} must say why it cannot be checked"
-    assert {claim.id for claim in OWN if not claim.checkable} == NOT_CHECKABLE
-    assert {c.id for c in OWN if not c.fieldless} == {"C0-b", "C0-c", "C0-d"}
-
-
-@pytest.mark.parametrize("claim", CHECKABLE, ids=lambda claim: claim.id)
-def test_decided_with_a_certificate(claim: Claim) -> None:
-    for field in claim.fields:
-        row = decide(claim, field)
-        assert row.settled, (field, row.as_printed, row.as_corrected)
-        if row.as_printed.verdict == "refuted":
-            assert claim.corrected is not None, f"refuted over {field} without a correction"
-            assert row.as_printed.witness is not None, f"refuted over {field} without a witness"
-            assert row.as_corrected is not None
-            assert row.as_corrected.verdict == "proved"
-        pairs = ((claim.as_printed, row.as_printed), (claim.corrected, row.as_corrected))
-        for proposition, decision in pairs:
-            data = certificate(proposition, decision, field)
-            if isinstance(proposition, Computed):
-                assert data is None
-            elif decision is not None:
-                assert data is not None, f"no certificate over {field}"
-                pin = Pin((proposition.statement,), data["field"]) if proposition else None
-                assert check_text(json.dumps(data), pin).verdict == decision.verdict
-
-
-@pytest.mark.parametrize("claim", CHECKABLE, ids=lambda claim: claim.id)
-def test_the_spoilt_twin_changes_the_verdict(claim: Claim) -> None:
-    assert claim.spoilt is not None
-    assert claim.as_printed is not None
-    base = None if claim.fieldless else ring("QQ")
-    verdicts = {claim.as_printed.decide(base).verdict, claim.spoilt.decide(base).verdict}
-    assert verdicts == {"proved", "refuted"}
-
-
-def test_the_errata() -> None:
-    assert {c.id for c in CHECKABLE if refuted(c, NO_FIELD)} == WRONG
-    plane = [c for c in CHECKABLE if not c.fieldless]
-    assert {c.id for c in plane if refuted(c, "QQ")} == {"C0-c", "C0-d"}
-    assert {c.id for c in plane if refuted(c, "GF(4)")} == {"C0-c"}
-    assert {c.id for c in plane if refuted(c, UNIVERSAL)} == {"C0-c", "C0-d"}
-
-
-def refuted(claim: Claim, field: str) -> bool:
-    return field in claim.fields and decide(claim, field).as_printed.verdict == "refuted"
-
 
 FORMULAS = ("quaternion_functions", "matrix_functions", "second_test")
 
