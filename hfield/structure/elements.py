@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring, power
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
-from hfield.structure.integers import factorise
 from hfield.structure.linear import kernel
 
 SEARCHED_ORDERS = 120

@@ -13,9 +13,10 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
+from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, conjugate, multiply, norm, trace
 from hfield.structure.forms import discriminant
-from hfield.structure.integers import factorise, fraction
+from hfield.structure.integers import fraction
 from hfield.structure.minimise import Conic, Lattice, half_discriminant, minimise
 from hfield.structure.primes import PrimePlace
 
