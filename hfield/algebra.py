@@ -253,7 +253,8 @@ class QuaternionAlgebra(Invariants):
         return f"${self.table_text('latex')}$"
 
     def __reduce__(self) -> Any:
-        return QuaternionAlgebra.from_text, (self.name,)
+        a, t, b = map(self.ring.state, self.constants)
+        return QuaternionAlgebra, (self.ring, a, b, t)
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

@@ -9,9 +9,9 @@ from typing import Any
 from hfield import structure
 from hfield.algebra import QuaternionAlgebra
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.lattices.order import Order
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text
-from hfield.orders import Order
 from hfield.quaternion import Quaternion
 from hfield.rings.base import INFINITY
 
@@ -129,8 +129,9 @@ def describe(A: QuaternionAlgebra, factors: Sequence[int] | None = None) -> Desc
     d = Description(A, relations(A))
     d.commutative = A.is_commutative()
     d.center = d.ask("center", A.center)
-    if F.is_field and F.is_exact:
+    if F.is_exact:
         d.radical = d.ask("radical", A.radical)
+    if F.is_field and F.is_exact:
         d.central_simple = A.is_central_simple()
     d.normal_form, d.substitution = _normal_form(A)
     derivations = d.ask("derivations", A.derivations)

@@ -134,8 +134,13 @@ class ElementFacts:
     def order(self) -> int | None:
         """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
 
-        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is
-        not known (over RR and CC only orders up to 120 are recognised).
+        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is not
+        known: for some transcendental numbers, over infinite rings of one's own, over RDF, and where a
+        factorisation is out of reach.
+
+        >>> from hfield import H
+        >>> H("RR").parse("cos(2*pi/7) + sin(2*pi/7)*k").order(), H("RR")(1, 1, 1, 1).order()
+        (7, None)
         """
         return structure.multiplicative_order(*self._single())
 

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
-from hfield.errors import CoercionError, MixedParentsError, RingError, shorten
+from hfield.errors import CoercionError, MixedParentsError, shorten
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
+    from hfield.lattices.euclidean import HurwitzOrder
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
     from hfield.maps import Division, Isomorphism, LinearMap, Splitting
-    from hfield.orders import HurwitzOrder, Order
 
 
 # What may be counted, in singular and plural.
@@ -43,7 +46,17 @@ class Invariants(Parent):
     # --- linear algebra ------------------------------------------------------------------------
 
     def center(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the centre, found by linear algebra in the base ring (thesis 1.1.2)."""
+        """Return a basis of the centre, e first, found by linear algebra in the base ring (thesis 1.1.2).
+
+        Over a ring over which it is not free these are generators, none superfluous: every central element
+        is a combination of them, with coefficients that are not unique. Over ℤ/n the centre is the direct
+        sum of what each of them generates. Raises :class:`UndecidedError` over infinite rings that are not
+        domains, and over rings of one's own, where elimination meets no units.
+
+        >>> from hfield import H
+        >>> H("QQ").center(), H("ZZ/4").center()
+        ((1,), (1, 2i, 2j, 2k))
+        """
         return tuple(self(*c) for c in structure.centre(*self._here()))
 
     def is_commutative(self) -> bool:
@@ -51,7 +64,16 @@ class Invariants(Parent):
         return structure.is_commutative(*self._here())
 
     def radical(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the Jacobson radical, over a field: () where the algebra is semisimple."""
+        """Return a basis of the Jacobson radical: () where it is 0, as over a field for a semisimple algebra.
+
+        Over a ring over which it is not free these are generators, as in :meth:`center`. Raises
+        :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings, over finite
+        ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
+
+        >>> from hfield import H
+        >>> H("GF(2)").radical(), H("ZZ/9").radical()
+        ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
+        """
         return tuple(self(*c) for c in structure.radical(*self._here()))
 
     def is_central_simple(self) -> bool:
@@ -61,7 +83,8 @@ class Invariants(Parent):
     def derivations(self) -> tuple[LinearMap, ...]:
         """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
 
-        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3.
+        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3. Over a ring
+        over which they are not free these are generators, as in :meth:`center`.
         """
         from hfield.maps import LinearMap
 
@@ -192,19 +215,23 @@ class Invariants(Parent):
         found = structure.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
-    # --- finite fields and rational orders -----------------------------------------------------
+    # --- finite fields ---------------------------------------------------------------------------
 
     def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
         """Return how many elements there are, over a finite ring.
 
         ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
-        of norm n, ``square=s`` for those with square s. Closed formulas answer over a field (see
-        :func:`hfield.structure.confirm` for their confirmation), exhaustion over ℤ/n.
-        Raises :class:`NotFiniteError`, and :class:`CoercionError` for a kind that does not exist.
+        of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
+        (:func:`hfield.structure.confirm` confirms them), exhaustion over other finite rings.
+        Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
+        :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
+        there is too much to go through.
 
         >>> from hfield import H
         >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
         (801, 92, 92)
+        >>> H("ZZ/1000").count(norm=0)
+        299600000
         """
         if sum((kind != "elements", norm is not None, square is not None)) > 1:
             raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
@@ -215,7 +242,7 @@ class Invariants(Parent):
         elif kind in ("norm", "square roots"):
             raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
         kind = _KINDS.get(kind, kind)
-        if ring.order is not None and not ring.is_field:
+        if ring.order is not None and not structure.has_formulas(ring):
             found = structure.tally(ring, c)
             tables = {"norm": found.norms, "square roots": found.roots}
             if kind in tables:
@@ -224,27 +251,58 @@ class Invariants(Parent):
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
 
+    # --- lattices and orders over ℤ --------------------------------------------------------------
+
+    def lattice(self, elements: Iterable[Any]) -> Lattice:
+        """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
+
+        Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` over another field.
+        """
+        from hfield.lattices.lattice import Lattice
+
+        return Lattice.spanned(self, elements)
+
+    def order(self, elements: Iterable[Any]) -> Order:
+        """Return the order that elements generate as a ring.
+
+        Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.generated(self, elements)
+
+    def order_from_basis(self, elements: Iterable[Any]) -> Order:
+        """Return the order with a basis of four elements.
+
+        Raises :class:`LatticeError` unless they span a ring with 1.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.from_basis(self, elements)
+
     def maximal_order(self) -> Order:
-        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate."""
-        return self._order("maximal_order")
+        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate: always the same."""
+        from hfield.lattices.named import maximal_order
+
+        return maximal_order(self)
+
+    def eichler_order(self, level: int) -> Order:
+        """Return an Eichler order of the given level, the same for the same algebra and level.
+
+        Raises :class:`LatticeError` for a level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import eichler_order
+
+        return eichler_order(self, level)
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
-        return self._order("lipschitz_order")
+        from hfield.lattices.named import lipschitz_order
+
+        return lipschitz_order(self)
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
-        from hfield.orders import HurwitzOrder
+        from hfield.lattices.named import hurwitz_order
 
-        if [str(c) for c in self.constants] != ["-1", "0", "-1"]:
-            raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {self}")
-        return HurwitzOrder(self, self._order("hurwitz_order")._found)
-
-    def _order(self, name: str) -> Order:
-        from hfield.orders import Order
-
-        if self.ring.name != "QQ":
-            raise RingError(
-                f"orders over ℤ belong to algebras over QQ, and {self} is over {self.ring}"
-            )
-        return Order(self, getattr(structure, name)(self.constants))
+        return hurwitz_order(self)

@@ -12,12 +12,7 @@ from hfield.certificates.facts import (
 )
 from hfield.certificates.over_field import Place
 from hfield.certificates.places import anisotropic
-from hfield.certificates.polynomials import (
-    BITS,
-    MASK,
-    Names,
-    Poly,
-)
+from hfield.certificates.polynomials import Names, Poly, variables
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.statement import Setting
 
@@ -34,7 +29,7 @@ class Context:
         for raw in a_list(facts, "facts"):
             form = raw.get("form") if isinstance(raw, dict) else None
             keys = "form by most positive" if form == "squares" else "form by"
-            fact = an_object(raw, keys, "a fact", "places" if form == "norm" else "")
+            fact = raw if form == "norm" else an_object(raw, keys, "a fact")
             if form not in ("norm", "squares", "roots") or form in self.facts:
                 reject("a fact is of no known form, or stands there twice")
             self._verify(fact)
@@ -48,10 +43,11 @@ class Context:
             evaluator = Evaluator(RingScalars(ring), self.setting.constants, self._constants())
             if evaluator.conditions or self.setting.letters:
                 reject("the structure constants are not known")
+            reason = {key: value for key, value in fact.items() if key != "form"}
             values = [evaluator.term(tree)[0] for tree in self.setting.constants]
             a, t, b = values
             self.assumes.update(
-                dict.fromkeys(anisotropic(ring, (a, t, b), fact, self.setting.algebra))
+                dict.fromkeys(anisotropic(ring, (a, t, b), reason, self.setting.algebra))
             )
         elif fact["form"] == "squares":
             if not isinstance(fact["positive"], bool):
@@ -70,7 +66,7 @@ class Context:
 
     def _constants(self) -> dict[Any, Any]:
         ring = self.ring
-        trees = self.names.variables[self.expansion.unknowns :]
+        trees = self.names.trees[self.expansion.unknowns :]
         return {tree: ring.constant(tree) for tree in trees} if ring is not None else {}
 
     def need(self, form: str) -> Any:
@@ -96,9 +92,8 @@ class Context:
 
     def vanishes_by_constants(self, f: Poly) -> bool:
         """Tell whether a polynomial in the constants of the field is 0."""
-        width = BITS * self.expansion.unknowns
         return self.ring is not None and (
-            all(m & ((1 << width) - 1) == 0 for m in f) and self.place.vanishes(f)
+            all(v >= self.expansion.unknowns for v in variables(f)) and self.place.vanishes(f)
         )
 
     def is_nonzero_constant(self, f: Poly) -> bool:
@@ -110,21 +105,19 @@ class Context:
         self.need("roots")
         ring = self.ring
         assert ring is not None
-        first, last = self.expansion.unknowns, len(self.names.variables)
-        places = [n for n in range(len(names.variables)) if not first <= n < last]
-        used = [n for n in places if any((m >> (BITS * n)) & MASK for m in f)]
+        first, last = self.expansion.unknowns, len(self.names.trees)
+        used = [v for v in variables(f) if not first <= v < last]
         if len(used) != 1:
             reject("a polynomial without roots must be in one unknown")
-        shift, width = BITS * used[0], BITS * first
-        degree = max((m >> shift) & MASK for m in f)
+        degree = max(dict(m).get(used[0], 0) for m in f)
         if degree > 64:
             reject("the degree of a polynomial without roots is too large")
         values = [ring.zero] * (degree + 1)
         for m, c in f.items():
-            e = (m >> shift) & MASK
-            rest = {(((m - (e << shift)) >> width) << width) if last > first else 0: c}
-            found = self.place.coefficients(rest, False)
-            values[e] = ring.add(values[e], found.get(0, ring.zero))
+            e = dict(m).get(used[0], 0)
+            rest = tuple(pair for pair in m if pair[0] != used[0])
+            for value in self.place.coefficients({rest: c}, False).values():
+                values[e] = ring.add(values[e], value)
         if ring.name == "QQ":
             below = 1
             for value in values:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from hfield.certificates.context import Context
-from hfield.certificates.finite import is_prime
 from hfield.certificates.polynomials import (
     Names,
     Poly,
@@ -12,8 +11,10 @@ from hfield.certificates.polynomials import (
     constant,
     modulo,
     multiply,
+    power,
 )
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
+from hfield.certificates.scalars.finite import is_prime
 
 MAX_DEPTH = 8
 
@@ -150,8 +151,7 @@ class Item:
         for f, n in zip(factors, powers, strict=True):
             if n > 64:
                 reject("a power of a factor is too large")
-            for _ in range(n):
-                target = multiply(target, f)
+            target = multiply(target, power(f, n))
         self._verify(step, known, names, target)
         for f, branch in zip(factors, branches, strict=True):
             self._steps(branch, [*known, f], names, depth + 1)

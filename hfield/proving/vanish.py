@@ -28,6 +28,13 @@ def vanishes(polynomial: Any, x: Expanded, field: Ring) -> bool:
     return x.has_constants and not coefficients(polynomial, x, field)
 
 
+def is_nonzero_constant(polynomial: Any, x: Expanded, field: Ring) -> bool:
+    """Tell whether no unknown occurs and the value, constants of the field put in, is not 0."""
+    if any(polynomial.degrees()[: x.unknowns]):
+        return False
+    return not vanishes(polynomial, x, field)
+
+
 def vanishes_as_function(polynomial: Any, x: Expanded, field: Ring) -> bool:
     """Tell whether the polynomial is 0 wherever it is evaluated, over a field.
 

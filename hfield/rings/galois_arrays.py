@@ -65,7 +65,8 @@ def array(F: Any, values: Any) -> Any:
                 "elements of the field, or an array of galois over it"
             )
         wide = values if values.dtype == np.uint64 else values.astype(np.int64)
-        return (wide % wide.dtype.type(F.characteristic)).astype(cls.dtypes[0]).view(cls)
+        residues = np.asarray(wide % wide.dtype.type(F.characteristic))  # or 0 dimensions get lost
+        return residues.astype(cls.dtypes[0]).view(cls)
     elements = objects(values, F)
     labels = [F.label(elements[n]) for n in np.ndindex(*elements.shape)]
     return np.array(labels, dtype=cls.dtypes[0]).reshape(elements.shape).view(cls)

@@ -49,6 +49,10 @@ class _Ordered(Ring):
         """Return x itself: flint's numbers are hashable."""
         return x
 
+    def state(self, x: Any) -> Any:
+        """Return x itself: flint's integers and rationals pickle."""
+        return x
+
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``-1/2``."""
         return number_text(x, style)
@@ -139,6 +143,10 @@ class Residues(Modular):
 
     def __init__(self, n: int) -> None:
         super().__init__(f"ZZ/{n}", n, is_prime(n))
+
+    def state(self, x: Any) -> Any:
+        """Return the residue as an int."""
+        return int(x)
 
 
 def Zmod(n: int) -> Modular:

@@ -1,17 +1,22 @@
-"""How many elements of an algebra over GF(q) have norm n, are nilpotent, idempotent, roots, units.
+"""How many elements of an algebra over GF(q) or ℤ/n have norm n, are nilpotent, idempotent, roots, units.
 
 Everything follows from how many elements have a given norm, alone or with trace 0 or 1, because an
 element satisfies ``x² = tr(x)·x − N(x)``: it is nilpotent when both are 0, idempotent when it is 0, 1 or has
 trace 1 and norm 0, and squares to s when it is a scalar root of s or has trace 0 and norm −s.
-The formulas cover every (a, t, b), degenerate ones and characteristic 2 included.
+The formulas cover every (a, t, b), degenerate ones and characteristic 2 included. Over ℤ/n they are put
+together from those over its residue fields and prime powers, by :mod:`hfield.structure.residue_counts`.
 """
 
+from math import prod
 from typing import Any, NamedTuple
 
 from hfield.errors import CoercionError, NotFiniteError
 from hfield.product import Constants
 from hfield.rings.base import Ring
+from hfield.rings.finite import PrimeField
+from hfield.rings.modular import Modular
 from hfield.structure.forms import discriminant, normal_form
+from hfield.structure.residue_counts import count_residues
 
 KINDS = ("elements", "norm", "nilpotent", "idempotent", "square roots", "units")
 
@@ -34,17 +39,24 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
     """Return how many elements there are of one of the :data:`KINDS`, by closed formula.
 
     ``value`` is the norm (default 0) or the scalar whose square roots are counted (default 1). Raises
-    :class:`NotFiniteError` unless the ring is a finite field, and :class:`CoercionError` for a kind that
-    does not exist.
+    :class:`NotFiniteError` unless the ring is a finite field or ℤ/n, :class:`CoercionError` for a kind that
+    does not exist, and :class:`UndecidedError` for an n that cannot be factored.
     """
-    if ring.order is None or not ring.is_field:
-        raise NotFiniteError(f"{ring.name} is not a finite field: counting formulas are for these")
+    if not has_formulas(ring):
+        raise NotFiniteError(
+            f"{ring.name} is not a finite field, nor ZZ/n: counting formulas are for these"
+        )
     if kind not in KINDS:
         raise CoercionError(f"there is no count of {kind!r}: expected one of {', '.join(KINDS)}")
+    assert ring.order is not None
     q = int(ring.order)
-    shape = _shape(ring, c)
     if kind == "elements":
-        return Count(q**4, "q^4")
+        return Count(q**4, "q^4" if ring.is_field else "n^4")
+    if not ring.is_field:
+        value = ring((kind == "square roots") if value is None else value)
+        parts = count_residues(ring, c, kind, value, lambda p, kind: _over_prime(c, p, kind))
+        return Count(prod(parts), "*".join(map(str, parts)))
+    shape = _shape(ring, c)
     if kind == "norm":
         return _norm(ring, shape, q, ring(0 if value is None else value))
     if kind == "units":
@@ -55,6 +67,17 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
     if kind == "idempotent":
         return _idempotents(shape, q)
     return _square_roots(ring, shape, q, ring(1 if value is None else value))
+
+
+def has_formulas(ring: Ring) -> bool:
+    """Tell whether there are closed formulas: over a finite field and over ℤ/n."""
+    return ring.order is not None and (ring.is_field or isinstance(ring, Modular))
+
+
+def _over_prime(c: Constants, p: int, kind: str) -> int:
+    """Count modulo a prime divisor p of n."""
+    field = PrimeField(p)
+    return count(field, Constants(*(field(int(x)) for x in c)), kind).value
 
 
 def _shape(ring: Ring, c: Constants) -> _Shape:

@@ -1,13 +1,18 @@
-"""Radical, simplicity, derivations and the opposite algebra, over a field."""
+"""Radical, simplicity, derivations and the opposite algebra."""
 
-from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, multiply, norm
+from typing import Any
+
+from hfield.errors import UndecidedError, shorten
+from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
+from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.commutators import basis_of
 from hfield.structure.fields import square_parts
-from hfield.structure.forms import discriminant
-from hfield.structure.linear import Row, kernel
+from hfield.structure.finite_radical import finite_radical
+from hfield.structure.forms import discriminant, pairing_matrix
+from hfield.structure.linear import kernel
+from hfield.structure.syzygies import Row
 
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
@@ -16,29 +21,25 @@ def is_central_simple(ring: Ring, c: Constants) -> bool:
 
 
 def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
-    """Return a basis of the Jacobson radical, () for a central simple algebra. The ring must be a field.
+    """Return a basis of the Jacobson radical, () for a central simple algebra; generators over rings.
 
-    Where the trace is not 0 the radical is the kernel of the bilinear form of the norm. In characteristic 2
-    with t = 0 it is the kernel of the norm, which is additive: linear over the field after taking roots.
+    Over a field it is the kernel of the bilinear form of the norm; in characteristic 2 with t = 0, where that
+    is 0, of the norm, which is additive: linear over the field after taking roots. Over ℤ and polynomial
+    rings the radical is nilpotent (they are Jacobson rings), so it is that over the field of fractions.
+    Raises :class:`UndecidedError` over infinite rings of other kinds.
     """
-    if not ring.is_field:
-        raise UndecidedError(
-            f"{ring.name} is not a field: the radical is computed over fields only"
-        )
     if is_central_simple(ring, c):
         return ()
-    basis = basis_of(ring)
-    if ring.characteristic == 2 and ring.is_zero(c.t):
-        rows = _roots(ring, c)
-    else:
-        rows = [[_pairing(c, u, v) for v in basis] for u in basis]
+    if not ring.is_field and ring.order is not None:
+        return finite_radical(ring, c)
+    if not (ring.is_field or ring.name == "ZZ" or isinstance(ring, PolynomialRing)):
+        raise UndecidedError(
+            f"the radical over {shorten(ring.name)} is not decided: expected a field, a finite ring, ZZ or "
+            "a ring of polynomials"
+        )
+    additive = ring.characteristic == 2 and ring.is_zero(c.t)
+    rows = _roots(ring, c) if additive else pairing_matrix(ring, c)
     return tuple((w, x, y, z) for w, x, y, z in kernel(ring, rows, 4))
-
-
-def _pairing(c: Constants, u: Coordinates, v: Coordinates) -> object:
-    """Return ``N(u + v) − N(u) − N(v)``."""
-    w, x, y, z = (p + q for p, q in zip(u, v, strict=True))
-    return norm(c, (w, x, y, z)) - norm(c, u) - norm(c, v)
 
 
 def _roots(ring: Ring, c: Constants) -> list[Row]:
@@ -46,6 +47,8 @@ def _roots(ring: Ring, c: Constants) -> list[Row]:
     squares = [ring.one, c.a, c.b, c.a * c.b]
     if isinstance(ring, FunctionField):
         return [list(row) for row in zip(*(square_parts(ring, x) for x in squares), strict=True)]
+    if isinstance(ring, PolynomialRing):
+        return _monomial_roots(ring, squares)
     roots = [ring.sqrt(x) for x in squares]
     if None in roots:
         raise UndecidedError(
@@ -54,11 +57,21 @@ def _roots(ring: Ring, c: Constants) -> list[Row]:
     return [roots]
 
 
+def _monomial_roots(ring: PolynomialRing, squares: list[Any]) -> list[Row]:
+    """Write polynomials over GF(2) as ``Σ u²·m`` with squarefree monomials m: one row of u for each m."""
+    rows: dict[tuple[int, ...], Row] = {}
+    for n, x in enumerate(squares):
+        for exponents, _ in x.terms():
+            row = rows.setdefault(tuple(e % 2 for e in exponents), [ring.zero] * len(squares))
+            row[n] = row[n] + ring.context.from_dict({tuple(e // 2 for e in exponents): 1})
+    return list(rows.values())
+
+
 def derivations(ring: Ring, c: Constants) -> tuple[tuple[Row, ...], ...]:
     """Return a basis of the derivations, each a 4 × 4 matrix whose columns are the images of e, i, j, k.
 
-    A central simple algebra has only inner ones, ``x ↦ qx − xq``, a space of dimension 3. Raises
-    :class:`UndecidedError` over a ring where the kernel has no evident basis.
+    A central simple algebra has only inner ones, ``x ↦ qx − xq``, a space of dimension 3. Over a ring where
+    they are no free module, such as ℤ/n, these are generators. Raises :class:`UndecidedError`.
     """
     basis = basis_of(ring)
     products = [(r, s, multiply(c, basis[r], basis[s])) for r in range(4) for s in range(4)]

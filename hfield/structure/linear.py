@@ -1,35 +1,26 @@
-"""Linear algebra over a base ring, as far as bases of kernels go."""
+"""Linear algebra over a base ring, as far as kernels go."""
 
-import math
 from typing import Any
 
-from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.errors import NotInvertibleError
 from hfield.rings.base import Ring
-
-Row = list[Any]
+from hfield.structure.syzygies import Row, relations
 
 
 def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
-    """Return a basis of ``{v : rows·v = 0}``, of ``width`` columns, by elimination.
+    """Return a basis of ``{v : rows·v = 0}``, of ``width`` columns; generators where it need not be free.
 
-    Over a field always; over other rings as long as every pivot can be a unit, or stands alone in
-    its row and is no zero divisor. Over ZZ the rest is done by integer reduction, so the basis
-    is saturated. Raises :class:`UndecidedError` where the kernel need not be free.
+    Over a field by elimination, which over other rings goes on as long as a pivot is a unit, or stands
+    alone in its row and is no zero divisor. The rest is left to :func:`relations`. Raises
+    :class:`UndecidedError` where that finds no generators.
     """
     rows = [list(r) for r in rows]
     pivots: dict[int, Row] = {}
     while True:
         rows = [r for r in rows if not all(ring.is_zero(x) for x in r)]
-        if not rows:
-            break
         step = _unit_pivot(ring, rows) or _lonely_pivot(ring, rows)
         if step is None:
-            if ring.name == "ZZ":
-                return _integer_kernel(ring, [*rows, *pivots.values()], width)
-            raise UndecidedError(
-                f"over {ring.name} this kernel has no basis that elimination with units could find; "
-                "ask over the field of fractions, or over a residue field"
-            )
+            break
         row, column = step
         for other in [*rows, *pivots.values()]:
             if other is not row and not ring.is_zero(other[column]):
@@ -37,15 +28,25 @@ def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
                 other[:] = [x - factor * y for x, y in zip(other, row, strict=True)]
         rows = [r for r in rows if r is not row]
         pivots[column] = row
+    free = [n for n in range(width) if n not in pivots]
+    if rows:
+        tails = relations(ring, [[row[n] for n in free] for row in rows], len(free))
+    else:
+        tails = [[ring.one if m == n else ring.zero for m in free] for n in free]
     basis = []
-    for free in range(width):
-        if free not in pivots:
-            v = [ring.zero] * width
-            v[free] = ring.one
-            for column, row in pivots.items():
-                v[column] = ring.zero - row[free]
-            basis.append(v)
+    for tail in tails:
+        v = [ring.zero] * width
+        for n, x in zip(free, tail, strict=True):
+            v[n] = x
+        for column, row in pivots.items():
+            v[column] = ring.zero - _at(row, free, tail)
+        basis.append(v)
     return basis
+
+
+def _at(row: Row, free: list[int], tail: Row) -> Any:
+    first, *rest = (row[n] * x for n, x in zip(free, tail, strict=True))
+    return sum(rest, first)
 
 
 def _unit_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
@@ -70,28 +71,6 @@ def _lonely_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
             row[support[0]] = ring.one
             return row, support[0]
     return None
-
-
-def _integer_kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
-    """Return a saturated basis of the kernel of an integer matrix, by unimodular column steps."""
-    columns = [
-        [int(r[i]) for r in rows] + [int(i == j) for j in range(width)] for i in range(width)
-    ]
-    height = len(rows)
-    for h in range(height):
-        live = [v for v in columns if v[h] and not any(v[:h])]
-        while len(live) > 1:
-            live.sort(key=lambda v: abs(v[h]))
-            for v in live[1:]:
-                factor = v[h] // live[0][h]
-                v[:] = [x - factor * y for x, y in zip(v, live[0], strict=True)]
-            live = [v for v in live if v[h]]
-    basis = [v[height:] for v in columns if not any(v[:height])]
-    for v in basis:
-        lead = next(x for x in v if x)
-        divisor = math.copysign(math.gcd(*v), lead)
-        v[:] = [x // int(divisor) for x in v]
-    return [[ring(x) for x in v] for v in basis]
 
 
 def apply(matrix: list[Row], v: Row) -> Row:

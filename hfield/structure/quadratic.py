@@ -126,7 +126,7 @@ def _local(v: QuadraticPlace, x: tuple[int, int]) -> tuple[int, int]:
     n, unit = remove(size, p)
     if v.root is not None:
         precision = n + 4
-        value = (x[0] + x[1] * _p_adic_root(v, precision)) % p**precision
+        value = (x[0] + x[1] * p_adic_root(v, precision)) % p**precision
         return remove(value, p)
     if d % p:  # inert: n is even
         return n // 2, unit % p
@@ -135,7 +135,7 @@ def _local(v: QuadraticPlace, x: tuple[int, int]) -> tuple[int, int]:
     return n, leading // p**k * pow(d // p, -k, p) % p
 
 
-def _p_adic_root(v: QuadraticPlace, precision: int) -> int:
+def p_adic_root(v: QuadraticPlace, precision: int) -> int:
     """Return the square root of d modulo ``p**precision`` (one digit less for p = 2)."""
     p, d = v.prime, v.d
     assert v.root is not None
