@@ -14,11 +14,11 @@ import flint
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
+from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.lattice import Lattice, checked_side, element_row
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
-from hfield.structure.integers import factorise, is_prime
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
