@@ -15,7 +15,7 @@ FLOORS = [
     {"hfield.structure"},
     {"hfield.elements"},
     {"hfield.quaternion"},
-    {"hfield.maps", "hfield.orders"},
+    {"hfield.maps", "hfield.lattices"},
     {"hfield.invariants"},
     {"hfield.algebra"},
     {"hfield.description"},

@@ -148,7 +148,9 @@ def run(count: int, seed: int, pool: Sequence[Certificate]) -> Outcome:
 
 def _judged(text: str, established: Established, seed: int) -> str:
     data: Any = json.loads(text)
-    if established.assumptions:  # what rests on an assumption is no break if the assumption is false
+    if (
+        established.assumptions
+    ):  # what rests on an assumption is no break if the assumption is false
         return ""
     return false_claim(data, established, seed)
 
