@@ -37,8 +37,8 @@ class Rule:
     positive: bool = False
     assumes: tuple[str, ...] = ()
     by: str = ""
-    data: Mapping[str, Any] | None = a_field(default=None, compare=False)
     algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
+    data: Mapping[str, Any] | None = a_field(default=None, compare=False)
 
     def __str__(self) -> str:
         if self.form == ROOTS:
@@ -50,9 +50,10 @@ class Rule:
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""
-        out: dict[str, Any] = {"form": self.form, **(self.data or {"by": self.by})}
-        if self.algebra:
-            out["algebra"] = self.algebra
+        if self.data is not None:
+            own = {"algebra": self.algebra} if self.algebra else {}
+            return {"form": self.form, **own, **self.data}
+        out: dict[str, Any] = {"form": self.form, "by": self.by}
         if self.form == SQUARES:
             out["most"] = None if self.most == INFINITY else int(self.most)
             out["positive"] = self.positive

@@ -1,21 +1,15 @@
-"""What an element is: nilpotent, idempotent, a unit and of which order, a conjugate of another."""
+"""What an element is: nilpotent, idempotent, a unit, a conjugate of another."""
 
 import itertools
-import math
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring, power
-from hfield.rings.functions import FunctionField
-from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
 from hfield.structure.finite_radical import is_nilpotent as is_nilpotent_scalar
-from hfield.structure.integers import factorise
 from hfield.structure.linear import kernel
-
-SEARCHED_ORDERS = 120
 
 
 def characteristic_polynomial(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Any, Any]:
@@ -89,58 +83,3 @@ def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Conj
             return Conjugator((w, x, y, z), "x·p = q·x is solved by a unit")
     reason = f"x·p = q·x has a solution space of dimension {len(space)}, and no unit is in it"
     return Conjugator(None, reason)
-
-
-def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None:
-    """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
-
-    Raises :class:`NotInvertibleError` when q is no unit and :class:`UndecidedError` over the real and
-    complex numbers when no order up to 120 fits.
-    """
-    if not is_unit(ring, c, q):
-        raise NotInvertibleError("an element without inverse has no order: its norm is no unit")
-    exponent = _exponent(ring, c, q)
-    if exponent is None:
-        return None
-    if not _is_one(ring, c, q, exponent):
-        if ring.name in ("RR", "CC"):
-            raise UndecidedError(
-                f"the order is infinite or greater than {SEARCHED_ORDERS}: not decided"
-            )
-        return None
-    for p in factorise(exponent):
-        while exponent % p == 0 and _is_one(ring, c, q, exponent // p):
-            exponent //= p
-    return exponent
-
-
-def _is_one(ring: Ring, c: Constants, q: Coordinates, n: int) -> bool:
-    one = basis_of(ring)[0]
-    result = one
-    for bit in bin(n)[2:]:
-        result = multiply(c, result, result)
-        if bit == "1":
-            result = multiply(c, result, q)
-    return all(ring.equal(x, y) for x, y in zip(result, one, strict=True))
-
-
-def _exponent(ring: Ring, c: Constants, q: Coordinates) -> int | None:
-    """Return a number that is a multiple of the order of q if that is finite; None for infinite order.
-
-    q generates an algebra of dimension at most 2. Over GF(q) that is GF(q²), GF(q)² or GF(q)[ε]; a root of
-    unity of degree at most 2 over ℚ has order 1, 2, 3, 4 or 6; over a quadratic field 1 to 6, 8, 10 or 12.
-    """
-    size = ring.order
-    if isinstance(ring, FunctionField) and ring.base.order is not None:
-        if any(x.num.degree() > 0 or x.den.degree() > 0 for x in (trace(c, q), norm(c, q))):
-            return None
-        size = ring.base.order
-    if size is not None:
-        if ring.is_field:
-            return (size * size - 1) * ring.characteristic
-        return math.lcm(*(p**k * (p * p - 1) for p, k in factorise(size).items()))
-    if ring.characteristic or not ring.is_exact:
-        raise UndecidedError(f"orders of units over {ring.name} are not decided")
-    if ring.name in ("RR", "CC"):
-        return next((n for n in range(1, SEARCHED_ORDERS + 1) if _is_one(ring, c, q, n)), 1)
-    return 120 if isinstance(ring, QuadraticField) else 12

@@ -61,7 +61,8 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)
         constants = (minus_one, field.zero, minus_one)
-        cited = anisotropic(field, constants, evidence, setting.algebra)
+        reason = {key: value for key, value in evidence.items() if key != "kind"}
+        cited = anisotropic(field, constants, reason, setting.algebra)
         return finding(FIELD, "anisotropic norm").citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])

@@ -17,7 +17,6 @@ from tests.adversary.forging.kinds import forged
 from tests.adversary.forging.mutants import mutated
 from tests.adversary.forging.spelling import SPELLINGS
 from tests.adversary.forging.targets import NO_FIELDS, TARGETS, Certificate, Target
-from tests.adversary.forging.wholes import CLOSED
 from tests.adversary.forging.wholes import forged as forged_whole
 from tests.adversary.grammar import NotRead
 from tests.adversary.judgement import judge
@@ -93,9 +92,10 @@ def _pinned(rng: random.Random, pool: Sequence[Certificate]) -> tuple[str, Targe
     )
     s = target.statement
     wider = rng.choice((
-        f"{s}{' ' * 300}or 0 == 0", f"{s} or 1 == 1", f"1 == 1 or {s}", f"1 == 2 => ({s})", f"every{{{s} or 0 == 0}}",
-        f"implies{{1 == 2; {s}}}", f"({s}) <=> ({s})", f"over{{ZZ/6; {s} or 0 == 0}}", f"not-everywhere{{{s}}}",
-        f"citing{{limits; {s} or 0 == 0}}", f"angles{{{s} or 0 == 0}}", s.replace("==", "!=") + " or 1 == 1",
+        f"{s}{' ' * 300}or 0 == 0", f"{s} or 1 == 1", f"1 == 1 or {s}", f"1 == 2 => ({s})",
+        f"every{{{s} or 0 == 0}}", f"implies{{1 == 2; {s}}}", f"({s}) <=> ({s})",
+        f"over{{ZZ/6; {s} or 0 == 0}}", f"not-everywhere{{{s}}}", f"angles{{{s} or 0 == 0}}",
+        f"citing{{limits; {s} or 0 == 0}}", s.replace("==", "!=") + " or 1 == 1",
     ))  # fmt: skip
     data = target.certificate({"kind": "identity"}, "identity", statement=wider)
     other = Pin((s,), target.field, target.algebra, any_field=rng.random() < 0.3)
@@ -103,16 +103,22 @@ def _pinned(rng: random.Random, pool: Sequence[Certificate]) -> tuple[str, Targe
 
 
 def _checked(text: str, pin: Pin | None) -> Established:
-    """Check; where only ``assumes`` is wrong, write there what the checker wants and check again."""
+    """Check; a forger mends what the checker says of ``method`` and ``assumes``, and checks again."""
     try:
         return check_text(text, pin)
     except Rejected as error:
-        _, found, cites = str(error).partition("exactly what the evidence cites: ")
-        if not found:
-            raise
-        data = json.loads(text)
-        data["assumes"] = [] if cites == "nothing" else cites.split("; ")
-        return check_text(json.dumps(data), pin)
+        said = str(error)
+    _, methods, wanted = said.partition("is not that of the evidence: ")
+    _, assumes, cites = said.partition("exactly what the evidence cites: ")
+    if not (methods or assumes):
+        raise Rejected(said)
+    data = json.loads(text)
+    if methods and data["method"] != wanted.split(" or ")[0]:
+        return _checked(json.dumps({**data, "method": wanted.split(" or ")[0]}), pin)
+    if assumes and not data["assumes"]:
+        own = [] if cites == "nothing" else cites.split("; ")
+        return _checked(json.dumps({**data, "assumes": own}), pin)
+    raise Rejected(said)
 
 
 def run(count: int, seed: int, pool: Sequence[Certificate]) -> Outcome:
@@ -129,7 +135,7 @@ def run(count: int, seed: int, pool: Sequence[Certificate]) -> Outcome:
         except Exception as error:  # the checker promises Rejected and nothing else
             out.breaks.append((f"{name}: {type(error).__name__}: {error}", text))
             continue
-        if target is not None:
+        if target is not None and not established.assumptions:
             out.breaks.append((f"{name}: a false claim passes, as {established}", text))
             continue
         reason = _judged(text, established, rng.randrange(1 << 30))
@@ -142,9 +148,8 @@ def run(count: int, seed: int, pool: Sequence[Certificate]) -> Outcome:
 
 def _judged(text: str, established: Established, seed: int) -> str:
     data: Any = json.loads(text)
-    if established.assumes:  # what rests on an assumption is no break if the assumption is false
+    if (
+        established.assumptions
+    ):  # what rests on an assumption is no break if the assumption is false
         return ""
     return false_claim(data, established, seed)
-
-
-__all__ = ["CLOSED", "Outcome", "draw", "false_claim", "run"]
