@@ -132,6 +132,8 @@ def test_texts_that_are_no_statements(text: str) -> None:
 
 
 def test_trees() -> None:
+    with pytest.raises(Rejected, match="characters"):
+        parse("q" * 20_001)
     assert parse("exists p, q: -p[0]**(-2) == 1.5") == (
         "exists",
         ("p", "q"),
@@ -812,11 +814,16 @@ def test_too_many_choices_and_clauses() -> None:
     assert check(certified(text, None, "implication", implication([single])))
     wider = text.replace(" or t == 0", " or q == k or t == 0")
     rejects(certified(wider, None, "implication", implication([single])), "too many branches")
-    conjunction = " and ".join(f"s*{n} != {n}*y + 1" for n in range(1, 1_030))
-    rejects(certified(conjunction, None, "identity", IDENTITY), "high|clauses")
-    halves = [
-        "(" + " and ".join(f"s != {n}" for n in range(at, at + 150)) + ")"
-        for at in range(0, 1_200, 150)
-    ]
-    rejects(certified(" and ".join(halves), None, "identity", IDENTITY), "clauses")
-    assert str(check(certified("q == q", "QQ", "identity", IDENTITY))).startswith("proved over QQ")
+    parts = [" and ".join(f"s != {n + 150 * m}" for n in range(150)) for m in range(8)]
+    groups = " and ".join(f"({part})" for part in parts)
+    rejects(certified(groups, None, "identity", IDENTITY), "too many clauses")
+
+
+def test_how_far_a_verdict_reaches() -> None:
+    data = certified("q == q", "QQ", "identity", IDENTITY)
+    assert str(check(data)).startswith("proved over QQ\n")
+    inside = certified("over{GF(2); p*q == q*p}", None, "identity", IDENTITY)
+    assert check(inside).where == "as it stands"
+    witness = {"kind": "witness", "field": "GF(3)", "values": {"s": ["2"]}}
+    false = certified("s == 1", None, "counterexample", witness)
+    assert check({**false, "verdict": "refuted"}).where == "as a statement on all fields"
