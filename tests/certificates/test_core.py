@@ -10,7 +10,7 @@ from hfield.certificates.check import check
 from hfield.certificates.clauses import expand, without_factors
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.existence import MAX_CASES
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, finding, together
+from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding, together
 from hfield.certificates.language import parse, substitute, walk
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import add, constant, multiply, variable
@@ -84,7 +84,7 @@ def test_json_values_of_the_wrong_kind() -> None:
         (kind_of, ("kind",)),
     ):
         with pytest.raises(Rejected):
-            call(*args)  # type: ignore[operator]
+            call(*args)
     assert an_integer(5, "it", 5) == 5
     assert shown("a\0b" * 100, 10) == "a?ba?ba?b…"
     assert shown([1]) == "[1]"
@@ -349,7 +349,12 @@ def test_contradictions_and_cases() -> None:
         assert check({**data, "field": field, "algebra": f"(-1,-1|{field})"})
     rejects({**data, "field": "ZZ/6", "algebra": "(-1,-1|ZZ/6)"}, "not covered")
     branches = [[ends("0", "1", "0", "T1")], [ends("0", "0", "1", "T2")]]
-    step = {"step": "cases", "factors": ["s", "y"], "powers": [1, 1], "branches": branches}
+    step: dict[str, Any] = {
+        "step": "cases",
+        "factors": ["s", "y"],
+        "powers": [1, 1],
+        "branches": branches,
+    }
     step |= {"cofactors": ["1", "0", "0"], "denominator": 1}
     cased = opposite(["s*y"], ["s", "y"], [step])
     assert check({**data, "evidence": implication([cased])})
@@ -650,7 +655,7 @@ def test_roots_by_theorems(text: str, field: str, evidence: Any, good: bool) -> 
 def test_findings() -> None:
     wide, narrow = finding(RINGS, "identity"), finding(FIELD, "exhaustion").citing("a", "b", "a")
     both = together([wide, narrow, narrow])
-    assert (both.scope, both.methods, both.cites) == (FIELD, {"identity", "exhaustion"}, ("a", "b"))
+    assert both == Finding(FIELD, frozenset({"identity", "exhaustion"}), ("a", "b"))
     assert wide.within(FIELDS).scope == FIELDS
     assert narrow.within(RINGS).scope == FIELD
     assert together([]).scope == RINGS
@@ -713,6 +718,12 @@ def test_a_norm_that_is_0_only_at_0() -> None:
     ):
         bad = {**items[0], "steps": [{**items[0]["steps"][0], **change}, items[0]["steps"][1]]}
         rejects({**data, "evidence": implication([bad, *items[1:]], [NORM])}, ".")
+    # a constant that the statement does not speak of
+    real = {**data, "field": "RR", "algebra": "(-1,-1|RR)"}
+    assert check(real)
+    for algebra in ("(-sqrt(2),-1|RR)", "(-1,-sqrt(2)|RR)"):
+        foreign = implication(other, [{**NORM, "algebra": algebra}])
+        rejects({**real, "evidence": foreign}, "there is no function")
     for field in (None, "ZZ", "CC", "GF(3)", "QQ(I)"):
         rejects({**data, "field": field, "algebra": f"(-1,-1|{field or 'F'})"}, ".")
 
