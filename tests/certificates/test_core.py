@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from hfield.certificates import check as checking
-from hfield.certificates.check import check
+from hfield.certificates.check import Pin, check
 from hfield.certificates.clauses import expand, without_factors
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.existence import MAX_CASES
@@ -815,6 +815,15 @@ def test_too_many_choices_and_clauses() -> None:
     many = " or ".join(f"(s == {n} and y == {n})" for n in range(10))
     item = opposite(["s*y"], [f"s - {n}" for n in range(10)], [ends(*("0",) * 11)])
     rejects(certified(f"s*y == 0 => {many}", None, "implication", implication([item])), ".")
+    elsewhere = direct(["s"], "s", ["1"], characteristic=3)
+    rejects(
+        certified("s == 0 => s == 0 or 1 == 0", "GF(5)", "implication", implication([elsewhere])),
+        "another characteristic",
+    )
+    unknown = opposite(["s"], ["s"], [{**ends("T1", "1"), "step": "trust"}])
+    rejects(
+        certified("s == 0 => s == y", None, "implication", implication([unknown])), "no known kind"
+    )
     composite = direct(["s"], "s", ["1"], characteristic=6)
     rejects(
         certified("s == 0 => s == 0 or 1 == 0", "QQ", "implication", implication([composite])),
@@ -838,3 +847,55 @@ def test_how_far_a_verdict_reaches() -> None:
     witness = {"kind": "witness", "field": "GF(3)", "values": {"s": ["2"]}}
     false = certified("s == 1", None, "counterexample", witness)
     assert check({**false, "verdict": "refuted"}).where == "as a statement on all fields"
+
+
+# --- multilinear maps, pins -------------------------------------------------------------------------
+
+
+def test_multilinear_maps() -> None:
+    tuples = [[x, [int(x == u) for u in "eijk"]] for x in "eijk"]
+    evidence = {"kind": "multilinear", "unknowns": ["q"], "tuples": tuples}
+    data = certified("vector(q) + scalar(q)*e - 0 == -(-q)", None, "multilinear", evidence)
+    assert check(data).scope == RINGS
+    for statement in (
+        "q == q => q == q",
+        "q != q",
+        "s*q == q*s",
+        "q == q + 1",
+        "norm(q) == norm(q)",
+        "q*q == q*q",
+        "0*q/1 == q",
+        "e == e",
+    ):
+        rejects({**data, "statement": statement}, ".")
+    for bad in (
+        {**evidence, "unknowns": ["p"]},
+        {**evidence, "tuples": tuples[:3]},
+        {**evidence, "tuples": [*tuples[:3], tuples[0]]},
+        {**evidence, "tuples": [*tuples[:3], ["m", [0, 0, 0, 1]]]},
+        {**evidence, "tuples": [*tuples[:3], ["k", [0, 0, 0, 1, 0]]]},
+        {**evidence, "tuples": [*tuples[:3], ["k", [0, 0, 1, 1]]]},
+        {**evidence, "tuples": [*tuples[:3], "k"]},
+    ):
+        rejects({**data, "evidence": bad}, ".")
+    rejects({**data, "algebra": "(a,b|F)"}, ".")
+    wide = "*".join(["(p + q)"] * 7)
+    rejects(
+        {**data, "statement": f"{wide} == q", "evidence": {**evidence, "unknowns": ["p", "q"]}}, "."
+    )
+    commutator = {**evidence, "tuples": [[x, [0, 0, 0, 0]] for x in "eijk"]}
+    assert check(
+        {**data, "statement": "comm(q, e) == conj(q)*0 + trace(q)*0", "evidence": commutator}
+    )
+
+
+def test_pins_of_any_field() -> None:
+    data = certified("q == q", "QQ", "identity", IDENTITY)
+    assert check(data, Pin(("p == p", "q == q"), any_field=True))
+    assert Pin(("q == q",)).readable()
+    with pytest.raises(Rejected):
+        Pin(("q == ",)).readable()
+    with pytest.raises(Rejected, match="about QQ, not about all fields"):
+        check(data, Pin(("q == q",)))
+    with pytest.raises(Rejected, match="another statement"):
+        check(data, Pin(("p == p",), any_field=True))
