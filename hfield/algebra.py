@@ -185,9 +185,8 @@ class QuaternionAlgebra(Invariants):
         if self.ring.order is None:
             raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
         F = self.ring
-        few = (
-            list(F.elements()) if F.order <= LISTED else None
-        )  # many are made anew, again and again
+        # a few are kept, many made anew again and again
+        few = list(F.elements()) if int(F.order or 0) <= LISTED else None
         return (
             Quaternion(self, (w, x, y, z))
             for w in few or F.elements()

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
-from hfield.errors import CoercionError, MixedParentsError, RingError, shorten
+from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
@@ -132,6 +132,10 @@ class Invariants(Parent):
         from hfield.maps import Division, Splitting
         from hfield.structure.splitting import Splitting as Found
 
+        if not self.ring.is_exact:
+            raise UndecidedError(
+                f"{self.ring} is inexact, so splitting is not decided there: ask over RR"
+            )
         answer = structure.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
 

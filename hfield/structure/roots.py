@@ -47,6 +47,8 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
     """
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: square roots are found over fields only")
+    if not ring.is_exact:
+        raise UndecidedError(f"{ring.name} is inexact: square roots are found over exact fields")
     if all(ring.is_zero(x) for x in q[1:]):
         return _of_scalar(ring, c, q[0])
     found: list[Coordinates] = []
