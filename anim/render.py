@@ -142,7 +142,7 @@ def render(
     """
     from anim.output.formats import open_film
     from anim.output.palette import sampled
-    from anim.picture.quiet import import_matplotlib
+    from rotation.figures.backend import import_matplotlib
 
     import_matplotlib()  # here first, so that other processes know where its folder is
 

@@ -12,6 +12,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from hfield.algebra import H, QuaternionAlgebra
     from hfield.elements import conjugator
+    from hfield.lattices.ideal import Ideal
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
     from hfield.proving.prove import prove
     from hfield.quaternion import Quaternion
     from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
@@ -23,6 +26,9 @@ __version__ = "0.1.0"
 _HOMES = {
     "algebra": ["H", "QuaternionAlgebra"],
     "elements": ["conjugator"],
+    "lattices.ideal": ["Ideal"],
+    "lattices.lattice": ["Lattice"],
+    "lattices.order": ["Order"],
     "proving.prove": ["prove"],
     "quaternion": ["Quaternion"],
     "rings": ["CC", "GF", "QQ", "RDF", "RR", "ZZ", "Zmod", "ring"],
@@ -38,6 +44,9 @@ __all__ = [
     "RR",
     "ZZ",
     "H",
+    "Ideal",
+    "Lattice",
+    "Order",
     "Quaternion",
     "QuaternionAlgebra",
     "Zmod",

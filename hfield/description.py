@@ -9,9 +9,9 @@ from typing import Any
 from hfield import structure
 from hfield.algebra import QuaternionAlgebra
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.lattices.order import Order
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text
-from hfield.orders import Order
 from hfield.quaternion import Quaternion
 from hfield.rings.base import INFINITY
 

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
-from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
+from hfield.errors import CoercionError, MixedParentsError, UndecidedError, shorten
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
+    from hfield.lattices.euclidean import HurwitzOrder
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
     from hfield.maps import Division, Isomorphism, LinearMap, Splitting
-    from hfield.orders import HurwitzOrder, Order
 
 
 # What may be counted, in singular and plural.
@@ -216,7 +219,7 @@ class Invariants(Parent):
         found = structure.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
-    # --- finite fields and rational orders -----------------------------------------------------
+    # --- finite fields ---------------------------------------------------------------------------
 
     def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
         """Return how many elements there are, over a finite ring.
@@ -252,27 +255,68 @@ class Invariants(Parent):
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
 
+    # --- lattices and orders over ℤ --------------------------------------------------------------
+
+    def lattice(self, elements: Iterable[Any]) -> Lattice:
+        """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
+
+        Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` over another field.
+        """
+        from hfield.lattices.lattice import Lattice
+
+        return Lattice.spanned(self, elements)
+
+    def order(self, elements: Iterable[Any]) -> Order:
+        """Return the order that elements generate as a ring.
+
+        Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.generated(self, elements)
+
+    def order_from_basis(self, elements: Iterable[Any]) -> Order:
+        """Return the order with a basis of four elements.
+
+        Raises :class:`LatticeError` unless they span a ring with 1.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.from_basis(self, elements)
+
     def maximal_order(self) -> Order:
-        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate."""
-        return self._order("maximal_order")
+        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate: always the same."""
+        from hfield.lattices.named import maximal_order
+
+        return maximal_order(self)
+
+    def eichler_order(self, level: int) -> Order:
+        """Return an Eichler order of the given level, the same for the same algebra and level.
+
+        Raises :class:`LatticeError` for a level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import eichler_order
+
+        return eichler_order(self, level)
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
-        return self._order("lipschitz_order")
+        from hfield.lattices.named import lipschitz_order
+
+        return lipschitz_order(self)
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
-        from hfield.orders import HurwitzOrder
+        from hfield.lattices.named import hurwitz_order
 
-        if [str(c) for c in self.constants] != ["-1", "0", "-1"]:
-            raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {self}")
-        return HurwitzOrder(self, self._order("hurwitz_order")._found)
+        return hurwitz_order(self)
 
-    def _order(self, name: str) -> Order:
-        from hfield.orders import Order
+    def class_number(self, level: int = 1) -> int:
+        """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.
 
-        if self.ring.name != "QQ":
-            raise RingError(
-                f"orders over ℤ belong to algebras over QQ, and {self} is over {self.ring}"
-            )
-        return Order(self, getattr(structure, name)(self.constants))
+        In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
+        level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import class_number
+
+        return class_number(self, level)

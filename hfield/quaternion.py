@@ -142,6 +142,8 @@ class Quaternion(ElementFacts):
         return self
 
     def __mul__(self, other: Any) -> Quaternion:
+        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+            return NotImplemented
         p, q = self._join(other, "multiply")
         return self._new(*product.multiply(p._constants, p.coordinates, q.coordinates))
 

@@ -9,11 +9,11 @@ from itertools import product
 from math import isqrt
 from typing import Any
 
-from hfield.certificates.finite import is_prime
-from hfield.certificates.functions import Functions
-from hfield.certificates.numbers import Rationals, Surds
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.functions import Functions
+from hfield.certificates.scalars.numbers import Rationals, Surds
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 

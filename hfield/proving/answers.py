@@ -17,22 +17,44 @@ from hfield.proving.search import Assignment, witness_texts
 from hfield.proving.setting import Setting
 from hfield.proving.vanish import common_primes
 from hfield.rings.base import Ring
+from hfield.syntax import Compare, Logic, Node
 
 
 def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
-    """Return the characteristics in which all clauses are polynomial identities."""
-    if x.has_constants or any(not c.goals for c in x.clauses):
-        return None
-    if not x.clauses:
-        fields_only = statement.divides or statement.compares_unequal
+    """Return where all clauses are polynomial identities, over every commutative ring there is.
+
+    What divides, or compares with ``!=``, is claimed of fields alone: over F₂ × F₂ an element that is
+    not 0 need not divide.
+    """
+    fields_only = statement.divides or statement.compares_unequal
+    if not x.clauses and not x.has_constants:
         return FIELDS if fields_only else COMMUTATIVE_RINGS
-    primes: set[int] | None = None
-    for c in x.clauses:
-        own: set[int] = set()
-        for goal in c.goals:
-            own.update(common_primes(list(goal)) or ())
-        primes = own if primes is None else primes & own
+    primes = () if fields_only else primes_of_identity(x)
     return characteristics(list(primes)) if primes else None
+
+
+def primes_of_identity(x: Expanded) -> tuple[int, ...]:
+    """Return the characteristics of fields over which all clauses are polynomial identities."""
+    if x.has_constants or not x.clauses:
+        return ()
+    found: set[int] | None = None
+    for c in x.clauses:
+        own = {p for goal in c.goals for p in common_primes(list(goal)) or ()}
+        found = own if found is None else found & own
+    return tuple(sorted(found or ()))
+
+
+def is_conjunction_of_identities(statement: Statement) -> bool:
+    """Tell whether the statement is made of equations without division by "and" alone."""
+    return not (statement.hypotheses or statement.exists or statement.divides) and all(
+        isinstance(n, Compare) and n.op == "==" for n in _conjuncts(statement.conclusion)
+    )
+
+
+def _conjuncts(node: Node) -> list[Node]:
+    if isinstance(node, Logic) and node.op == "and":
+        return [*_conjuncts(node.left), *_conjuncts(node.right)]
+    return [node]
 
 
 def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) -> Decision:
@@ -48,7 +70,7 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) 
         steps.append("all coefficients of the difference are 0 in ℤ")
     elif holds_in_p:
         steps.append(f"all coefficients of the difference are divisible by {p}")
-    elif field.order is not None:
+    elif field.order is not None and p not in primes_of_identity(x):
         steps.append(f"all coefficients of the difference are 0 after reducing x^{field.order} = x")
     else:
         steps.append(f"all coefficients of the difference are 0 in {field.name}")
@@ -67,17 +89,26 @@ def refuted(
     method: str,
     field: Ring,
     found: Assignment,
-    scope: str | None = None,
-    exactly: bool = False,
+    statement: Statement,
+    x: Expanded | None = None,
 ) -> Decision:
-    """Return the refutation by the values found; ``exactly`` where the scope is known to be all."""
+    """Return the refutation by the values found.
+
+    A conjunction of identities has a scope even so: the characteristics in which it does hold. Of any
+    other statement that holds over the fields of some characteristics a step says so in words.
+    """
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
     steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
-    if scope is not None and scope.startswith("char"):
-        primes = _listed_characteristics(scope)
-        shown = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
-        steps.append(f"it holds {'exactly ' if exactly else ''}in {shown}")
+    primes = () if x is None else primes_of_identity(x)
+    scope = None
+    if primes:
+        where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
+        if is_conjunction_of_identities(statement):
+            scope = characteristics(list(primes))
+            steps.append(f"it holds exactly in {where}")
+        else:
+            steps.append(f"over fields of {where} it holds")
     return Decision(
         REFUTED,
         method,
@@ -90,7 +121,8 @@ def refuted(
 
 def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
     """Return the decision "proved" by a complete proof."""
-    used = [rule for rule in rules(setting) if rule.form in proof.forms]
+    own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
+    used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
     facts = [f"over {setting.algebra} {rule}" for rule in used]
     assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
     evidence = {

@@ -7,7 +7,8 @@ from time import monotonic
 from hfield.errors import TooLargeError
 from hfield.proving import everywhere, existence, named
 from hfield.proving.apart import decide_apart, is_risky
-from hfield.proving.decision import PROVED, UNDECIDED, Decision
+from hfield.proving.decision import NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.defined import algebra_exists
 from hfield.proving.language import Statement, read_statement
 from hfield.proving.setting import Setting, read_setting
 from hfield.rings.base import Ring
@@ -55,13 +56,28 @@ def decide_statement(statement: Statement, setting: Setting, timeout: float = TI
     """Decide a statement that has been read."""
     deadline = monotonic() + timeout
     decide_one = everywhere.decide if setting.field is None else named.decide
+    exists = algebra_exists(statement, setting, deadline)
+    if exists is False:
+        return _no_algebra(setting)
     try:
         if statement.exists:
-            return existence.decide(statement, setting, deadline, decide_one)
-        decision = decide_one(statement, setting, deadline)
-        if decision.verdict != PROVED or not statement.hypotheses:
-            return decision
-        vacuous = existence.vacuous(statement, setting, deadline, decide_one)
-        return decision if vacuous is None else vacuous
+            decision = existence.decide(statement, setting, deadline, decide_one)
+        else:
+            decision = decide_one(statement, setting, deadline)
+            if decision.verdict == PROVED and statement.hypotheses:
+                vacuous = existence.vacuous(statement, setting, deadline, decide_one)
+                decision = decision if vacuous is None else vacuous
     except TooLargeError as error:
         return Decision(UNDECIDED, "none", tried=(str(error),))
+    if exists is None and decision.verdict in (PROVED, VACUOUS):
+        tried = ("values of the letters for which the structure constants are defined",)
+        return Decision(UNDECIDED, "none", tried=tried)
+    return decision
+
+
+def _no_algebra(setting: Setting) -> Decision:
+    """Return the decision about an algebra whose structure constants are never defined."""
+    where = "any field" if setting.field is None else setting.field.name
+    values = f" for any {', '.join(setting.letters)}" if setting.letters else ""
+    why = f"there is no algebra {setting.algebra}: its constants are not defined in {where}{values}"
+    return Decision(NOT_APPLICABLE, "none", steps=(why,), tried=(why,))

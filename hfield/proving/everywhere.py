@@ -1,5 +1,6 @@
 """Deciding a statement without quantifiers over all fields at once."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from time import monotonic
 
@@ -7,11 +8,12 @@ from hfield.errors import TooLargeError
 from hfield.proving import named
 from hfield.proving.answers import implied, scope_of_identity
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision
+from hfield.proving.defined import algebra_exists
 from hfield.proving.expand import Expanded, expand
 from hfield.proving.implication import Proof, prove_clauses
-from hfield.proving.language import Statement
+from hfield.proving.language import Statement, generators
 from hfield.proving.search import prime_search
-from hfield.proving.setting import Setting, has_constants
+from hfield.proving.setting import Setting
 from hfield.proving.vanish import prime_factors
 from hfield.rings import ring
 
@@ -94,17 +96,28 @@ def _proof(statement: Statement, setting: Setting, deadline: float) -> Decision 
 
 def counterexample(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
     """Look for a field over which the statement is refuted; the witness then names it as F."""
-    for name in FIELDS_TRIED:
+    for there in fields_tried(statement, setting, deadline):
         left = deadline - monotonic()
         if left <= 0:
             return None
-        if not has_constants(ring(name), setting):
-            continue
-        there = replace(setting, field=ring(name))
         decision = named.decide(statement, there, monotonic() + max(SHARE * left, 0.1))
         if decision.verdict == REFUTED:
-            return elsewhere(decision, name)
+            assert there.field is not None
+            return elsewhere(decision, there.field.name)
     return None
+
+
+def fields_tried(statement: Statement, setting: Setting, deadline: float) -> Iterator[Setting]:
+    """Run through the fields where a counterexample is looked for.
+
+    They have the structure constants, and no generator of theirs is an unknown of the statement.
+    """
+    for name in FIELDS_TRIED:
+        field = ring(name)
+        there = replace(setting, field=field)
+        clash = statement.exists and not generators(field).isdisjoint(statement.sorts)
+        if not clash and algebra_exists(statement, there, deadline):
+            yield there
 
 
 def elsewhere(decision: Decision, name: str) -> Decision:

@@ -126,11 +126,12 @@ def _in_blocks(
             digits.append(table.entry(digit.astype(table.kind)))
         digits.reverse()
         values = _assignment(statement, places, digits, world.zero)
-        bind(world, constants, {**fixed, **values})
+        defined = bind(world, constants, {**fixed, **values})
         truth = world.truth(statement.conclusion)
         for h in statement.hypotheses:
             truth = world.either(world.negate(world.truth(h)), truth)
-        hits = np.flatnonzero(np.broadcast_to(np.asarray(truth), digits[0].array.shape) == wanted)
+        hit = (np.asarray(truth) == wanted) & defined
+        hits = np.flatnonzero(np.broadcast_to(hit, digits[0].array.shape))
         if len(hits):
             chosen = [table.elements[int(d.array[hits[0]])] for d in digits]
             return _assignment(statement, places, chosen, field.zero)

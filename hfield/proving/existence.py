@@ -1,25 +1,32 @@
 """Statements that something exists, and hypotheses that nothing satisfies."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from itertools import islice
 from time import monotonic
 from typing import Any
 
-from hfield.errors import HFieldError
+from hfield.errors import HFieldError, TooLargeError
 from hfield.proving import everywhere, named
+from hfield.proving.cases import by_isolating, by_linear_algebra
 from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.defined import algebra_exists
+from hfield.proving.interpret import RingInterpretation, bind
 from hfield.proving.language import Sort, Statement
+from hfield.proving.linear import linear_cases
 from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
-from hfield.proving.search import by_weight, small_scalars, witness_texts
-from hfield.proving.setting import Setting, put_letters
+from hfield.proving.real_roots import by_roots
+from hfield.proving.search import Assignment, Searcher, by_weight, small_scalars, witness_texts
+from hfield.proving.setting import Setting, divides, put_letters
 from hfield.proving.terms import Decide, about, by_terms, constants_in, matrix, true_place
 from hfield.proving.trees import quaternion_node, substitute
+from hfield.proving.vanish import constant
 from hfield.rings import ring
-from hfield.syntax import Logic, Negate, Not, Number, parse
+from hfield.syntax import Compare, Logic, Negate, Node, Not, Number, parse
 
 FEW = 400
 MAX_PLACES = 2_000
+MOST_LOOKED = 40  # of infinitely many
 
 
 def vacuous(
@@ -42,22 +49,40 @@ def vacuous(
 
 def decide(statement: Statement, setting: Setting, deadline: float, decide_one: Decide) -> Decision:
     """Decide "for all the other unknowns there exist …"."""
-    free = [(name, sort) for name, sort in statement.unknowns if name not in statement.exists]
     if setting.field is None:
-        return _everywhere(statement, setting, deadline, bool(free))
-    if free:
+        return _everywhere(statement, setting, deadline)
+    if not setting.field.is_exact:
+        tried = (
+            f"{setting.field.name} is inexact, so nothing is proved there to exist, or not to",
+        )
+        return Decision(UNDECIDED, "floats", tried=tried)
+    if any(name not in statement.exists for name, _ in statement.unknowns):
         return _for_all_exists(statement, setting, deadline, decide_one)
-    return _exists(statement, setting, deadline, decide_one)
+    return _exists(statement, setting, deadline, decide_one, statement)
 
 
 def _exists(
-    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+    statement: Statement,
+    setting: Setting,
+    deadline: float,
+    decide_one: Decide,
+    sought: Statement | None = None,
 ) -> Decision:
-    """Decide over one field, with nothing given: a witness, or a proof that there is none."""
+    """Decide over one field, with nothing given: a witness, or a proof that there is none.
+
+    ``sought`` is the statement with its quantifier, where it is one of its own.
+    """
     node = matrix(statement)
     found = true_place(about(statement, node), setting, FEW, deadline)
     if found is not None:
         return _witnessed(setting, found)
+    decision = _solved(statement, setting, deadline)
+    if decision is not None:
+        return decision
+    if sought is not None:
+        decision = by_roots(sought, setting, deadline)
+        if decision is not None:
+            return decision
     decision = decide_one(about(statement, Not(node)), setting, deadline)
     if decision.verdict == REFUTED:
         evidence = {**(decision.evidence or {}), "kind": "witness"}
@@ -72,8 +97,39 @@ def _exists(
     if decision.verdict == PROVED:
         evidence = {"kind": "none exists", "proof": decision.evidence}
         steps = (*decision.steps, "so there is none")
-        return replace(decision, verdict=REFUTED, evidence=evidence, steps=steps)
+        return replace(decision, verdict=REFUTED, scope=None, evidence=evidence, steps=steps)
     return decision
+
+
+def _solved(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+    """Find a witness where what is sought is the solution of linear equations."""
+    field = setting.field
+    assert field is not None
+    if not field.is_exact:
+        return None
+    names = tuple(name for name, _ in statement.unknowns)
+    sought = replace(about(statement, matrix(statement)), exists=names)
+    sought = replace(sought, hypotheses=(), conclusion=sought.node)
+    try:
+        cases, _ = linear_cases(sought, setting, deadline)
+    except TooLargeError:
+        return None
+    world = RingInterpretation(field)
+    fixed = {text: constant(field, text) for text in statement.constants}
+    seeker = Searcher(about(statement, matrix(statement)), setting.constants, world, deadline, True)
+    for case in cases:
+        bind(world, setting.constants, fixed)
+        values = {name: world.term(parse(text)) for name, text in case.terms}
+        if not all(defined for _, defined in values.values()):
+            continue
+        sorts = statement.sorts
+        found = {
+            name: x if sorts[name] is Sort.SCALAR else world.embed(x)
+            for name, (x, _) in values.items()
+        }
+        if seeker.test(found):
+            return _witnessed(setting, found)
+    return None
 
 
 def _witnessed(setting: Setting, found: Any) -> Decision:
@@ -94,29 +150,56 @@ def _shown(witness: Any) -> str:
     return ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
 
 
-def _everywhere(
-    statement: Statement, setting: Setting, deadline: float, has_free: bool
-) -> Decision:
+def _everywhere(statement: Statement, setting: Setting, deadline: float) -> Decision:
     """Decide over all fields: terms that serve everywhere, or a field where there is none."""
-    decision = by_terms(statement, setting, deadline, everywhere.decide)
+    decision, place = _by_algebra(statement, setting, deadline, everywhere.decide)
     if decision is not None:
         return decision
-    for name in everywhere.FIELDS_TRIED:
+    if place is not None:
+        there = replace(setting, field=ring(place["F"][0]))
+        one = _refuted_at(statement, there, place, deadline)
+        if one is not None:
+            return everywhere.elsewhere(one, place["F"][0])
+    for there in everywhere.fields_tried(statement, setting, deadline):
         left = deadline - monotonic()
         if left <= 0:
             break
-        there = replace(setting, field=ring(name))
         one = decide(statement, there, monotonic() + max(0.2 * left, 0.1), named.decide)
         if one.verdict == REFUTED:
-            return everywhere.elsewhere(one, name)
+            assert there.field is not None
+            return everywhere.elsewhere(one, there.field.name)
     tried = ("terms in the unknowns", f"each of {', '.join(everywhere.FIELDS_TRIED)}")
     return Decision(UNDECIDED, "none", tried=tried)
+
+
+def _by_algebra(
+    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+) -> tuple[Decision | None, Mapping[str, list[str]] | None]:
+    """Prove by terms and cases, or return a place where linear algebra finds that there is none."""
+    decision = by_isolating(statement, setting, deadline, decide_one)
+    if decision is not None:
+        return decision, None
+    soon = monotonic() + (deadline - monotonic()) / 3
+    decision = by_terms(statement, setting, soon, decide_one)
+    if decision is not None:
+        return decision, None
+    if setting.field is not None and not setting.field.is_field:
+        return None, None
+    decision, cover = by_linear_algebra(statement, setting, deadline, decide_one)
+    return decision, None if cover is None else cover.witness
 
 
 def _for_all_exists(
     statement: Statement, setting: Setting, deadline: float, decide_one: Decide
 ) -> Decision:
-    decision = by_terms(statement, setting, deadline, decide_one)
+    decision, place = _by_algebra(statement, setting, deadline, decide_one)
+    if decision is not None:
+        return decision
+    if place is not None:
+        decision = _refuted_at(statement, setting, place, deadline)
+        if decision is not None:
+            return decision
+    decision = by_roots(statement, setting, deadline)
     if decision is not None:
         return decision
     found = _at_zero(statement, setting, deadline, decide_one)
@@ -134,6 +217,8 @@ def _at_zero(
     free = [name for name, _ in statement.unknowns if name not in statement.exists]
     values = {name: Number(0) for name in free}
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
+    if not algebra_exists(statement, there, deadline):
+        return None
     node = substitute(matrix(statement), values)
     one = _exists(
         about(statement, node, statement.exists, setting.field), there, deadline, decide_one
@@ -154,34 +239,80 @@ def _by_places(
     finite = field.order is not None and field.order**width <= MAX_PLACES
     scalars: list[Any] = list(field.elements()) if finite else list(small_scalars(field))[:5]
     places = by_weight(free, scalars, len(scalars) * width if finite else 4)
-    node = matrix(statement)
-    count = 0
-    for place in places if finite else islice(places, 40):
-        values = {
-            name: quaternion_node([field.text(u) for u in x])
-            if isinstance(x, tuple)
-            else parse(field.text(x))
-            for name, x in place.items()
-        }
-        instance = about(statement, substitute(node, values), statement.exists, field)
-        there = put_letters(setting, values)
-        new = (c for text in there.constants for c in constants_in(parse(text), field))
-        constants = tuple(dict.fromkeys((*instance.constants, *new)))
-        instance = replace(instance, divides=True, constants=constants)
+    meant = _meant(statement, setting, free, deadline)
+    count = looked = 0
+    for place in places:
+        if monotonic() > deadline or looked >= (MAX_PLACES if finite else MOST_LOOKED):
+            break
+        count += 1
+        if count > MAX_PLACES or not meant(place):
+            continue
+        looked += 1
+        instance, there = _instance(statement, setting, witness_texts(field, place))
         try:
             one = _exists(instance, there, deadline, decide_one)
         except HFieldError:
             return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
         if one.verdict == REFUTED:
-            witness = witness_texts(field, place)
-            evidence = {"kind": "place", "values": witness, "proof": one.evidence}
-            steps = (f"at {_shown(witness)} there is none", *one.steps)
-            return replace(one, witness=witness, steps=steps, evidence=evidence)
+            return _none_there(one, witness_texts(field, place))
         if finite and one.verdict != PROVED:
             return one
-        count += 1
-    if finite and monotonic() < deadline:
+    if finite and monotonic() <= deadline:
         steps = (f"there is one for each of the {count} values of what is given",)
         counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
         return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
-    return Decision(UNDECIDED, "none", tried=("terms in the unknowns", f"{count} places"))
+    tried = ["terms in the unknowns", f"{looked} places"]
+    if monotonic() > deadline:
+        tried.append("the time was over")
+    return Decision(UNDECIDED, "none", tried=tuple(tried))
+
+
+def _meant(
+    statement: Statement, setting: Setting, free: list[tuple[str, Sort]], deadline: float
+) -> Callable[[Assignment], bool]:
+    """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
+    field = setting.field
+    assert field is not None
+    node: Node = Compare("==", Number(0), Number(0))
+    for h in statement.hypotheses:
+        node = Logic("and", node, h)
+    given = about(statement, node, tuple(name for name, _ in free))
+    return Searcher(given, setting.constants, RingInterpretation(field), deadline, True).test
+
+
+def _instance(
+    statement: Statement, setting: Setting, place: Mapping[str, list[str]]
+) -> tuple[Statement, Setting]:
+    """Put values in for what is given: into the statement, and for letters into the algebra."""
+    field = setting.field
+    given = [name for name, _ in statement.unknowns if name not in statement.exists]
+    values = {name: quaternion_node(place[name]) for name in given}
+    node = substitute(matrix(statement), values)
+    instance = about(statement, node, statement.exists, field)
+    there = put_letters(setting, values)
+    new = (c for text in there.constants for c in constants_in(parse(text), field))
+    constants = tuple(dict.fromkeys((*instance.constants, *new)))
+    divided = instance.divides or divides(there)
+    return replace(instance, divides=divided, constants=constants), there
+
+
+def _refuted_at(
+    statement: Statement, setting: Setting, place: Mapping[str, list[str]], deadline: float
+) -> Decision | None:
+    """Refute at a place where linear algebra says that there is none, if that is proved too."""
+    instance, there = _instance(statement, setting, place)
+    try:
+        if not algebra_exists(instance, there, deadline):
+            return None
+        one = _exists(instance, there, deadline, named.decide)
+    except HFieldError:
+        return None
+    if one.verdict != REFUTED:
+        return None
+    return _none_there(one, {name: list(v) for name, v in place.items() if name != "F"})
+
+
+def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
+    evidence = {"kind": "place", "values": place, "proof": one.evidence}
+    steps = (f"at {_shown(place)} there is none", *one.steps)
+    return replace(one, witness=place, steps=steps, evidence=evidence)

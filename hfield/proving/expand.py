@@ -17,7 +17,8 @@ from hfield.errors import TooLargeError
 from hfield.proving.formulas import FALSE, TRUE, Clause, Formula, clauses, literal
 from hfield.proving.interpret import Interpretation, Value, bind
 from hfield.proving.language import Sort, Statement
-from hfield.syntax import Compare, Node, weight
+from hfield.proving.trees import divides_in
+from hfield.syntax import Compare, Node, parse, weight
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
@@ -58,6 +59,8 @@ def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
         raise TooLargeError("the degree or the numbers are too large to expand")
     world, variables, unknowns = polynomial_world(statement, constants)
     hypotheses = TRUE
+    for condition in world.conditions:  # where there is no algebra, nothing is said
+        hypotheses = hypotheses & literal((condition,), False)
     for h in statement.hypotheses:
         hypotheses = hypotheses & world.truth(h)
     whole = ~hypotheses | world.truth(statement.conclusion)
@@ -71,14 +74,14 @@ def polynomial_world(
     names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
     variables = (*names, *statement.constants)
     context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(variables))], Ordering.degrevlex)
-    divides = statement.divides or any("/" in text or "**" in text for text in constants)
+    divides = statement.divides or any(map(divides_in, map(parse, constants)))
     world = (_Fractions if divides else Polynomials)(context)
     scalars = dict(zip(variables, map(world.lift, context.gens()), strict=True))
     values: dict[str, Any] = {name: scalars[name] for name in statement.constants}
     for name, sort in statement.unknowns:
         coordinates = tuple(scalars[c] for c in coordinate_names(name, sort))
         values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
-    bind(world, constants, values)
+    world.conditions = bind(world, constants, values)
     return world, variables, len(names)
 
 
@@ -96,12 +99,16 @@ class Budget:
 
 
 class Polynomials(Interpretation):
-    """Scalars are integer polynomials, statements are formulas about their zeros."""
+    """Scalars are integer polynomials, statements are formulas about their zeros.
+
+    The structure constants are defined where none of the ``conditions`` is 0.
+    """
 
     always: Any = ()
 
     def __init__(self, context: Any) -> None:
         self.context, self.budget = context, Budget()
+        self.conditions: tuple[Any, ...] = ()
         self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
 
     def lift(self, x: Any) -> Any:

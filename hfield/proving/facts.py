@@ -6,16 +6,19 @@ stand in the evidence beside the rule.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from dataclasses import field as a_field
 from functools import lru_cache
 from typing import Any
 
 from hfield.errors import HFieldError, UndecidedError
 from hfield.product import Constants
-from hfield.proving.setting import Setting
-from hfield.rings.base import INFINITY, Ring
+from hfield.proving.setting import Setting, read_setting
+from hfield.rings.base import INFINITY, Ring, power
+from hfield.syntax import Call, Number, parse
 
 NORM, SQUARES, ROOTS = "norm", "squares", "roots"
+MAX_ROOT = 12
 
 
 @dataclass(frozen=True)
@@ -24,8 +27,8 @@ class Rule:
 
     Or, with the form ``roots``, that roots in the field are told by factoring. ``positive`` tells
     that the squares may have positive rational coefficients, as in an ordered field. ``reason`` is
-    for people, ``by`` its kind in a word, ``places`` those that it speaks of, ``assumes`` what it
-    cites.
+    for people, ``by`` its kind in a word, ``assumes`` the theorems it cites, and ``data`` what a norm form is
+    shown with.
     """
 
     form: str
@@ -34,20 +37,23 @@ class Rule:
     positive: bool = False
     assumes: tuple[str, ...] = ()
     by: str = ""
-    places: tuple[str, ...] = ()
+    algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
+    data: Mapping[str, Any] | None = a_field(default=None, compare=False)
 
     def __str__(self) -> str:
         if self.form == ROOTS:
             return self.reason
         what = "the norm" if self.form == NORM else "a sum of squares"
+        what += f" of {self.algebra}" if self.algebra else ""
         return f"{what} is 0 only if all its terms are ({self.reason})"
 
     @property
     def evidence(self) -> Mapping[str, Any]:
         """The rule as JSON data."""
+        if self.data is not None:
+            own = {"algebra": self.algebra} if self.algebra else {}
+            return {"form": self.form, **own, **self.data}
         out: dict[str, Any] = {"form": self.form, "by": self.by}
-        if self.places:
-            out["places"] = list(self.places)
         if self.form == SQUARES:
             out["most"] = None if self.most == INFINITY else int(self.most)
             out["positive"] = self.positive
@@ -95,7 +101,19 @@ def _roots_rule(field: Ring) -> Rule | None:
     return Rule(ROOTS, reason, most=2, by="squares")
 
 
+@lru_cache(maxsize=256)
+def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
+    """Return the rule that the norm of (a, b) over the field is 0 only at 0, if that is known."""
+    setting = read_setting(field, f"({a},{b}|{field.name})")
+    try:
+        found = _norm_rule(setting, field, structure_constants(setting))
+    except HFieldError:
+        return None
+    return None if found is None else replace(found, algebra=setting.algebra)
+
+
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
+    from hfield.structure.reasons import norm_evidence
     from hfield.structure.zero import zero_norm
 
     if field.order is not None:  # over a finite field every norm form has zeros
@@ -106,21 +124,10 @@ def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
         return None
     if answer.element is not None:
         return None
-    places = tuple(map(str, answer.places))
-    assumes = _cited(setting, answer.method, places)
-    return Rule(NORM, answer.reason, assumes=assumes, by=answer.method, places=places)
-
-
-def _cited(setting: Setting, by: str, places: tuple[str, ...]) -> tuple[str, ...]:
-    """Return what has to be cited: nothing where the checker of certificates verifies the reason."""
-    from hfield.certificates.places import cited_for_norm
-    from hfield.certificates.rejection import Rejected
-
-    assert setting.field is not None
-    try:
-        return cited_for_norm(setting.algebra, setting.field.name, by, list(places))
-    except Rejected:
-        return (f"the norm form of {setting.algebra} is 0 only at 0 ({by})",)
+    data = norm_evidence(setting.algebra, field, c, answer)
+    if data is None:
+        return None
+    return Rule(NORM, answer.reason, by=answer.method, data=data)
 
 
 @lru_cache(maxsize=256)
@@ -134,17 +141,26 @@ def structure_constants(setting: Setting) -> Constants:
 def relation(field: Ring, text: str) -> tuple[int, ...] | None:
     """Return integers ``(c0, c1, …)`` with Σ cₙ·gⁿ = 0 for the constant g of that text, if known.
 
-    For the generator of a finite field that is its modulus, for a square root its square.
+    For the generator of a finite field that is its modulus, for a root of a rational number its power.
     """
     modulus = getattr(field, "coefficients", None)
     if field.order is not None and modulus is not None and text == field.gen_name:
         return tuple(int(c) for c in modulus)
     if field.characteristic == 0:
+        degree = _root_degree(text)
         try:
-            x = field(text)
-            square = field.text(x * x)
-            top, _, bottom = square.partition("/")
-            return (-int(top), 0, int(bottom or 1))
+            top, _, bottom = field.text(power(field.one, field(text), degree)).partition("/")
+            return (-int(top), *[0] * (degree - 1), int(bottom or 1))
         except (HFieldError, ValueError):
             return None
     return None
+
+
+def _root_degree(text: str) -> int:
+    """Return n for the text of an n-th root, and 2 for any other constant, which may be a square root."""
+    match parse(text):
+        case Call("cbrt", _):
+            return 3
+        case Call("root", (_, Number(int(n)))) if 1 <= n <= MAX_ROOT:
+            return n
+    return 2

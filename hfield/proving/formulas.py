@@ -4,7 +4,7 @@ A statement over a field becomes "and" and "or" of two kinds of literals: all po
 are 0, or some is not. Its clauses then read "if all of these are 0, one of those tuples is 0".
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -64,6 +64,13 @@ class Clause:
 def clauses(formula: Formula) -> tuple[Clause, ...]:
     """Return clauses whose conjunction is the formula. Raises TooLargeError for more than 256."""
     return tuple(_clause(c) for c in _conjunction(formula) if not _tautology(c))
+
+
+def branches(formula: Formula) -> Iterator[tuple[Literal, ...]]:
+    """Run through conjunctions of literals of which the formula is the disjunction."""
+    for c in _conjunction(~formula):
+        if not _tautology(c):
+            yield tuple(Literal(x.polynomials, not x.zero, x.key) for x in c)
 
 
 def _conjunction(f: Formula) -> list[tuple[Literal, ...]]:

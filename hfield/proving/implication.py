@@ -22,7 +22,7 @@ from hfield.proving.language import Statement
 from hfield.proving.refutation import Problem, member, refute
 from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
-from hfield.proving.vanish import vanishes
+from hfield.proving.vanish import is_nonzero_constant, vanishes
 from hfield.rings.base import Ring
 
 MAX_CHOICES = 64
@@ -36,7 +36,7 @@ class Item:
     direct: bool
     single: bool
     denominators: tuple[int, ...]
-    forms: tuple[str, ...] = ()
+    rules: tuple[Rule, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -60,10 +60,12 @@ class Proof:
 
     def scope(self, statement: Statement) -> str:
         """Return where the proof is valid."""
-        if self.forms or self.has_constants:
+        if self.rules or self.has_constants:
             return FIELD
-        if self.characteristic:
-            return characteristics([self.characteristic])
+        if self.characteristic:  # by contradiction it is shown over fields, not over F₂[ε]
+            fields_only = statement.divides or statement.compares_unequal
+            direct = self.is_direct and not fields_only
+            return characteristics([self.characteristic]) if direct else FIELD
         if abs(self.denominator) != 1:
             return FIELD
         if statement.divides or statement.compares_unequal:
@@ -73,9 +75,9 @@ class Proof:
         return REDUCED_RINGS if all(item.single for item in self.items) else FIELDS
 
     @property
-    def forms(self) -> tuple[str, ...]:
-        """The forms of the rules that were used."""
-        return tuple(dict.fromkeys(form for item in self.items for form in item.forms))
+    def rules(self) -> tuple[Rule, ...]:
+        """The rules that were used."""
+        return tuple(dict.fromkeys(rule for item in self.items for rule in item.rules))
 
     @property
     def steps(self) -> tuple[str, ...]:
@@ -185,7 +187,12 @@ def _clause(
             return vanishes(p, x, field)
         return bool(p == 0 or (characteristic and int(p.content()) % characteristic == 0))
 
-    if any(all(map(zero, goal)) for goal in clause.goals):
+    def nonzero_number(p: Any) -> bool:
+        if field is not None:
+            return is_nonzero_constant(p, x, field)
+        return bool(p.is_constant() and not zero(p) and (characteristic or p in (1, -1)))
+
+    if any(all(map(zero, goal)) for goal in clause.goals) or any(map(nonzero_number, clause.zeros)):
         return []
     zeros = [z for z in clause.zeros if not zero(z)]
     relations = relations_of(x, field)
@@ -213,10 +220,12 @@ def _clause(
                 for t, c in zip(targets, found, strict=True)
             ]
     choices = [[g for g in goal if not zero(g)] for goal in clause.goals]
+    # A goal with a number in it that is not 0 is out of reach: there is nothing to choose from it.
+    choices = [goal for goal in choices if not any(g.is_constant() for g in goal)]
     if math.prod(map(len, choices)) > MAX_CHOICES:
         return None
     out = []
-    nonzero = nonzero_constants_of(x, field)
+    nonzero = nonzero_constants_of(x, field, [*zeros, *(g for goal in choices for g in goal)])
     for chosen in product(*choices):
         choice = (*chosen, *nonzero)
         if monotonic() > deadline:
@@ -238,7 +247,7 @@ def _clause(
                 direct=False,
                 single=len(choices) <= 1,
                 denominators=refutation.denominators,
-                forms=refutation.forms,
+                rules=refutation.rules,
             )
         )
     return out

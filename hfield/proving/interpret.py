@@ -216,10 +216,16 @@ _FUNCTIONS: dict[str, Any] = {
 }
 
 
-def bind(world: Interpretation, constants: tuple[str, str, str], values: Mapping[str, Any]) -> None:
-    """Give the names their values, and the structure constants theirs, which may depend on them."""
+def bind(world: Interpretation, constants: tuple[str, str, str], values: Mapping[str, Any]) -> Any:
+    """Give the names their values, and the structure constants theirs, which may depend on them.
+
+    Returns the condition under which the structure constants are defined; elsewhere there is no
+    algebra, and nothing that a statement could be about.
+    """
     world.values = values
-    world.constants = Constants(*(world.term(parse(text))[0] for text in constants))
+    (a, at), (t, tt), (b, bt) = (world.term(parse(text)) for text in constants)
+    world.constants = Constants(a, t, b)
+    return world.both(world.both(at, tt), bt)
 
 
 class RingInterpretation(Interpretation):

@@ -1,6 +1,6 @@
 """What a proof may start from besides the clause: relations of constants, and telling quaternions."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -13,6 +13,7 @@ from hfield.proving.vanish import vanishes
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
 
+MAX_NONZERO = 6
 MAX_QUATERNIONS = 24
 MAX_QUATERNION_TERMS = 200
 
@@ -28,16 +29,31 @@ def relations_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
     return tuple(out)
 
 
-def nonzero_constants_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
-    """Return the constants of the field, as polynomials, that satisfy no known relation but are not 0."""
-    gens = x.context.gens()
-    return tuple(
-        gens[n]
-        for n in range(x.unknowns, len(x.variables))
-        if field is not None
-        and relation(field, x.variables[n]) is None
-        and not vanishes(gens[n], x, field)
-    )
+def nonzero_constants_of(
+    x: Expanded, field: Ring | None, polynomials: Iterable[Any]
+) -> tuple[Any, ...]:
+    """Return what is not 0 among the coefficients of polynomials, as polynomials in constants of the field.
+
+    Only where some constant satisfies no known relation: elsewhere a relation tells the inverses.
+    """
+    if field is None or not x.has_constants:
+        return ()
+    free = [
+        n for n in range(x.unknowns, len(x.variables)) if relation(field, x.variables[n]) is None
+    ]
+    found: dict[str, Any] = {}
+    for f in polynomials if free else ():
+        parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
+        for exponents, c in f.terms():
+            m = tuple(map(int, exponents))
+            unknown, constant = m[: x.unknowns], (0,) * x.unknowns + m[x.unknowns :]
+            parts.setdefault(unknown, {})[constant] = int(c)
+        for part in parts.values():
+            coefficient = x.context.from_dict(part)
+            for g, _ in coefficient.factor()[1]:
+                if any(g.degrees()[n] for n in free) and not vanishes(g, x, field):
+                    found.setdefault(str(g), g)
+    return tuple(sorted(found.values(), key=len)[:MAX_NONZERO])
 
 
 @lru_cache(maxsize=256)

@@ -185,6 +185,8 @@ class _Analysis:
     def check_bound(self, name: str, node: Node, given: set[str], exists: list[str]) -> None:
         if self.unknown_sort(name) is None:
             self.fail(f"'exists' binds an unknown, and {name!r} is none: {_UNKNOWNS}", node)
+        if name in self.letters:
+            self.fail(f"{name!r} is a letter of the algebra, so that it is given", node)
         if name in given or name in exists:
             self.fail(f"{name!r} is bound by 'exists' and stands for something already", node)
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from time import monotonic
 
 from hfield.errors import TooLargeError
+from hfield.proving import over_rings
 from hfield.proving.answers import identity, implied, refuted, scope_of_identity
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.expand import Expanded, expand
@@ -22,7 +23,7 @@ from hfield.proving.places import (
 )
 from hfield.proving.search import letters_in, prime_search
 from hfield.proving.setting import Setting
-from hfield.proving.vanish import vanishes, vanishes_as_function
+from hfield.proving.vanish import is_nonzero_constant, vanishes, vanishes_as_function
 from hfield.proving.witness import nonzero_place
 from hfield.rings.base import Ring
 
@@ -34,29 +35,28 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
     if not field.is_exact:
         return _floats(statement, setting, deadline)
     if not field.is_field:
-        return _ring(statement, setting, deadline)
+        return over_rings.decide(statement, setting, deadline, decide)
     try:
         x = expand(statement, setting.constants)
     except TooLargeError as error:
         return _unexpanded(statement, setting, deadline, str(error))
     left = [c for c in x.clauses if not is_trivial(c, x, field)]
-    scope = scope_of_identity(statement, x)
     if not left:
-        return identity(statement, x, field, scope)
+        return identity(statement, x, field, scope_of_identity(statement, x))
     if any(_is_hopeless(c, x, field) for c in left):
-        return _refuted_identity(statement, setting, x, left, deadline, scope)
+        return _refuted_identity(statement, setting, x, left, deadline)
     found = look_quickly(statement, setting, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, scope)
+        return refuted("counterexample", field, found, statement, x)
     p = field.characteristic
     proof = prove_clauses(statement, setting, p, min(deadline, monotonic() + SHORT))
     if not proof.complete:
         found = look(statement, setting, FEW, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, scope)
+            return refuted("counterexample", field, found, statement, x)
         found = solve_clauses(statement, setting, x, left, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, scope)
+            return refuted("counterexample", field, found, statement, x)
         proof = prove_clauses(statement, setting, p, deadline)
     if proof.complete:
         return implied(proof, statement, setting)
@@ -64,7 +64,7 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
         return exhaust(statement, setting, x, deadline)
     found = look(statement, setting, MANY, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, scope)
+        return refuted("counterexample", field, found, statement, x)
     return Decision(UNDECIDED, "none", tried=_tried(deadline, field))
 
 
@@ -72,7 +72,7 @@ def is_trivial(clause: Clause, x: Expanded, field: Ring) -> bool:
     """Tell whether a clause holds because a goal is identically 0, or a hypothesis a nonzero number."""
     if any(all(vanishes_as_function(p, x, field) for p in goal) for goal in clause.goals):
         return True
-    return any(z.is_constant() and not vanishes(z, x, field) for z in clause.zeros)
+    return any(is_nonzero_constant(z, x, field) for z in clause.zeros)
 
 
 def _is_hopeless(clause: Clause, x: Expanded, field: Ring) -> bool:
@@ -88,7 +88,6 @@ def _refuted_identity(
     x: Expanded,
     left: Sequence[Clause],
     deadline: float,
-    scope: str | None,
 ) -> Decision:
     field = setting.field
     assert field is not None
@@ -107,8 +106,7 @@ def _refuted_identity(
         return Decision(
             UNDECIDED, "identity", tried=("the identity fails, but no place was found",)
         )
-    exactly = all(len(c.goals) == 1 and not c.zeros for c in x.clauses)
-    return refuted("identity", field, found, scope, exactly)
+    return refuted("identity", field, found, statement, x)
 
 
 def _tried(deadline: float, field: Ring) -> tuple[str, ...]:
@@ -124,35 +122,10 @@ def _unexpanded(statement: Statement, setting: Setting, deadline: float, why: st
     assert field is not None
     found = look(statement, setting, FEW, deadline)
     if found is not None:
-        return refuted("counterexample", field, found)
+        return refuted("counterexample", field, found, statement)
     if field.order is not None:
         return exhaust(statement, setting, None, deadline)
     return Decision(UNDECIDED, "none", tried=(why, f"{FEW} small places"))
-
-
-def _ring(statement: Statement, setting: Setting, deadline: float) -> Decision:
-    """Decide over a ring that is no field: by what holds over all commutative rings, or by cases."""
-    field = setting.field
-    assert field is not None
-    found = look(statement, setting, FEW, deadline)
-    if found is not None:
-        return refuted("counterexample", field, found)
-    tried = [f"{FEW} small places over {field.name}"]
-    try:
-        x = expand(statement, setting.constants)
-    except TooLargeError as error:
-        x = None
-        tried.append(str(error))
-    if x is not None and not statement.divides:
-        if all(any(all(vanishes(p, x, field) for p in g) for g in c.goals) for c in x.clauses):
-            return identity(statement, x, field, scope_of_identity(statement, x))
-        proof = prove_clauses(statement, setting, 0, deadline)
-        if proof.complete and (proof.is_direct or field.name == "ZZ"):
-            return implied(proof, statement, setting)
-        tried.append("ideal membership of the conclusion")
-    if field.order is not None:
-        return exhaust(statement, setting, x, deadline)
-    return Decision(UNDECIDED, "none", tried=tuple(tried))
 
 
 def _floats(statement: Statement, setting: Setting, deadline: float) -> Decision:
@@ -162,6 +135,8 @@ def _floats(statement: Statement, setting: Setting, deadline: float) -> Decision
     if not statement.divides and not statement.constants:
         found = prime_search(statement, setting.constants, 0, FEW, deadline)
         if found is not None:
-            return refuted("floats, exact on small integers", field, lifted(field, found))
+            return refuted(
+                "floats, exact on small integers", field, lifted(field, found), statement
+            )
     tried = (f"{field.name} is inexact, so nothing is proved there: decide over RR or QQ",)
     return Decision(UNDECIDED, "floats", tried=tried)

@@ -1,7 +1,8 @@
 """Places where a statement fails: looked for, solved for, or all tried."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from time import monotonic
+from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.answers import refuted
@@ -10,6 +11,7 @@ from hfield.proving.exhaustion import counterexample
 from hfield.proving.expand import Expanded
 from hfield.proving.formulas import Clause
 from hfield.proving.interpret import RingInterpretation
+from hfield.proving.known import quaternions_of
 from hfield.proving.language import Statement
 from hfield.proving.search import (
     Assignment,
@@ -23,6 +25,7 @@ from hfield.proving.solve import solve
 from hfield.rings.base import Ring
 
 QUICK, FEW, MANY = 120, 400, 20_000  # places looked at before, between and after proofs
+MAX_AXES = 8
 SHORT = 0.5  # seconds for the first attempt at a proof, and for solving one clause
 
 
@@ -66,11 +69,40 @@ def solve_clauses(
     assert field is not None
     letters = letters_in(statement, setting.constants)
     test = Searcher(statement, setting.constants, RingInterpretation(field), deadline).test
+    quaternions = quaternions_of(statement, setting.constants)
     for clause in left:
-        found = solve(statement, x, clause, field, letters, min(deadline, monotonic() + SHORT))
-        if found is not None and test(found):
-            return found
+        for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
+            soon = min(deadline, monotonic() + SHORT)
+            found = solve(statement, x, narrower, field, letters, soon)
+            if found is not None and test(found):
+                return found
     return None
+
+
+def on_axes(clause: Clause) -> Iterator[Clause]:
+    """Run through clauses in which all variables of the conditions but one are 0."""
+    gens = clause.zeros[0].context().gens() if clause.zeros else ()
+    used = [g for n, g in enumerate(gens) if any(z.degrees()[n] for z in clause.zeros)]
+    for own in used[:MAX_AXES] if len(used) > 1 else ():
+        yield Clause((*clause.zeros, *(g for g in used if g != own)), clause.goals)
+
+
+def narrowed(
+    clause: Clause, quaternions: Sequence[tuple[tuple[Any, ...], Any]]
+) -> Iterator[Clause]:
+    """Run through clauses with more conditions, at whose places the clause fails too.
+
+    A norm is 0 where its quaternion is, and a quadratic polynomial that is never negative where its
+    gradient is: those are linear conditions, which small places may all miss, as in ``norm(p + 7)``.
+    """
+    for q, norm in quaternions:
+        if norm in clause.zeros or -norm in clause.zeros:
+            others = [z for z in clause.zeros if z not in (norm, -norm)]
+            yield Clause((*others, *(u for u in q if u != 0)), clause.goals)
+    bent = [z for z in clause.zeros if z.total_degree() == 2]
+    if bent:
+        slopes = [z.derivative(n) for z in bent for n in range(z.context().nvars())]
+        yield Clause((*clause.zeros, *(f for f in slopes if f != 0)), clause.goals)
 
 
 def exhaust(
@@ -85,10 +117,10 @@ def exhaust(
     except (TooLargeError, UndecidedError) as error:
         found = look(statement, setting, MANY, deadline)
         if found is not None:
-            return refuted("counterexample", field, found)
+            return refuted("counterexample", field, found, statement)
         return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
     if found is not None:
-        return refuted("exhaustion", field, found)
+        return refuted("exhaustion", field, found, statement)
     steps = (f"true in each of the {cases} cases over {field.name}",)
     evidence = {"kind": "exhaustion", "cases": cases}
     return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)

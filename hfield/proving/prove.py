@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from hfield.proving.decide import TIMEOUT, read_and_decide
@@ -48,7 +49,32 @@ class Answer:
 
     @property
     def certificate(self) -> dict[str, Any] | None:
-        """The certificate ``hfield-cert/1`` as JSON data; None for what is not decided."""
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none for what is not decided, and none where the checker cannot follow, since it does not
+        know the constants or would have to do too much; :attr:`why_no_certificate` says which.
+        """
+        data = self._evidence
+        if data is None or self.why_no_certificate is not None:
+            return None
+        return data
+
+    @cached_property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        from hfield.certificates.check import Rejected, check
+
+        if self._evidence is None:
+            return f"what is {self.verdict} has none"
+        try:
+            check(self._evidence)
+        except Rejected as error:
+            return f"the checker does not follow: {error}"
+        return None
+
+    @property
+    def _evidence(self) -> dict[str, Any] | None:
+        """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
         if d.evidence is None:
             return None

@@ -11,6 +11,7 @@ from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.proving.anisotropic import Form, Forms
 from hfield.proving.facts import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.membership import LARGE_PRIMES, Cofactors, Ideal
 from hfield.proving.shapes import MAX_DEGREE, as_squares, has_no_root, polynomial_text
@@ -46,12 +47,12 @@ class Problem:
 class Refutation:
     """The steps of a proof that the problem has no solution.
 
-    ``denominators`` were divided by, ``forms`` are those of the rules that were used.
+    ``denominators`` were divided by, ``rules`` were used.
     """
 
     steps: tuple[Step, ...]
     denominators: tuple[int, ...]
-    forms: tuple[str, ...]
+    rules: tuple[Rule, ...]
 
 
 def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutation | None:
@@ -101,7 +102,7 @@ class _Search:
         self.problem, self.rules, self.deadline = problem, rules, deadline
         self.steps: list[Step] = []
         self.denominators: list[int] = []
-        self.used: dict[str, None] = {}
+        self.used: dict[Rule, None] = {}
         self.complete, self.unreliable = True, False
         count = len(problem.nonzero)
         self.names = (*problem.variables, *(f"T{n + 1}" for n in range(count)))
@@ -135,6 +136,8 @@ class _Search:
                 continue
             if self._rootless(ideal):
                 return True
+            if self._forms(ideal):
+                continue
             if monotonic() > self.deadline or len(ideal.basis.leads) > MAX_ELEMENTS:
                 self.complete = False
                 return False
@@ -155,7 +158,7 @@ class _Search:
         found = ideal.cofactors(form)
         if found is None or all(ideal.cofactors(t) is not None for t in terms):
             return False
-        self.used[rule.form] = None
+        self.used[rule] = None
         self._step({"step": rule.form, "terms": [self.text(t) for t in terms], **step}, found)
         ideal.extend(terms)
         return True
@@ -192,23 +195,42 @@ class _Search:
     def _rootless(self, ideal: Ideal) -> bool:
         """Find a polynomial in one variable that has no root in the field."""
         p = self.problem
-        if self._rule(ROOTS) is None or p.field is None:
+        roots = self._rule(ROOTS)
+        if roots is None or p.field is None:
             return False
         for f in [*ideal.generators, *(f for f, _ in ideal.elements())]:
             if not has_no_root(f, p.variables, p.unknowns, p.field):
                 continue
             found = ideal.cofactors(f)
             if found is not None:
-                self.used[ROOTS] = None
+                self.used[roots] = None
                 self._step({"step": "no root", "polynomial": self.text(f)}, found)
                 return True
+        return False
+
+    def _forms(self, ideal: Ideal) -> bool:
+        """Find a form that is 0 only where its terms are, and put them into the ideal."""
+        p = self.problem
+        if p.field is None or self._rule(ROOTS) is None or monotonic() > self.deadline:
+            return False
+        forms = Forms(p.variables, p.unknowns, p.field, ideal.context)
+        elements = [f for f, _ in ideal.elements()]
+        for f in sorted([*ideal.generators, *elements], key=len):
+            for form in forms.of(f):
+                rule = form.rule or self._rule(
+                    SQUARES if "squares" in form.step.values() else ROOTS
+                )
+                if rule is None or (rule.form == SQUARES and not fits(rule, form)):
+                    continue
+                if self._derive(ideal, rule, form.value, list(form.terms), form.step):
+                    return True
         return False
 
     def _cases(self, ideal: Ideal, depth: int) -> bool:
         """Split a product that is 0 into its factors."""
         elements = [f for f, _ in ideal.elements()]
         for f in sorted([*ideal.generators, *elements], key=len):
-            if not 2 <= len(f) <= MAX_FACTORED or f.total_degree() > MAX_DEGREE:
+            if len(f) > MAX_FACTORED or not 2 <= f.total_degree() <= MAX_DEGREE:
                 continue
             if monotonic() > self.deadline:
                 return False
@@ -216,6 +238,8 @@ class _Search:
             factors = [g for g, _ in powers]
             if len(factors) < 2 or len(factors) > 4:
                 continue
+            if any(ideal.cofactors(g) is not None for g in factors):
+                continue  # one of them is 0 already
             product = ideal.context.constant(1)
             for g, n in powers:
                 product *= g**n
@@ -244,3 +268,9 @@ class _Search:
             self._step(step, found)
             return True
         return False
+
+
+def fits(rule: Rule, form: Form) -> bool:
+    """Tell whether a rule about sums of squares speaks of this one."""
+    plain = all(c == 1 for c in form.step["coefficients"])
+    return len(form.terms) <= rule.most and (plain or rule.positive)

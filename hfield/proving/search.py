@@ -53,15 +53,17 @@ class Searcher:
         if isinstance(world, RingInterpretation):
             self.fixed = {text: constant(world.ring, text) for text in statement.constants}
         self.compiled: Truth | None = None
+        self.defined = True
         if not any(c.isalpha() for text in constants for c in text):
-            bind(world, constants, self.fixed)
+            self.defined = bool(bind(world, constants, self.fixed))
             self.compiled = compile_statement(statement, world, self.fixed)
 
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether the statement has the wanted truth value there."""
+        """Tell whether the algebra exists there and the statement has the wanted truth value."""
         if self.compiled is not None:
-            return self.compiled(assignment) is self.wanted
-        bind(self.world, self.constants, {**self.fixed, **assignment})
+            return self.defined and self.compiled(assignment) is self.wanted
+        if not bind(self.world, self.constants, {**self.fixed, **assignment}):
+            return False
         return holds(self.world, self.statement) is self.wanted
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
@@ -171,6 +173,10 @@ def zero_divisors(field: Ring, constants: tuple[str, str, str]) -> tuple[Any, ..
     one, zero = field.one, field.zero
     for unit in ((zero, one, zero, zero), (zero, zero, one, zero)):  # often nilpotent
         out.append(multiply(c, found, unit))
+    s, t = (trace(c, q) for q in out[-2:])  # of found·i and found·j
+    nilpotent = multiply(c, found, (zero, t, zero - s, zero))
+    if not all(map(field.is_zero, nilpotent)):
+        out.append(nilpotent)
     try:  # an idempotent: q² = tr(q)·q when N(q) = 0
         factor = field.inverse(trace(c, found))
     except NotInvertibleError:

@@ -5,14 +5,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from hfield.errors import CoercionError, NotationError, NotInvertibleError
+from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertibleError
 from hfield.notation import split_algebra
+from hfield.proving.interpret import RingInterpretation
 from hfield.proving.language import BASIS, QUATERNIONS, generators
 from hfield.proving.printing import to_text
-from hfield.proving.trees import substitute, walk
+from hfield.proving.trees import divides_in, substitute, walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
-from hfield.syntax import Binary, Name, Node, Number, parse, weight
+from hfield.syntax import Call, Name, Node, parse, weight
 
 HAMILTON = ("-1", "0", "-1")
 UNNAMED = "F"
@@ -68,19 +69,10 @@ def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
     return Setting(setting.field, (a, t, b), left)
 
 
-def has_constants(field: Ring, setting: Setting) -> bool:
-    """Tell whether the structure constants exist in the field: ``(-1/2,-3|F)`` has none over GF(2)."""
-    for node in (n for text in setting.constants for n in walk(parse(text))):
-        if _letters(to_text(node), field):
-            divisor = node.right if isinstance(node, Binary) and node.op == "/" else Number(1)
-            if not _letters(to_text(divisor), field) and field.is_zero(field(to_text(divisor))):
-                return False
-            continue
-        try:
-            field(to_text(node))
-        except (CoercionError, NotInvertibleError):
-            return False
-    return True
+@lru_cache(maxsize=1024)
+def divides(setting: Setting) -> bool:
+    """Tell whether the structure constants divide by something, so that they may be undefined."""
+    return any(divides_in(parse(text)) for text in setting.constants)
 
 
 @lru_cache(maxsize=256)
@@ -107,6 +99,10 @@ def _plain(text: str, field: Ring | None) -> str:
         try:
             value = field(text)
         except (CoercionError, NotInvertibleError) as error:
+            if _is_undefined(text, field):
+                return "".join(
+                    text.split()
+                )  # there is no such algebra: that is for the verdict to say
             raise NotationError(f"the structure constant {text!r}: {error}") from error
         return (
             "-1"
@@ -114,6 +110,18 @@ def _plain(text: str, field: Ring | None) -> str:
             else field.text(value)
         )
     return "".join(text.split())
+
+
+def _is_undefined(text: str, field: Ring) -> bool:
+    """Tell whether a constant divides by what is no unit of the field."""
+    node = parse(text)
+    world = RingInterpretation(field)
+    leaves = (n for n in walk(node) if isinstance(n, Name | Call))
+    try:
+        world.values = {to_text(n): field(to_text(n)) for n in leaves}
+        return not world.term(node)[1]
+    except HFieldError:
+        return False
 
 
 def _letters(text: str, field: Ring | None) -> list[str]:

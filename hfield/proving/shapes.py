@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from math import isqrt
 from typing import Any
 
+from flint import fmpq, fmpq_poly
+
 from hfield.errors import UndecidedError
 from hfield.proving.facts import Rule
 from hfield.proving.vanish import constant
@@ -48,18 +50,24 @@ def has_no_root(f: Any, variables: Sequence[str], unknowns: int, field: Ring) ->
     degree = max(free, default=0)
     if sum(map(bool, free)) != 1 or not 2 <= degree <= MAX_DEGREE:
         return False
-    if field.name == "QQ" and not any(degrees[known]):
-        return all(g.total_degree() > 1 for g, _ in f.factor()[1])
-    if degree > 2:
-        return False
-    c = [field.zero] * 3
+    c = [field.zero] * (degree + 1)
     for exponents, coefficient in f.terms():
         value = field(int(coefficient))
         for text, n in zip(variables[known], exponents[known], strict=True):
             value = value * power(field.one, constant(field, text), n)
         at = sum(exponents) - sum(exponents[known])
         c[at] = c[at] + value
-    if field.is_zero(c[2]):
+    return without_root(c, field)
+
+
+def without_root(c: Sequence[Any], field: Ring) -> bool:
+    """Tell whether Σ cₙ·xⁿ, of that degree, certainly has no root in the field."""
+    if field.is_zero(c[-1]):
+        return False
+    if field.name == "QQ":
+        f = fmpq_poly([fmpq(*map(int, field.text(x).split("/"))) for x in c])
+        return all(g.degree() > 1 for g, _ in f.factor()[1])
+    if len(c) != 3 or field.characteristic == 2:
         return False
     try:
         return field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2]) is None

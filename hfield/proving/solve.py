@@ -6,8 +6,11 @@ looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from time import monotonic
 from typing import Any
+
+from flint import fmpq, fmpq_poly
 
 from hfield.errors import HFieldError, TooLargeError
 from hfield.proving.expand import Expanded
@@ -166,6 +169,7 @@ class _Solver:
                 yield (field.zero - c[1] + root) * half
                 yield (field.zero - c[1] - root) * half
                 return
+        yield from _rational_roots(field, c)
         for value in small_scalars(field):
             total = field.zero
             for coefficient in reversed(c):
@@ -214,6 +218,18 @@ class _Solver:
                     c = c * power(self.field.one, values[n], e)
             total = total + c
         return total
+
+
+def _rational_roots(field: Ring, coefficients: Sequence[Any]) -> list[Any]:
+    """Return the rational roots of a polynomial whose coefficients are rational numbers."""
+    if field.characteristic:
+        return []
+    try:
+        f = fmpq_poly([fmpq(*map(int, field.text(c).split("/"))) for c in coefficients])
+    except (ValueError, TypeError):
+        return []
+    roots = [-g[0] / g[1] for g, _ in f.factor()[1] if g.degree() == 1]
+    return [field(Fraction(int(r.p), int(r.q))) for r in roots]
 
 
 def _is_constant(f: Polynomial) -> bool:

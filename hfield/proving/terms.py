@@ -1,6 +1,6 @@
 """Proving that something exists by naming it: a term in what is given, that serves everywhere."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, product
 from time import monotonic
@@ -12,7 +12,7 @@ from hfield.proving.language import BASIS, RESULT, Sort, Statement, generators
 from hfield.proving.printing import to_text
 from hfield.proving.search import prime_search, ring_search
 from hfield.proving.setting import Setting
-from hfield.proving.trees import children, substitute
+from hfield.proving.trees import children, divides_in, substitute
 from hfield.rings.base import Ring
 from hfield.syntax import Call, Logic, Name, Node, Not, parse
 
@@ -55,6 +55,7 @@ def about(
         hypotheses=tuple(hypotheses),
         conclusion=conclusion,
         constants=tuple(dict.fromkeys((*statement.constants, *constants_in(node, field)))),
+        divides=statement.divides or divides_in(node),
     )
 
 
@@ -96,15 +97,13 @@ def by_terms(
     free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
     if choices is None:
         kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
-        choices = islice(product(*kinds), MAX_TERMS)
+        choices = combined(kinds, MAX_TERMS)
     node = matrix(statement)
     for terms in choices:
         if monotonic() > deadline:
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
-        instance = replace(
-            about(statement, substitute(node, chosen), tuple(free), setting.field), divides=True
-        )
+        instance = about(statement, substitute(node, chosen), tuple(free), setting.field)
         try:
             if true_place(about(instance, Not(instance.node)), setting, 30, deadline) is not None:
                 continue
@@ -130,6 +129,11 @@ def by_terms(
                 evidence=evidence,
             )
     return None
+
+
+def combined(kinds: Sequence[Sequence[str]], most: int) -> Iterator[tuple[str, ...]]:
+    """Run through choices of one term for each name, ``most`` at most."""
+    return islice(product(*kinds), most)
 
 
 def _terms(free: dict[str, Sort], sort: Sort) -> list[str]:

@@ -1,6 +1,7 @@
 """Walking through syntax trees, and putting terms in the place of unknowns."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from hfield.syntax import (
     Binary,
@@ -13,6 +14,7 @@ from hfield.syntax import (
     Negate,
     Node,
     Not,
+    Number,
     Power,
     parse,
 )
@@ -45,6 +47,17 @@ def walk(node: Node) -> Iterator[Node]:
         n = stack.pop()
         yield n
         stack.extend(reversed(children(n)))
+
+
+def divides_in(node: Node) -> bool:
+    """Tell whether something in a tree may be undefined: a quotient, an inverse, a decimal."""
+    for n in walk(node):
+        match n:
+            case Number(Fraction()) | Binary("/", _, _) | Call("inv", _):
+                return True
+            case Power(_, exponent) if exponent < 0:
+                return True
+    return False
 
 
 def substitute(node: Node, terms: Mapping[str, Node]) -> Node:

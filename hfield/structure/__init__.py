@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from hfield.structure.clifford import maximal_basis
     from hfield.structure.commutators import centre, is_commutative
     from hfield.structure.counts import count, has_formulas
     from hfield.structure.elements import (
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from hfield.structure.hurwitz import four_squares
     from hfield.structure.invariants import derivations, is_central_simple, radical, to_opposite
     from hfield.structure.isomorphic import is_isomorphic, isomorphism, same_parent
-    from hfield.structure.orders import hurwitz_order, lipschitz_order, maximal_order
     from hfield.structure.ramification import (
         hilbert_symbol,
         place,
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         ramified_places,
         reduced_discriminant,
     )
+    from hfield.structure.reasons import norm_evidence
     from hfield.structure.roots import quadric, square_roots
     from hfield.structure.splitting import division_or_splitting, split
     from hfield.structure.torsion import multiplicative_order
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 
 # Where the names live. Each is imported on first use, so that asking for a centre loads no conics.
 _HOMES = {
+    "clifford": ["maximal_basis"],
     "commutators": ["centre", "is_commutative"],
     "counts": ["count", "has_formulas"],
     "elements": [
@@ -53,7 +55,6 @@ _HOMES = {
     "hurwitz": ["four_squares"],
     "invariants": ["derivations", "is_central_simple", "radical", "to_opposite"],
     "isomorphic": ["is_isomorphic", "isomorphism", "same_parent"],
-    "orders": ["hurwitz_order", "lipschitz_order", "maximal_order"],
     "ramification": [
         "hilbert_symbol",
         "place",
@@ -61,6 +62,7 @@ _HOMES = {
         "ramified_places",
         "reduced_discriminant",
     ],
+    "reasons": ["norm_evidence"],
     "roots": ["quadric", "square_roots"],
     "splitting": ["division_or_splitting", "split"],
     "torsion": ["multiplicative_order"],
@@ -81,7 +83,6 @@ __all__ = [
     "from_ramification_q",
     "has_formulas",
     "hilbert_symbol",
-    "hurwitz_order",
     "is_central_simple",
     "is_commutative",
     "is_division",
@@ -90,9 +91,9 @@ __all__ = [
     "is_nilpotent",
     "is_unit",
     "isomorphism",
-    "lipschitz_order",
-    "maximal_order",
+    "maximal_basis",
     "multiplicative_order",
+    "norm_evidence",
     "place",
     "places",
     "quadric",

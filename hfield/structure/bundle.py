@@ -78,7 +78,7 @@ def _bad_primes(field: Any, form: Form) -> list[Any]:
     return list(found.values())
 
 
-def _inverted(field: Any, x: Any) -> Any:
+def inverted(field: Any, x: Any) -> Any:
     """Return x with the variable replaced by its inverse."""
     one = field.one.num
 
@@ -93,12 +93,12 @@ def _inverted(field: Any, x: Any) -> Any:
 
 def _at_infinity(field: Any, form: Form) -> list[Vector]:
     """Return a basis of a good lattice at infinity."""
-    a, b, c, r, s, t = (_inverted(field, x) for x in form)
+    a, b, c, r, s, t = (inverted(field, x) for x in form)
     conic = Conic((a, b, c, r, s, t), field.zero, field.one)
     lattice = conic.start()
     if not minimise(conic, lattice, ResidueField(field, field.gen.num)):
         raise RamifiedError(INFINITE)
-    return [[_inverted(field, x) for x in v] for v in lattice.basis]
+    return [[inverted(field, x) for x in v] for v in lattice.basis]
 
 
 def _reduce(field: Any, basis: list[Vector], local: list[Vector]) -> list[Vector]:

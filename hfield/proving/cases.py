@@ -1,0 +1,112 @@
+"""Proving that something exists case by case, and refuting it where no case applies."""
+
+from dataclasses import replace
+from time import monotonic
+from typing import Any
+
+from hfield.errors import TooLargeError
+from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
+from hfield.proving.isolate import isolated
+from hfield.proving.language import Statement
+from hfield.proving.linear import Case, linear_cases
+from hfield.proving.setting import Setting
+from hfield.proving.terms import Decide, about, by_terms, combined
+from hfield.proving.trees import substitute
+from hfield.syntax import Logic, Node, parse
+
+MAX_ISOLATED = 40
+
+
+def by_isolating(
+    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+) -> Decision | None:
+    """Prove by terms that solve an equation in which what is sought stands once."""
+    found = isolated(statement)
+    if not any(found.values()):
+        return None
+    texts = [found[name] or ["0"] for name in statement.exists]
+    return by_terms(statement, setting, deadline, decide_one, combined(texts, MAX_ISOLATED))
+
+
+def by_linear_algebra(
+    statement: Statement, setting: Setting, deadline: float, decide_one: Decide
+) -> tuple[Decision | None, Decision | None]:
+    """Decide by linear algebra: a proof, or a refuted ``cover`` whose witness is a place to look at."""
+    try:
+        soon = monotonic() + (deadline - monotonic()) / 3
+        cases, exact = linear_cases(statement, setting, soon)
+    except TooLargeError:
+        return None, None
+    if not cases and not exact:
+        return None, None
+    terms = [tuple(text for _, text in case.terms) for case in cases]
+    found = by_terms(statement, setting, deadline, decide_one, terms)
+    if found is not None:
+        return found, None
+    try:
+        cover = decide_one(_covering(statement, setting, cases), setting, deadline)
+        if cover.verdict == REFUTED:
+            return None, cover
+        if cover.verdict != PROVED:
+            return None, None
+        proofs = [_proof(statement, setting, case, deadline, decide_one) for case in cases]
+    except TooLargeError:
+        return None, None
+    return _put_together(setting, cases, cover, proofs), None
+
+
+def _covering(statement: Statement, setting: Setting, cases: list[Case]) -> Statement:
+    """Return the statement that one of the cases always applies."""
+    node = parse(cases[0].when if cases else "0 == 1")
+    for case in cases[1:]:
+        node = Logic("or", node, parse(case.when))
+    return _given(statement, setting, node)
+
+
+def _given(statement: Statement, setting: Setting, node: Node) -> Statement:
+    """Return the hypotheses ⇒ node, for all values of what is given."""
+    for h in reversed(statement.hypotheses):
+        node = Logic("=>", h, node)
+    free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
+    made = about(statement, node, free, setting.field)
+    return replace(made, compares_unequal=True)
+
+
+def _proof(
+    statement: Statement, setting: Setting, case: Case, deadline: float, decide_one: Decide
+) -> Decision:
+    terms = {name: parse(text) for name, text in case.terms}
+    inside = _given(statement, setting, substitute(statement.conclusion, terms))
+    node = Logic("=>", parse(case.when), inside.node)
+    free = tuple(name for name, _ in inside.unknowns)
+    made = about(statement, node, free, setting.field)
+    return decide_one(replace(made, compares_unequal=True), setting, deadline)
+
+
+def _put_together(
+    setting: Setting, cases: list[Case], cover: Decision, proofs: list[Decision]
+) -> Decision | None:
+    """Return the proof by cases, None where a case is not proved."""
+    if any(proof.verdict != PROVED for proof in proofs):
+        return None
+    evidence: dict[str, Any] = {
+        "kind": "cases",
+        "cases": [
+            {"when": case.when, "terms": dict(case.terms), "proof": proof.evidence}
+            for case, proof in zip(cases, proofs, strict=True)
+        ],
+        "cover": cover.evidence,
+    }
+    steps = [
+        f"where {case.when} take " + ", ".join(f"{name} = {term}" for name, term in case.terms)
+        for case in cases
+    ]
+    assumes = tuple(dict.fromkeys(a for d in (cover, *proofs) for a in d.assumes))
+    return Decision(
+        PROVED,
+        "witness",
+        steps=(*steps, "one of these cases always applies"),
+        scope=FIELDS if setting.field is None else FIELD,
+        assumes=assumes,
+        evidence=evidence,
+    )
