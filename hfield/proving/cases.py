@@ -33,10 +33,11 @@ def by_linear_algebra(
 ) -> tuple[Decision | None, Decision | None]:
     """Decide by linear algebra: a proof, or a refuted ``cover`` whose witness is a place to look at."""
     try:
-        cases = linear_cases(statement, setting, monotonic() + (deadline - monotonic()) / 3)
+        soon = monotonic() + (deadline - monotonic()) / 3
+        cases, exact = linear_cases(statement, setting, soon)
     except TooLargeError:
         return None, None
-    if not cases:
+    if not cases and not exact:
         return None, None
     terms = [tuple(text for _, text in case.terms) for case in cases]
     found = by_terms(statement, setting, deadline, decide_one, terms)
@@ -56,7 +57,7 @@ def by_linear_algebra(
 
 def _covering(statement: Statement, setting: Setting, cases: list[Case]) -> Statement:
     """Return the statement that one of the cases always applies."""
-    node = parse(cases[0].when)
+    node = parse(cases[0].when if cases else "0 == 1")
     for case in cases[1:]:
         node = Logic("or", node, parse(case.when))
     return _given(statement, setting, node)

@@ -47,19 +47,27 @@ class _Way:
     zero: tuple[Any, ...] = ()
 
 
-def linear_cases(statement: Statement, setting: Setting, deadline: float) -> list[Case]:
-    """Return the cases in which what is said to exist can be written down; [] if nothing is linear.
+def linear_cases(
+    statement: Statement, setting: Setting, deadline: float
+) -> tuple[list[Case], bool]:
+    """Return the cases in which what is said to exist can be written down, and whether they are all.
 
     Raises :class:`TooLargeError`.
     """
     system = _System(statement, setting, deadline)
     out: dict[Case, None] = {}
-    for branch in islice(branches(system.formula), MAX_BRANCHES):
-        for case in system.cases(branch):
+    ways = list(islice(branches(system.formula), MAX_BRANCHES + 1))
+    exact = len(ways) <= MAX_BRANCHES
+    for branch in ways[:MAX_BRANCHES]:
+        rows = system.rows(branch)
+        if rows is None:
+            exact = False
+            continue
+        for case in system.cases(rows, [x.polynomials for x in branch if not x.zero]):
             out.setdefault(case)
             if len(out) >= MAX_CASES:
-                return list(out)
-    return list(out)
+                return list(out), False
+    return list(out), exact
 
 
 class _System:
@@ -80,19 +88,14 @@ class _System:
         self.p = None if setting.field is None else setting.field.characteristic
         self.ways = 0
 
-    def cases(self, branch: Sequence[Literal]) -> Iterator[Case]:
-        """Run through the cases of a conjunction of literals."""
-        rows: list[Row] = []
-        unequal: list[tuple[Any, ...]] = []
-        for literal in branch:
-            if not literal.zero:
-                unequal.append(literal.polynomials)
-                continue
-            for f in literal.polynomials:
-                row = self.row(f)
-                if row is None:
-                    return  # not linear in what is sought
-                rows.append(row)
+    def rows(self, branch: Sequence[Literal]) -> list[Row] | None:
+        """Return the equations of a conjunction of literals, None if one is not linear."""
+        found = [self.row(f) for literal in branch if literal.zero for f in literal.polynomials]
+        rows = [row for row in found if row is not None]
+        return rows if len(rows) == len(found) else None
+
+    def cases(self, rows: list[Row], unequal: list[tuple[Any, ...]]) -> Iterator[Case]:
+        """Run through the cases of equations, where some tuples must not be 0."""
         for way in self.eliminate(_Way(tuple(map(self.primitive, rows)))):
             for numerators, below in self.solutions(way, len(unequal)):
                 case = self.case(rows, numerators, below, unequal)

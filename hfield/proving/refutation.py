@@ -230,7 +230,7 @@ class _Search:
         """Split a product that is 0 into its factors."""
         elements = [f for f, _ in ideal.elements()]
         for f in sorted([*ideal.generators, *elements], key=len):
-            if not 2 <= len(f) <= MAX_FACTORED or f.total_degree() > MAX_DEGREE:
+            if len(f) > MAX_FACTORED or not 2 <= f.total_degree() <= MAX_DEGREE:
                 continue
             if monotonic() > self.deadline:
                 return False
@@ -238,6 +238,8 @@ class _Search:
             factors = [g for g, _ in powers]
             if len(factors) < 2 or len(factors) > 4:
                 continue
+            if any(ideal.cofactors(g) is not None for g in factors):
+                continue  # one of them is 0 already
             product = ideal.context.constant(1)
             for g, n in powers:
                 product *= g**n

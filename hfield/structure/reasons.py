@@ -7,6 +7,7 @@ from typing import Any
 
 from hfield.certificates.places import is_certified
 from hfield.errors import UndecidedError
+from hfield.factorisation import is_prime
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
@@ -17,7 +18,7 @@ from hfield.structure.evidence import ZeroNorm
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.functionfield import FunctionPlace
 from hfield.structure.hilbert import hilbert_symbol_q, ramified_places_q
-from hfield.structure.integers import fraction, is_prime, square_class
+from hfield.structure.integers import fraction, square_class
 from hfield.structure.local_order import unit_and_prime
 from hfield.structure.minimise import Vector
 from hfield.structure.primes import PrimePlace
