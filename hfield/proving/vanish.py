@@ -11,7 +11,7 @@ from hfield.rings.base import Ring, power
 
 Monomial = tuple[int, ...]
 SMALL_PRIMES = [n for n in range(2, 1000) if all(n % d for d in range(2, 32) if d < n)]
-MAX_PRIMES_BITS = 100  # a common factor of the coefficients up to here is factored
+MAX_PRIMES_BITS = 80  # a common factor of the coefficients up to here is factored
 
 
 def content(polynomial: Any) -> int:
@@ -73,6 +73,19 @@ def coefficients(
 def constant(field: Ring, text: str) -> Any:
     """Return the element of the field that ``text`` names."""
     return field(text)
+
+
+def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple[Any, int]]]:
+    """Return the number and the factors, with their powers, of a polynomial that is not 0.
+
+    Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.
+    """
+    try:
+        number, powers = polynomial.factor_squarefree() if squarefree else polynomial.factor()
+    except OverflowError:
+        n = int(polynomial.content())
+        return n, [(polynomial / n, 1)]
+    return int(number), [(g, int(e)) for g, e in powers]
 
 
 def common_primes(polynomials: list[Any]) -> list[int] | None:
