@@ -306,3 +306,13 @@ class Invariants(Parent):
         from hfield.lattices.named import hurwitz_order
 
         return hurwitz_order(self)
+
+    def class_number(self, level: int = 1) -> int:
+        """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.
+
+        In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
+        level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import class_number
+
+        return class_number(self, level)

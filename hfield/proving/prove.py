@@ -156,7 +156,8 @@ def _is_whole(evidence: Any) -> bool:
     """Tell whether there is evidence, and for all that it builds on."""
     if isinstance(evidence, Mapping):
         parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
-        return all(map(_is_whole, [*parts, *evidence.get("cases", ())]))
+        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
+        return all(map(_is_whole, [*parts, *(cases if isinstance(cases, list) else ())]))
     return evidence is not None
 
 

@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import flint
 
 from hfield.errors import TooLargeError
+from hfield.factorisation import factorise
 from hfield.product import Constants
 from hfield.rings.base import Ring
-from hfield.structure.integers import factorise
 
 LARGEST_EXPONENT = 256
 """The greatest k for which square roots modulo pᵏ are counted: the work grows like k²."""

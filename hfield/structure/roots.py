@@ -1,6 +1,6 @@
 """Square roots of elements: at most four, or a whole quadric of them when the element is a scalar."""
 
-import itertools
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,16 +12,14 @@ from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
 from hfield.structure.embed import traceless_root_by_slot
 from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.function_roots import traceless_root_functions
 from hfield.structure.inseparable import as_norm
 from hfield.structure.integers import fraction
-from hfield.structure.isomorphic import is_isomorphic, isomorphism
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic import integral, is_local_square
 from hfield.structure.ramification import pair, ramification
 from hfield.structure.splitting import split
 from hfield.structure.zero import zero_norm
-
-TRIALS = 200
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
                 w, x, y, z = q
                 found.append((scale * (w + n), scale * x, scale * y, scale * z))
     for root in found:
-        if not all(ring.equal(x, y) for x, y in zip(multiply(c, root, root), q, strict=True)):
+        if not _squares_to(ring, c, root, q):
             raise AssertionError("a square root that was found does not square to the element")
     return SquareRoots(tuple(found))
 
@@ -79,7 +77,14 @@ def _of_scalar(ring: Ring, c: Constants, s: Any) -> SquareRoots:
         nilpotent = nilpotent_element(ring, c)
         return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
     scalars = [] if ring.characteristic == 2 else _both_roots(ring, s)
-    return SquareRoots(tuple((r, o, o, o) for r in scalars), traceless_root(ring, c, s))
+    root = traceless_root(ring, c, s)
+    if root is not None and not _squares_to(ring, c, root, (s, o, o, o)):
+        raise AssertionError("a square root that was found does not square to the scalar")
+    return SquareRoots(tuple((r, o, o, o) for r in scalars), root)
+
+
+def _squares_to(ring: Ring, c: Constants, root: Coordinates, q: Coordinates) -> bool:
+    return all(ring.equal(x, y) for x, y in zip(multiply(c, root, root), q, strict=True))
 
 
 def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
@@ -167,12 +172,52 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | 
     if isinstance(ring, QuadraticField) or ring.characteristic:
         root = traceless_root_by_slot(ring, Constants(a, o, b), s)
         return None if root is None else form.back(root)
-    c = Constants(a, o, b)
-    for m, n in itertools.product(range(15), range(1, 15)):
-        e = b * (ring(m * m) - a * ring(n * n))
-        other = Constants(s, o, e)
-        if not ring.is_zero(e) and is_isomorphic(ring, other, c):
-            found = isomorphism(ring, other, c)
-            assert found is not None
-            return form.back(found.images[1])
-    raise UndecidedError(f"whether s has a square root of trace 0 over {ring.name} was not decided")
+    if isinstance(ring, FunctionField):
+        found = traceless_root_functions(ring, form, s)
+        return None if found is None else form.back((o, *found))
+    raise UndecidedError(
+        f"whether {ring.text(s)} has a square root of trace 0 over {ring.name} was not decided"
+    )
+
+
+def quadric(ring: Ring, c: Constants, s: Any) -> Iterator[Coordinates]:
+    """Run through the elements of trace 0 and norm −s over a finite field; in steps of O(1) each.
+
+    In odd characteristic trace 0 fixes w, and for each x and y a quadratic equation is left for z. In
+    characteristic 2 it says t·x = 0, and w is a square root.
+    """
+    a, t, b = c
+    o = ring.zero
+    if ring.characteristic == 2:
+        for x in ring.elements() if ring.is_zero(t) else (o,):
+            for y in ring.elements():
+                for z in ring.elements():
+                    yield ring.sqrt(norm(c, (o, x, y, z)) + s), x, y, z
+        return
+    half = ring.inverse(ring(2))
+    for x, y in _pairs(ring):
+        w = o - half * t * x
+        rest = norm(c, (w, x, y, o)) + s
+        for z in _zeros(ring, a * b, o - b * t * y, rest):
+            yield w, x, y, z
+
+
+def _pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
+    """Run through the pairs of elements, square by square: for x = 0 alone there may be no solution."""
+    seen: list[Any] = []
+    for n, x in enumerate(ring.elements()):
+        seen.append(x)
+        for y in seen:
+            yield x, y
+        for y in seen[:n]:
+            yield y, x
+
+
+def _zeros(ring: Ring, a: Any, b: Any, c: Any) -> Iterable[Any]:
+    """Return the solutions of ``a·z² + b·z + c = 0`` over a finite field of odd characteristic."""
+    if ring.is_zero(a):
+        if ring.is_zero(b):
+            return ring.elements() if ring.is_zero(c) else ()
+        return (ring.divide(ring.zero - c, b),)
+    twice = a + a
+    return [ring.divide(r - b, twice) for r in _both_roots(ring, b * b - (twice + twice) * c)]

@@ -10,6 +10,7 @@ from math import prod
 from typing import Any
 
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
+from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
@@ -17,7 +18,6 @@ from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.closed_torsion import closed_order
 from hfield.structure.commutators import basis_of
-from hfield.structure.integers import factorise
 
 SEARCHED_ORDERS = 120
 """Orders up to this are tried over infinite rings of which nothing is known."""

@@ -26,7 +26,7 @@ def width(unknowns: Widths) -> int:
     return sum(n for _, n in unknowns)
 
 
-def _assigned(unknowns: Widths, columns: np.ndarray) -> dict[str, Any]:
+def _assigned(unknowns: Widths, columns: Any) -> dict[str, Any]:
     out, at = {}, 0
     for name, n in unknowns:
         out[name] = columns[at] if n == 1 else tuple(columns[at : at + n])
@@ -61,7 +61,9 @@ def _some(tables: Sequence[Table], where: np.ndarray, unknowns: Widths, seed: in
     return found
 
 
-def _false(claim: Claim, scalars: Places, given: np.ndarray, bound: np.ndarray | None) -> Any:
+def _false(
+    claim: Claim, scalars: Places, given: np.ndarray, bound: np.ndarray | None = None
+) -> np.ndarray:
     """Return where hypotheses hold and the conclusion does not, the algebra being defined."""
     values = _assigned(claim.given, given)
     if bound is not None:
@@ -70,7 +72,7 @@ def _false(claim: Claim, scalars: Places, given: np.ndarray, bound: np.ndarray |
     right = world.truth(claim.conclusion)
     for h in claim.hypotheses:
         right = right | np.logical_not(world.truth(h))
-    return world.exists & np.logical_not(right), world
+    return np.broadcast_to(world.exists & np.logical_not(right), scalars.where.shape)
 
 
 def counterexample(
@@ -100,12 +102,11 @@ def counterexample(
 
 def _first(claim: Claim, union: Union, where: np.ndarray, local: np.ndarray) -> str | None:
     scalars = Places(union, where)
-    wrong, _ = _false(claim, scalars, local + union.start[where], None)
-    wrong = np.broadcast_to(wrong, where.shape)
+    wrong = _false(claim, scalars, local + union.start[where])
     if not wrong.any():
         return None
     at = int(np.argmax(wrong))
-    values = {n: v for n, v in _assigned(claim.given, local[:, at]).items()}
+    values = _assigned(claim.given, local[:, at].tolist())
     return f"false over {union.tables[where[at]].name} at {values}"
 
 
@@ -127,8 +128,7 @@ def _exists_nothing_at(claim: Claim, table: Table, given: np.ndarray) -> str | N
     outer, inner = given.shape[1], bound.shape[1]
     scalars = Places(union_of((table,)), np.zeros(outer * inner, np.int64))
     spread = np.repeat(given, inner, axis=1)
-    wrong, world = _false(claim, scalars, spread, np.tile(bound, outer))
-    wrong = np.broadcast_to(wrong, (outer * inner,)).reshape(outer, inner).all(axis=1)
+    wrong = _false(claim, scalars, spread, np.tile(bound, outer)).reshape(outer, inner).all(axis=1)
     if not wrong.any():
         return None
     return f"nothing exists over {table.name} at {given[:, int(np.argmax(wrong))].tolist()}"

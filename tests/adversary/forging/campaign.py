@@ -17,7 +17,6 @@ from tests.adversary.forging.kinds import forged
 from tests.adversary.forging.mutants import mutated
 from tests.adversary.forging.spelling import SPELLINGS
 from tests.adversary.forging.targets import NO_FIELDS, TARGETS, Certificate, Target
-from tests.adversary.forging.wholes import CLOSED
 from tests.adversary.forging.wholes import forged as forged_whole
 from tests.adversary.grammar import NotRead
 from tests.adversary.judgement import judge
@@ -93,9 +92,10 @@ def _pinned(rng: random.Random, pool: Sequence[Certificate]) -> tuple[str, Targe
     )
     s = target.statement
     wider = rng.choice((
-        f"{s}{' ' * 300}or 0 == 0", f"{s} or 1 == 1", f"1 == 1 or {s}", f"1 == 2 => ({s})", f"every{{{s} or 0 == 0}}",
-        f"implies{{1 == 2; {s}}}", f"({s}) <=> ({s})", f"over{{ZZ/6; {s} or 0 == 0}}", f"not-everywhere{{{s}}}",
-        f"citing{{limits; {s} or 0 == 0}}", f"angles{{{s} or 0 == 0}}", s.replace("==", "!=") + " or 1 == 1",
+        f"{s}{' ' * 300}or 0 == 0", f"{s} or 1 == 1", f"1 == 1 or {s}", f"1 == 2 => ({s})",
+        f"every{{{s} or 0 == 0}}", f"implies{{1 == 2; {s}}}", f"({s}) <=> ({s})",
+        f"over{{ZZ/6; {s} or 0 == 0}}", f"not-everywhere{{{s}}}", f"angles{{{s} or 0 == 0}}",
+        f"citing{{limits; {s} or 0 == 0}}", s.replace("==", "!=") + " or 1 == 1",
     ))  # fmt: skip
     data = target.certificate({"kind": "identity"}, "identity", statement=wider)
     other = Pin((s,), target.field, target.algebra, any_field=rng.random() < 0.3)
@@ -153,6 +153,3 @@ def _judged(text: str, established: Established, seed: int) -> str:
     ):  # what rests on an assumption is no break if the assumption is false
         return ""
     return false_claim(data, established, seed)
-
-
-__all__ = ["CLOSED", "Outcome", "draw", "false_claim", "run"]

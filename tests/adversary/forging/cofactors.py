@@ -314,23 +314,27 @@ def steps(target: Target, rng: random.Random) -> list[Item]:
     return [indirect(goals, lie, zero=zeros)]
 
 
+UNITS = [["1", "0", "0", "0"], ["0", "1", "0", "0"], ["0", "0", "1", "0"], ["0", "0", "0", "1"]]
+HURWITZ = [
+    ["1", "0", "0", "0"],
+    ["1/2", "1/2", "1/2", "1/2"],
+    ["1", "1", "0", "0"],
+    ["1", "0", "1", "0"],
+]
 FACTS: tuple[Any, ...] = (
     {"form": "norm", "by": "ordering"},
     {"form": "norm", "by": "level"},
-    {"form": "norm", "by": "ramified places", "places": ["2"]},
-    {"form": "norm", "by": "ramified places", "places": ["3", "5", "7", "inf"]},
-    {"form": "norm", "by": "ramified places", "places": []},
-    {"form": "norm", "by": "specialisation", "places": ["0"]},
-    {
-        "form": "norm",
-        "by": "ramified places",
-        "places": ["x", "t", "t+1", "x^2+1", "4", "٣", "1", "0", "-3"],
-    },
-    {
-        "form": "norm",
-        "by": "ramified places",
-        "places": ["(2, sqrt(-7)-1)", "(3, sqrt(-2)-1)", "(5,I-2)"],
-    },
+    *(
+        {"form": "norm", "by": "place", "place": p, "lattice": UNITS}
+        for p in ("2", "3", "t", "inf")
+    ),
+    *({"form": "norm", "by": "place", "place": p, "lattice": HURWITZ} for p in ("2", "4", "٣")),
+    {"form": "norm", "by": "place", "place": "(2, sqrt(-7)-1)", "lattice": HURWITZ},
+    {"form": "norm", "by": "place", "place": "2", "lattice": [["0"] * 4] * 4},
+    {"form": "norm", "by": "place", "place": "2", "lattice": UNITS[:2]},
+    {"form": "norm", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
+    {"form": "norm", "by": "place", "place": "2", "lattice": HURWITZ, "algebra": "(-1,-1|QQ)"},
+    {"form": "norm", "by": "ordering", "algebra": "(-1,-1|RR)"},
     {"form": "squares", "by": "level", "most": 2, "positive": False},
     {"form": "squares", "by": "level", "most": 5, "positive": False},
     {"form": "squares", "by": "ordering", "most": None, "positive": True},
