@@ -299,6 +299,15 @@ class Invariants(Parent):
 
         return eichler_order(self, level)
 
+    def extremal_order(self) -> Order:
+        """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
+
+        Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
+        """
+        from hfield.lattices.extremal import extremal_order
+
+        return extremal_order(self)
+
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
         from hfield.lattices.named import lipschitz_order
