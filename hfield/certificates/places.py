@@ -63,6 +63,15 @@ def is_certified(algebra: str, field: str, data: Mapping[str, Any]) -> bool:
     return True
 
 
+def is_readable(algebra: str, field: str) -> bool:
+    """Tell whether the constants of an algebra are numbers that are known here."""
+    try:
+        constants_of(algebra, field)
+    except Rejected:
+        return False
+    return True
+
+
 def constants_of(algebra: str, field: str) -> tuple[Ring, Constants]:
     """Return the field and (a, t, b). Raises :class:`Rejected`."""
     setting = read_setting(algebra, field)

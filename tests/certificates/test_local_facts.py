@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from hfield import prove
 from hfield.certificates.local.quotients import Quotient, has_no_root
 from hfield.certificates.local.residues import jacobi
 from hfield.certificates.places import is_certified
@@ -299,3 +300,18 @@ def test_specialisations() -> None:
     assert not is_certified("(t,-1|GF(3)(t))", "GF(3)(t)", {**ordered, "at": "1"})
     nested = {**ordered, "proof": ordered}
     assert not is_certified("(x,-2|QQ(x))", "QQ(x)", nested)
+
+
+@pytest.mark.parametrize("algebra", ["(-pi,-1|RR)", "(-1,-cos(1)|RR)"])
+def test_numbers_that_the_checker_does_not_know_have_no_certificate(algebra: str) -> None:
+    answer = prove("norm(q) == 0 => q == 0", algebra=algebra)
+    assert (answer.verdict, answer.certificate) == ("proved", None)
+    assert answer.why_no_certificate is not None
+
+
+def test_an_unshown_norm_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What no certificate can carry is no rule, and the undecided answer says why."""
+    monkeypatch.setattr("hfield.structure.reasons.is_certified", lambda *_: False)
+    answer = prove("norm(q) == 0 => q == 0", algebra="(3,-5|QQ(I))")
+    assert answer.verdict == "undecided"
+    assert "not by a reason that a certificate can carry" in "; ".join(answer.decision.tried)
