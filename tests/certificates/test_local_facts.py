@@ -9,7 +9,7 @@ import pytest
 
 from hfield import prove
 from hfield.certificates.local.quotients import Quotient, has_no_root
-from hfield.certificates.local.residues import jacobi
+from hfield.certificates.local.residues import jacobi, read_place
 from hfield.certificates.places import is_certified
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_field
@@ -232,6 +232,48 @@ def test_the_hurwitz_order_shows_hamilton() -> None:
 )
 def test_a_changed_reason_is_none(changes: dict[str, Any]) -> None:
     assert not is_certified("(-1,-1|QQ)", "QQ", {**H_IN_QQ, **changes})
+
+
+@pytest.mark.parametrize(
+    ("field", "good", "bad"),
+    [
+        ("QQ", "2 3 4611686018427387905", "4 6 1 0 -3 t inf (7,sqrt(2)-3) 3.0 ³"),
+        (
+            "QQ(sqrt(2))",
+            "2 3 15 (7,sqrt(2)-3) (119,sqrt(2)-45)",
+            "(7,sqrt(2)-1) (7,sqrt(3)-3) (2,sqrt(2)-1)",
+        ),
+        (
+            "QQ(sqrt(2))",
+            "(7,sqrt(2)-4)",
+            "(7,sqrt(2)-10) (14,sqrt(2)-4) (3,sqrt(2)-1) (7,I-3) 4 6 14 inf+",
+        ),
+        (
+            "QQ(sqrt(6))",
+            "2 3 35 (5,sqrt(6)-1)",
+            "9 15 21 33 6 12 (3,sqrt(6)-0) (15,sqrt(6)-6) (15,sqrt(6)-9)",
+        ),
+        (
+            "QQ(sqrt(17))",
+            "17 (2,sqrt(17)-1) (2,sqrt(17)-3)",
+            "2 51 (2,sqrt(17)-2) (2,sqrt(17)-5) (2,sqrt(17)-0)",
+        ),
+        ("QQ(sqrt(5))", "2 5 3", "(2,sqrt(5)-1) (2,sqrt(5)-3) 10 25"),
+        ("QQ(I)", "2 3 (5,I-2)", "(5,sqrt(-1)-2) (5,I-1) (2,I-1) 1"),
+        ("GF(2)(t)", "t inf t^2+t+1 t^4+t+1", "t^2 t^2+1 t^4+t^2+1 1 0 1/t (t^2+1)/t 2 inf+"),
+        ("GF(9)(t)", "t t-x inf t^2-x", "t^2+1 t^2-x^2 x t*x^0*t"),
+        ("QQ(x)", "", "x inf x^2+1 2"),
+        ("RR", "", "2 inf"),
+        ("CC", "", "2 3"),
+        ("GF(5)", "", "2 5"),
+    ],
+)
+def test_what_is_a_place(field: str, good: str, bad: str) -> None:
+    for text in good.split():
+        assert read_place(read_field(field), text)
+    for text in bad.split():
+        with pytest.raises(Rejected):
+            read_place(read_field(field), text)
 
 
 def test_a_modulus_need_not_be_prime() -> None:
