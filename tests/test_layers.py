@@ -9,7 +9,7 @@ ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
     {"hfield.errors", "hfield.product", "hfield.certificates"},
-    {"hfield.syntax", "hfield.executors", "hfield.atomic"},
+    {"hfield.syntax", "hfield.executors", "hfield.atomic", "hfield.factorisation"},
     {"hfield.rings"},
     {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},

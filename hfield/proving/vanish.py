@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
+from hfield.factorisation import factor
 from hfield.proving.expand import Expanded
 from hfield.rings.base import Ring, power
 
 Monomial = tuple[int, ...]
-SMALL_PRIMES = [n for n in range(2, 1000) if all(n % d for d in range(2, 32) if d < n)]
-MAX_PRIMES_BITS = 100  # a common factor of the coefficients up to here is factored
 
 
 def content(polynomial: Any) -> int:
@@ -75,6 +74,19 @@ def constant(field: Ring, text: str) -> Any:
     return field(text)
 
 
+def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple[Any, int]]]:
+    """Return the number and the factors, with their powers, of a polynomial that is not 0.
+
+    Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.
+    """
+    try:
+        number, powers = polynomial.factor_squarefree() if squarefree else polynomial.factor()
+    except OverflowError:
+        n = int(polynomial.content())
+        return n, [(polynomial / n, 1)]
+    return int(number), [(g, int(e)) for g, e in powers]
+
+
 def common_primes(polynomials: list[Any]) -> list[int] | None:
     """Return the primes that divide all coefficients: the characteristics in which all vanish.
 
@@ -86,16 +98,5 @@ def common_primes(polynomials: list[Any]) -> list[int] | None:
 
 def prime_factors(n: int) -> list[int] | None:
     """Return the primes that divide n ≥ 1, or None when that would take long."""
-    from flint import fmpz
-
-    primes = []
-    for p in SMALL_PRIMES:
-        if n % p == 0:
-            primes.append(p)
-            while n % p == 0:
-                n //= p
-    if n == 1:
-        return primes
-    if n.bit_length() > MAX_PRIMES_BITS:
-        return None
-    return primes + [int(p) for p, _ in fmpz(n).factor()]
+    found = factor(n)
+    return None if found.rest else list(found.primes)

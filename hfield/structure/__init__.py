@@ -32,7 +32,7 @@ if TYPE_CHECKING:
         reduced_discriminant,
     )
     from hfield.structure.reasons import norm_evidence
-    from hfield.structure.roots import square_roots
+    from hfield.structure.roots import quadric, square_roots
     from hfield.structure.splitting import division_or_splitting, split
     from hfield.structure.torsion import multiplicative_order
     from hfield.structure.zero import is_division, zero_norm
@@ -63,7 +63,7 @@ _HOMES = {
         "reduced_discriminant",
     ],
     "reasons": ["norm_evidence"],
-    "roots": ["square_roots"],
+    "roots": ["quadric", "square_roots"],
     "splitting": ["division_or_splitting", "split"],
     "torsion": ["multiplicative_order"],
     "zero": ["is_division", "zero_norm"],
@@ -96,6 +96,7 @@ __all__ = [
     "norm_evidence",
     "place",
     "places",
+    "quadric",
     "radical",
     "ramified_places",
     "reduced_discriminant",

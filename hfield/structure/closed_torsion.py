@@ -14,9 +14,9 @@ from typing import Any
 import flint
 
 from hfield.errors import UndecidedError, shorten
+from hfield.factorisation import factorise
 from hfield.rings.base import Ring
 from hfield.rings.surds import Surd
-from hfield.structure.integers import factorise
 
 SURDS = 240  # the orders of roots of unity that are quadratic over sums of square roots divide it
 GREATEST = 10**9  # greater orders are not looked for

@@ -11,25 +11,23 @@ of rational conics", Math. Comp. 72 (2003), and Serre, *A Course in Arithmetic*,
 
 import itertools
 import math
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 import flint
 
-from hfield.structure.integers import Factors, crt, sqrt_mod, square_class, squarefree
+from hfield.structure.integers import crt, sqrt_mod, square_class, squarefree
 from hfield.structure.integers import fraction as to_fraction
 
 Vector = list[int]
 
 
-def solve_conic(
-    a: Any, b: Any, factors: Factors | None = None
-) -> tuple[Fraction, Fraction, Fraction]:
+def solve_conic(a: Any, b: Any, known: Iterable[int] = ()) -> tuple[Fraction, Fraction, Fraction]:
     """Return rationals ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``; a, b are nonzero rationals.
 
     The conic must have a point, that is, ``(a, b | ℚ)`` must ramify nowhere.
     """
-    known = None if factors is None else list(factors)
     m, s, in_m = squarefree(square_class(a), known)
     n, r, in_n = squarefree(square_class(b), known)
     g = math.gcd(m, n)

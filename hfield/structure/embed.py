@@ -10,7 +10,7 @@ holds too. In characteristic 2 one conic is enough (`inseparable`).
 
 import functools
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -24,7 +24,7 @@ from hfield.structure.compare import same_class
 from hfield.structure.forms import normal_form
 from hfield.structure.function_slots import common_slot_functions
 from hfield.structure.inseparable import embed_even
-from hfield.structure.integers import Factors, fraction
+from hfield.structure.integers import fraction
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic_conic import solve_conic_quadratic
 from hfield.structure.slots import common_slot
@@ -142,9 +142,11 @@ def _times_norm(
     return multiply(c, (w + scale * m, x, y, z), v)
 
 
-def _quadratic_point(field: QuadraticField, factors: Factors, c: Constants) -> tuple[Any, Any, Any]:
+def _quadratic_point(
+    field: QuadraticField, known: Iterable[int], c: Constants
+) -> tuple[Any, Any, Any]:
     """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``, given the primes of the norms of a and b."""
-    x, y, w = solve_conic_quadratic(field, c.a, c.b, factors)
+    x, y, w = solve_conic_quadratic(field, c.a, c.b, known)
     return w, x, y
 
 

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import is_prime
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
@@ -14,7 +15,6 @@ from hfield.structure.conic import solve_conic
 from hfield.structure.evidence import ZeroNorm, found, none
 from hfield.structure.forms import NormalForm
 from hfield.structure.hilbert import hilbert_symbol_q
-from hfield.structure.integers import is_prime
 from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic_conic import solve_conic_quadratic
 from hfield.structure.ramification import pair, ramification

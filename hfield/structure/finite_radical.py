@@ -10,12 +10,12 @@ from math import prod
 from typing import Any
 
 from hfield.errors import UndecidedError, shorten
+from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring, power
 from hfield.rings.modular import Modular
 from hfield.structure.commutators import basis_of
 from hfield.structure.forms import pairing_matrix
-from hfield.structure.integers import factorise
 from hfield.structure.syzygies import TRIALS, Row, generators, modulo
 
 

@@ -13,7 +13,8 @@ from typing import Any
 import flint
 
 from hfield.errors import RingError, shorten
-from hfield.structure.integers import Factors, crt, factorise, is_prime, remove, square_class
+from hfield.factorisation import Factors, factorise, is_prime, known_primes, remove
+from hfield.structure.integers import crt, square_class
 
 Place = int | str
 INFINITE = "inf"
@@ -69,11 +70,12 @@ def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
 def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[Place, ...]:
     """Return the places of ℚ where ``(a, b | ℚ)`` is a division algebra, primes first, ascending.
 
-    ``factors`` may name primes of numerators and denominators, to spare their factorisation.
+    ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
+    :class:`UnfactoredError`.
     """
     m, n = square_class(a), square_class(b)
-    known = None if factors is None else list(factors)
-    in_m, in_n = factorise(m, known), factorise(n, known)
+    with known_primes(factors):
+        in_m, in_n = factorise(m), factorise(n)
     whole_m, whole_n = flint.fmpz(m), flint.fmpz(n)
     primes = []
     for p, alpha in in_m.items():

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring
 from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.evidence import ZeroNorm, found, none
 from hfield.structure.forms import discriminant
-from hfield.structure.integers import factorise, fraction
+from hfield.structure.integers import fraction
 
 Decide = Callable[[Ring, Constants], ZeroNorm]
 MAX_TERMS = 40

@@ -4,7 +4,8 @@ from fractions import Fraction
 
 import flint
 
-from hfield.structure.integers import remove, sqrt_mod
+from hfield.factorisation import remove
+from hfield.structure.integers import sqrt_mod
 
 
 class PrimePlace:

@@ -13,9 +13,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import factorise, is_prime, remove
 from hfield.structure.conic import solve_conic
 from hfield.structure.hilbert import INFINITE, Place, hilbert_symbol_q
-from hfield.structure.integers import crt, factorise, is_prime, remove, squarefree
+from hfield.structure.integers import crt, squarefree
 
 Zero = list[Fraction]
 

@@ -6,13 +6,14 @@ the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapt
 """
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
 from hfield.errors import RingError
+from hfield.factorisation import factorise, is_prime, remove
 from hfield.structure.hilbert import _symbol
-from hfield.structure.integers import Factors, factorise, is_prime, remove, sqrt_mod
+from hfield.structure.integers import sqrt_mod
 
 Pair = tuple[Fraction, Fraction]
 
@@ -191,10 +192,12 @@ def is_local_square(v: QuadraticPlace, x: tuple[int, int]) -> bool:
 
 
 def ramified_places_quadratic(
-    d: int, a: Pair, b: Pair, factors: Factors | None = None
+    d: int, a: Pair, b: Pair, known: Iterable[int] = ()
 ) -> tuple[QuadraticPlace, ...]:
-    """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last."""
-    known = None if factors is None else list(factors)
+    """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last.
+
+    ``known`` may name primes of the norms of a and b. Raises :class:`UnfactoredError`.
+    """
     x, y = integral(a), integral(b)
     primes = {2}
     for s in (x, y):
@@ -208,14 +211,12 @@ def ramified_places_quadratic(
     return tuple(bad)
 
 
-def hilbert_symbol_quadratic(
-    d: int, a: Pair, b: Pair, place: object, factors: Factors | None = None
-) -> int:
+def hilbert_symbol_quadratic(d: int, a: Pair, b: Pair, place: object) -> int:
     """Return the Hilbert symbol of two nonzero elements at a place of ℚ(√d).
 
-    Above a 2 that does not split the norms of a and b are factored; ``factors`` may help.
+    Above a 2 that does not split the norms of a and b are factored. Raises :class:`UnfactoredError`.
     """
     v = place_of_quadratic(d, place)
     if is_dyadic(v):
-        return -1 if v in ramified_places_quadratic(d, a, b, factors) else 1
+        return -1 if v in ramified_places_quadratic(d, a, b) else 1
     return direct_symbol(v, integral(a), integral(b))

@@ -15,14 +15,14 @@ import itertools
 import math
 import operator
 import random
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import flint
 
 from hfield.errors import UndecidedError
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.integers import Factors, fraction
+from hfield.structure.integers import fraction
 from hfield.structure.minimise import Vector
 from hfield.structure.quadratic_lattice import bad_primes, good_lattice
 from hfield.structure.quadratic_primes import coordinates
@@ -39,18 +39,18 @@ Integers = list[list[int]]
 
 
 def solve_conic_quadratic(
-    field: QuadraticField, a: Any, b: Any, factors: Factors | None = None
+    field: QuadraticField, a: Any, b: Any, known: Iterable[int] = ()
 ) -> tuple[Any, Any, Any]:
     """Return ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``, for nonzero a and b in ℚ(√d).
 
-    The conic must have a point, that is, ``(a, b | ℚ(√d))`` must ramify nowhere. ``factors`` may name
+    The conic must have a point, that is, ``(a, b | ℚ(√d))`` must ramify nowhere. ``known`` may name
     primes of the norms of a and b. Raises :class:`UndecidedError` where a norm is too hard to factor,
     or where no point was met on the walk, which takes a discriminant of ten digits or so.
     """
     r, s = (math.lcm(*(u.denominator for u in coordinates(field, x))) for x in (a, b))
     a, b = a * (r * r), b * (s * s)
     form = [field.one, -a, -b]
-    walk = Walk(field, form, good_lattice(field, form, bad_primes(field, (a, b), factors)))
+    walk = Walk(field, form, good_lattice(field, form, bad_primes(field, (a, b), known)))
     rng = random.Random(1)
     steps = [[int(i == j) for j in range(6)] for i in range(6)]
     for _ in range(TRIALS):

@@ -11,17 +11,16 @@ from typing import Any
 
 import flint
 
+from hfield.factorisation import factorise
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.integers import Factors, factorise
 from hfield.structure.minimise import Conic, Vector, minimise
 from hfield.structure.quadratic_primes import PrimeIdeal, coordinates, norm, omega, primes_above
 
 
 def bad_primes(
-    field: QuadraticField, numbers: Iterable[Any], factors: Factors | None = None
+    field: QuadraticField, numbers: Iterable[Any], known: Iterable[int] = ()
 ) -> list[int]:
-    """Return 2 and the primes of the norms of some integers; ``factors`` may name primes of these."""
-    known = None if factors is None else list(factors)
+    """Return 2 and the primes of the norms of some integers; ``known`` may name primes of these."""
     return sorted({2}.union(*(factorise(int(norm(field, x)), known) for x in numbers)))
 
 

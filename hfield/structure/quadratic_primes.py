@@ -7,10 +7,11 @@ a prime ideal P above p, ω is a root r of its minimal polynomial, or generates 
 from fractions import Fraction
 from typing import Any
 
+from hfield.factorisation import remove
 from hfield.rings import GF
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.integers import fraction, remove, sqrt_mod
+from hfield.structure.integers import fraction, sqrt_mod
 from hfield.structure.primes import PrimePlace
 from hfield.structure.residue import ResidueField
 

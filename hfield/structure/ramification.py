@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError, shorten
+from hfield.factorisation import Factors, factorise, is_prime, known_primes
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField, Quotient
@@ -20,7 +21,7 @@ from hfield.structure.hilbert import (
     place_of_q,
     ramified_places_q,
 )
-from hfield.structure.integers import Factors, fraction, is_prime
+from hfield.structure.integers import fraction
 
 
 def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -> int:
@@ -44,7 +45,8 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
         return _symbol_functions(field, field(a), field(b), place)
     if isinstance(field, QuadraticField):
         x, y = pair(field, field(a)), pair(field, field(b))
-        return quadratic.hilbert_symbol_quadratic(field.d, x, y, place, factors)
+        with known_primes(factors):
+            return quadratic.hilbert_symbol_quadratic(field.d, x, y, place)
     return hilbert_symbol_q(a, b, place)
 
 
@@ -60,7 +62,11 @@ def _field_of(a: Any, b: Any, place: Any) -> Ring | None:
     roots = {n for x in (a, b) if isinstance(x, Surd) for n in x.terms if n != 1}
     if len(roots) > 1:
         raise RingError(f"{shorten(a)} and {shorten(b)} lie in no common quadratic field")
-    return QuadraticField(roots.pop()) if roots else None
+    if not roots:
+        return None
+    d = roots.pop()
+    factorise(d)  # the theory of places asks for a squarefree d
+    return QuadraticField(d)
 
 
 def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
@@ -118,9 +124,7 @@ def pair(ring: QuadraticField, x: Any) -> tuple[Fraction, Fraction]:
     return fraction(terms.get(1, 0)), fraction(terms.get(ring.d, 0))
 
 
-def ramification(
-    ring: Ring, form: NormalForm, factors: Factors | None = None
-) -> tuple[Any, ...] | None:
+def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
     """Return the ramified places of a nondegenerate normal form; None where there is no theory.
 
     Over ℚ(x) these are the places with a residue; without any, the algebra is constant.
@@ -129,9 +133,9 @@ def ramification(
         return functionfield.ramified_places_functions(ring, form)
     if isinstance(ring, QuadraticField):
         a, b = (pair(ring, x) for x in form.constants)
-        return quadratic.ramified_places_quadratic(ring.d, a, b, factors)
+        return quadratic.ramified_places_quadratic(ring.d, a, b)
     if ring.name == "QQ":
-        return ramified_places_q(form.a, form.b, factors)
+        return ramified_places_q(form.a, form.b)
     return None
 
 
@@ -152,7 +156,8 @@ def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) ->
         )
     if ring.order is not None:
         return ()
-    found = ramification(ring, normal_form(ring, c), factors)
+    with known_primes(factors):
+        found = ramification(ring, normal_form(ring, c))
     if found is None:
         raise UndecidedError(f"{ring.name} has no theory of places here")
     return found

@@ -16,9 +16,10 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Any
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import factorise, is_prime, remove
 from hfield.product import Constants
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.integers import crt, factorise, is_prime, remove
+from hfield.structure.integers import crt
 from hfield.structure.quadratic import (
     QuadraticPlace,
     direct_symbol,

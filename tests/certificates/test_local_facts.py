@@ -7,7 +7,9 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.local.quotients import Quotient, has_no_zero
+from hfield import prove
+from hfield.certificates.local.quotients import Quotient, has_no_root
+from hfield.certificates.local.residues import jacobi
 from hfield.certificates.places import is_certified
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_field
@@ -129,30 +131,26 @@ def places_above_2(name: str) -> list[str]:
     return ["(2, sqrt(17)-1)", "(2, sqrt(17)-3)"] if "17" in name else ["2"]
 
 
-def test_forms_over_finite_fields() -> None:
-    """Without zero exactly where trying all says so."""
-    for text in ("GF(2)", "GF(4)", "GF(8)", "GF(3)", "GF(7)", "GF(9)"):
-        field = read_field(text)
-        elements = list(field.elements())
-        for a, b, c in product(elements, repeat=3) if len(elements) < 8 else ():
-            assert has_no_zero(field, a, b, c) == zeroless(field, a, b, c)
-        rng = random.Random(text)
-        for _ in range(60):
-            a, b, c = rng.choices(elements, k=3)
-            assert has_no_zero(field, a, b, c) == zeroless(field, a, b, c)
+@pytest.mark.parametrize("text", ["GF(2)", "GF(4)", "GF(8)", "GF(3)", "GF(7)", "GF(9)"])
+def test_quadratic_polynomials_over_finite_fields(text: str) -> None:
+    """X² − s·X + n has no root exactly where trying all says so."""
+    field = read_field(text)
+    elements = list(field.elements())
+    for s, n in product(elements, repeat=2):
+        values = (field.add(field.mul(x, field.add(x, field.neg(s))), n) for x in elements)
+        assert has_no_root(field, s, n) == (not any(map(field.is_zero, values)))
 
 
-def zeroless(field: Any, a: Any, b: Any, c: Any) -> bool:
-    def value(x: Any, y: Any) -> Any:
-        terms = (
-            field.mul(a, field.mul(x, x)),
-            field.mul(b, field.mul(x, y)),
-            field.mul(c, field.mul(y, y)),
-        )
-        return field.add(field.add(terms[0], terms[1]), terms[2])
-
-    points = [(field.one, y) for y in field.elements()] + [(field.zero, field.one)]
-    return not any(field.is_zero(value(x, y)) for x, y in points)
+def test_jacobi_symbols() -> None:
+    """They are products of Legendre symbols, which Euler's criterion gives."""
+    primes = [3, 5, 7, 11, 13]
+    for n, a in product(range(3, 400, 2), range(-30, 31)):
+        product_of, rest = 1, n
+        for p in [*primes, *range(17, 400, 2)]:
+            while rest % p == 0:
+                euler = pow(a, (p - 1) // 2, p)
+                product_of, rest = product_of * (euler - p if euler == p - 1 else euler), rest // p
+        assert jacobi(a, n) == product_of, (a, n)
 
 
 @pytest.mark.parametrize("text", ["GF(2)", "GF(3)", "GF(4)", "GF(5)"])
@@ -189,11 +187,7 @@ def test_residue_fields_are_fields(text: str) -> None:
                 assert k.mul(x, k.inverse(x)) == k.one
 
 
-H_IN_QQ = {
-    "by": "place",
-    "place": "2",
-    "lattice": [["1", "0", "0", "0"], ["1/2"] * 4, ["1", "1", "0", "0"], ["1", "0", "1", "0"]],
-}
+H_IN_QQ = {"by": "place", "place": "2", "u": ["1/2"] * 4, "j": ["1", "1", "0", "0"]}
 
 
 def test_the_hurwitz_order_shows_hamilton() -> None:
@@ -203,36 +197,60 @@ def test_the_hurwitz_order_shows_hamilton() -> None:
 @pytest.mark.parametrize(
     "changes",
     [
-        {"place": "3"},
-        {"place": "4"},
-        {"place": "1"},
-        {"place": "0"},
-        {"place": "-2"},
-        {"place": "inf"},
-        {"place": ""},
-        {"place": "2.0"},
-        {"place": "(2, sqrt(2)-1)"},
-        {"place": 2},
-        {"place": None},
-        {"lattice": []},
-        {"lattice": H_IN_QQ["lattice"][:3]},
-        {"lattice": [*H_IN_QQ["lattice"], ["0", "0", "0", "1"]]},
-        {"lattice": [["1", "0", "0", "0"]] * 4},
-        {"lattice": [["0"] * 4] * 4},
-        {"lattice": [["1", "0", "0"]] * 4},
-        {"lattice": H_IN_QQ["lattice"][::-1]},
-        {"lattice": [["2", "0", "0", "0"], *H_IN_QQ["lattice"][1:]]},
-        {"lattice": "1"},
-        {"by": "ramified places"},
-        {"by": "level"},
-        {"by": None},
-        {"proof": {"by": "level"}},
-        {"places": ["2"]},
-        {"at": "0"},
+        *(
+            {"place": place}
+            for place in ("3", "4", "1", "0", "-2", "inf", "", "2.0", "(2, sqrt(2)-1)")
+        ),
+        *({"place": place} for place in (2, None, ["2"], "15", "9" * 2000)),
+        *(
+            {"u": u}
+            for u in (
+                [],
+                ["1"] * 3,
+                ["1"] * 5,
+                ["1"] * 4,
+                ["1", "0", "0", "0"],
+                ["1/4"] * 4,
+                "1111",
+            )
+        ),
+        *(
+            {"u": u}
+            for u in (["0", "1", "0", "0"], ["1/2", "1/2", "1/2", "1"], ["1/0"] * 4, [1] * 4, None)
+        ),
+        *({"j": j} for j in (["1", "0", "0", "0"], ["0"] * 4, ["1/2"] * 4, ["2", "0", "0", "0"])),
+        *(
+            {"j": j}
+            for j in (["1/2", "1/2", "1", "0"], ["1", "1", "0", "x"], ["2", "2", "0", "0", "0"])
+        ),
+        *(
+            {"by": by}
+            for by in ("ramified places", "level", "ordering", "specialisation", None, [])
+        ),
+        *({key: ["2"]} for key in ("places", "lattice", "proof", "at", "form", "kind")),
     ],
 )
 def test_a_changed_reason_is_none(changes: dict[str, Any]) -> None:
     assert not is_certified("(-1,-1|QQ)", "QQ", {**H_IN_QQ, **changes})
+
+
+def test_a_modulus_need_not_be_prime() -> None:
+    """(−1, n) has the Jacobi symbol −1 at n = 3·5·7·11·23 (23 times): N(j) = −n, and u² = −1."""
+    n = 3 * 5 * 7 * 11 * 23
+    reason = {"by": "place", "place": str(n), "u": ["0", "1", "0", "0"], "j": ["0", "0", "1", "0"]}
+    assert jacobi(-1, n) == 1
+    assert not is_certified(f"(-1,{n}|QQ)", "QQ", reason)
+    assert jacobi(2, n) == -1
+    assert is_certified(f"(2,{n}|QQ)", "QQ", reason)
+    assert not is_certified(f"(2,{n * n}|QQ)", "QQ", reason)
+    assert not is_certified(f"(2,{n * n}|QQ)", "QQ", {**reason, "place": str(n * n)})
+    assert is_certified(f"(2,{n * 1_000_003}|QQ)", "QQ", reason)
+    assert not is_certified(f"(2,{n * 9}|QQ)", "QQ", reason)
+    assert not is_certified(f"(2,{n * 9}|QQ)", "QQ", {**reason, "place": str(n // 3)})
+    over = {"by": "place", "place": "33", "u": ["0", "1", "0", "0"], "j": ["0", "0", "1", "0"]}
+    assert is_certified("(1+2*sqrt(2),33|QQ(sqrt(2)))", "QQ(sqrt(2))", over) == (
+        jacobi(-7, 33) == -1
+    )
 
 
 @pytest.mark.parametrize(
@@ -254,14 +272,19 @@ def test_a_changed_reason_is_none(changes: dict[str, Any]) -> None:
     ],
 )
 def test_split_algebras_have_no_reason(algebra: str, field: str) -> None:
-    lattices = [H_IN_QQ["lattice"], [["1" if m == n else "0" for n in range(4)] for m in range(4)]]
+    elements = [H_IN_QQ["u"], *(["1" if m == n else "0" for n in range(4)] for m in range(4))]
     places = ["2", "3", "5", "7", "inf", "t", "t+1", "x", "t^2+t+1", "(2, I-1)", "(7, sqrt(2)-3)"]
     reasons: list[Any] = [{"by": "ordering"}, {"by": "level"}]
-    reasons += [{"by": "place", "place": p, "lattice": m} for p in places for m in lattices]
+    reasons += [
+        {"by": "place", "place": p, "u": u, "j": j}
+        for p in places
+        for u in elements
+        for j in elements
+    ]
     reasons += [
         {"by": "specialisation", "at": at, "proof": proof}
         for at in ("0", "1", "2", "-1", "1/2", "inf", "x", "1/0")
-        for proof in reasons[:8]
+        for proof in reasons[:12]
     ]
     for data in reasons:
         assert not is_certified(algebra, field, data), data
@@ -277,3 +300,18 @@ def test_specialisations() -> None:
     assert not is_certified("(t,-1|GF(3)(t))", "GF(3)(t)", {**ordered, "at": "1"})
     nested = {**ordered, "proof": ordered}
     assert not is_certified("(x,-2|QQ(x))", "QQ(x)", nested)
+
+
+@pytest.mark.parametrize("algebra", ["(-pi,-1|RR)", "(-1,-cos(1)|RR)"])
+def test_numbers_that_the_checker_does_not_know_have_no_certificate(algebra: str) -> None:
+    answer = prove("norm(q) == 0 => q == 0", algebra=algebra)
+    assert (answer.verdict, answer.certificate) == ("proved", None)
+    assert answer.why_no_certificate is not None
+
+
+def test_an_unshown_norm_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What no certificate can carry is no rule, and the undecided answer says why."""
+    monkeypatch.setattr("hfield.structure.reasons.is_certified", lambda *_: False)
+    answer = prove("norm(q) == 0 => q == 0", algebra="(3,-5|QQ(I))")
+    assert answer.verdict == "undecided"
+    assert "not by a reason that a certificate can carry" in "; ".join(answer.decision.tried)

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from hfield.factorisation import factorise, remove
 from hfield.structure.conic import solve_conic
 from hfield.structure.hilbert import hilbert_symbol_q, ramified_places_q
-from hfield.structure.integers import factorise, remove
 from hfield.structure.qforms import isotropic_vector
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)

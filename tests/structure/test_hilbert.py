@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from structure_cases import cases
 
 from hfield.errors import CoercionError, NotationError, RingError, UndecidedError
+from hfield.factorisation import factorise
 from hfield.structure import hilbert_symbol
 from hfield.structure.hilbert import (
     discriminant_q,
@@ -15,7 +16,6 @@ from hfield.structure.hilbert import (
     place_of_q,
     ramified_places_q,
 )
-from hfield.structure.integers import factorise
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)
 rationals = st.builds(Fraction, nonzero, st.integers(1, 1000))

@@ -8,10 +8,10 @@ import pytest
 from structure_cases import constants
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import is_prime, remove
 from hfield.product import Constants, multiply
 from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
-from hfield.structure.integers import is_prime, remove
 from hfield.structure.minimise import Conic
 from hfield.structure.quadratic import (
     hilbert_symbol_quadratic,

@@ -39,8 +39,14 @@ def why_valid(mutant: Certificate, original: Certificate) -> str:
 
 
 def _where(data: Certificate) -> Any:
+    """Return the field and the structure constants, by their values where no letters are in them."""
     field = None if data["field"] is None else data["field"].replace(" ", "")
-    return read_setting(field, data["algebra"]), data["verdict"]
+    setting = read_setting(field, data["algebra"])
+    if setting.letters:
+        return setting, data["verdict"]
+    base = setting.field or ring("QQ")
+    constants = tuple(base.text(base(text)) for text in setting.constants)
+    return field, constants, data["verdict"]
 
 
 def _evidence(new: Any, old: Any, data: Certificate) -> str:
