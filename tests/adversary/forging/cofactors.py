@@ -314,26 +314,29 @@ def steps(target: Target, rng: random.Random) -> list[Item]:
     return [indirect(goals, lie, zero=zeros)]
 
 
-UNITS = [["1", "0", "0", "0"], ["0", "1", "0", "0"], ["0", "0", "1", "0"], ["0", "0", "0", "1"]]
-HURWITZ = [
-    ["1", "0", "0", "0"],
-    ["1/2", "1/2", "1/2", "1/2"],
-    ["1", "1", "0", "0"],
-    ["1", "0", "1", "0"],
-]
+UNIT_I, UNIT_J, HALF, ZERO = ["0", "1", "0", "0"], ["0", "0", "1", "0"], ["1/2"] * 4, ["0"] * 4
 FACTS: tuple[Any, ...] = (
     {"form": "norm", "by": "ordering"},
     {"form": "norm", "by": "level"},
     *(
-        {"form": "norm", "by": "place", "place": p, "lattice": UNITS}
-        for p in ("2", "3", "t", "inf")
+        {"form": "norm", "by": "place", "place": p, "u": UNIT_I, "j": UNIT_J}
+        for p in ("3", "15", "t", "inf")
     ),
-    *({"form": "norm", "by": "place", "place": p, "lattice": HURWITZ} for p in ("2", "4", "٣")),
-    {"form": "norm", "by": "place", "place": "(2, sqrt(-7)-1)", "lattice": HURWITZ},
-    {"form": "norm", "by": "place", "place": "2", "lattice": [["0"] * 4] * 4},
-    {"form": "norm", "by": "place", "place": "2", "lattice": UNITS[:2]},
+    *(
+        {"form": "norm", "by": "place", "place": p, "u": HALF, "j": ["1", "1", "0", "0"]}
+        for p in "24٣"
+    ),
+    {
+        "form": "norm",
+        "by": "place",
+        "place": "(2, sqrt(-7)-1)",
+        "u": HALF,
+        "j": ["1", "1", "0", "0"],
+    },
+    {"form": "norm", "by": "place", "place": "2", "u": ZERO, "j": ZERO},
+    {"form": "norm", "by": "place", "place": "9", "u": UNIT_I, "j": ["3", "0", "0", "0"]},
     {"form": "norm", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
-    {"form": "norm", "by": "place", "place": "2", "lattice": HURWITZ, "algebra": "(-1,-1|QQ)"},
+    {"form": "norm", "by": "place", "place": "2", "u": HALF, "j": UNIT_I, "algebra": "(-1,-1|QQ)"},
     {"form": "norm", "by": "ordering", "algebra": "(-1,-1|RR)"},
     {"form": "squares", "by": "level", "most": 2, "positive": False},
     {"form": "squares", "by": "level", "most": 5, "positive": False},

@@ -3,7 +3,7 @@
 import random
 from typing import Any
 
-from tests.adversary.forging.cofactors import HURWITZ, UNITS
+from tests.adversary.forging.cofactors import HALF, UNIT_I, UNIT_J, ZERO
 from tests.adversary.forging.targets import Certificate, Target
 
 FIELDS = (
@@ -134,12 +134,13 @@ def evidence(rng: random.Random, depth: int = 0) -> Any:
         *({"kind": kind} for kind in PLAIN),
         {"kind": "anisotropic", "by": rng.choice(("ordering", "level"))},
         {"kind": "anisotropic", "by": "place", "place": rng.choice(("2", "3", "t", "inf", "(2, sqrt(-7)-1)")),
-         "lattice": rng.choice((UNITS, HURWITZ))},
+         "u": rng.choice((UNIT_I, HALF, ZERO)), "j": rng.choice((UNIT_J, ["1", "1", "0", "0"], ZERO))},
         {"kind": "anisotropic", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
         {"kind": "zero norm", "value": four()}, {"kind": "squares", "values": four()[: rng.randint(1, 4)]},
         {"kind": "witness", "value": four(), "norm": rng.choice((1, -1, 4, 0, 2))},
         {"kind": "no root", "value": four()},
-        {"kind": "all choices", "elements": [four(), UNITS[0]], "roots": ["1", rng.choice(("1", "-1", "0"))]},
+        {"kind": "all choices", "elements": [four(), ["1", "0", "0", "0"]],
+         "roots": ["1", rng.choice(("1", "-1", "0"))]},
         {"kind": "all choices", "elements": [["1", "0", "0", "0"]], "roots": ["1"]},
         {"kind": "minor", "rows": rng.sample(range(8), 3), "columns": rng.sample(range(4), 3)},
         {"kind": "left out", "tuple": "".join(rng.choices("eijk", k=rng.randint(1, 3)))},
