@@ -899,3 +899,21 @@ def test_pins_of_any_field() -> None:
         check(data, Pin(("q == q",)))
     with pytest.raises(Rejected, match="another statement"):
         check(data, Pin(("p == p",), any_field=True))
+
+
+def test_the_number_of_cases() -> None:
+    """It is that of all values, or of those of the coordinates on which the clauses depend."""
+    for statement, field, right in (
+        ("s**3 == s", "GF(3)", (3,)),
+        ("s**3 == s and q == q", "GF(3)", (3, 3**5)),
+        ("s*t == t*s", "GF(2)", (1, 4)),
+        ("s*s == 1 => 1/s == s", "ZZ/8", (8,)),
+        ("p*q == 1 => q*p == 1", "GF(3)", (3**8,)),
+    ):
+        for power in range(9):
+            cases = int(field.strip("GFZ/()")) ** power
+            data = certified(statement, field, "exhaustion", {"kind": "exhaustion", "cases": cases})
+            if cases in right:
+                assert check(data)
+            else:
+                rejects(data, "number of cases")

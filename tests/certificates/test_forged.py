@@ -195,6 +195,15 @@ def test_nothing_is_proved_over_floats() -> None:
         rejects(certified(f"over{{RDF; {statement}}}", "QQ", method, evidence), "over floats")
 
 
+def test_nothing_is_refuted_over_floats_by_a_proof() -> None:
+    evidence = {"kind": "none exists", "proof": IDENTITY}
+    data = certified("exists s: s != s", "RDF", "identity", evidence)
+    rejects({**data, "verdict": "refuted"}, "over floats")
+    constant = certified("sqrt(2)**2 == 2", "RR", "identity", IDENTITY)
+    assert check(constant)
+    rejects({**constant, "statement": "sqrt(2) == 2"}, "does not hold")
+
+
 def test_names_that_collide() -> None:
     step = {"step": "contradiction", "cofactors": ["1"], "denominator": 1}
     item = {"characteristic": 0, "zero": [], "relations": [], "nonzero": ["s"], "steps": [step]}
