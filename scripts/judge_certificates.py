@@ -37,8 +37,13 @@ def judge(mutant: Certificate, original: Certificate) -> str:
 
 
 def _where(data: Certificate) -> Any:
+    """Return the field and the structure constants, by their values where no letters are in them."""
     field = None if data["field"] is None else data["field"].replace(" ", "")
-    return read_setting(field, data["algebra"])
+    setting = read_setting(field, data["algebra"])
+    if setting.letters:
+        return setting
+    base = setting.field or ring("QQ")
+    return field, tuple(base.text(base(text)) for text in setting.constants)
 
 
 def _evidence(new: Any, old: Any, data: Certificate) -> str:

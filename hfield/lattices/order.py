@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
     from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
+    from hfield.lattices.quadratic_orders import Embeddings
 
 UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
@@ -337,6 +338,27 @@ class Order(Lattice):
     def is_isomorphic(self, other: Order) -> bool:
         """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
         return bool(self.isomorphism(other))
+
+    # --- elements ----------------------------------------------------------------------------------
+
+    def represent_integer(self, n: int, seed: int | None = None) -> Quaternion | None:
+        """Return an element of norm n, or None where there is none; n may have hundreds of digits.
+
+        Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
+        quadratic orders.
+        """
+        from hfield.lattices.represent import represent_integer
+
+        return represent_integer(self, positive(n, "norm"), seed)
+
+    def embeddings(self, discriminant: int) -> Embeddings:
+        """Return the optimal embeddings of the quadratic order of a negative discriminant.
+
+        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+        """
+        from hfield.lattices.quadratic_orders import embeddings
+
+        return embeddings(self, discriminant)
 
     # --- classes -----------------------------------------------------------------------------------
 

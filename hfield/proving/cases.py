@@ -5,16 +5,20 @@ from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.proving.compiled import World
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
+from hfield.proving.interpret import PrimeInterpretation, RingInterpretation
 from hfield.proving.isolate import isolated
 from hfield.proving.language import Statement
 from hfield.proving.linear import Case, linear_cases
+from hfield.proving.search import Searcher, prime_search, ring_search
 from hfield.proving.setting import Setting
 from hfield.proving.terms import Decide, about, by_terms, combined
 from hfield.proving.trees import substitute
 from hfield.syntax import Logic, Node, parse
 
 MAX_ISOLATED = 40
+PLACES = 300
 
 
 def by_isolating(
@@ -44,6 +48,7 @@ def by_linear_algebra(
     if found is not None:
         return found, None
     try:
+        cases = _few(statement, setting, cases, deadline)
         cover = decide_one(_covering(statement, setting, cases), setting, deadline)
         if cover.verdict == REFUTED:
             return None, cover
@@ -55,17 +60,58 @@ def by_linear_algebra(
     return _put_together(setting, cases, cover, proofs), None
 
 
+def _few(statement: Statement, setting: Setting, cases: list[Case], deadline: float) -> list[Case]:
+    """Return some of the cases, one of which applies at every place that was looked at.
+
+    The fewer there are, the easier it is to prove that they cover everything. Where none applies all are
+    returned: then that is a place where nothing exists.
+    """
+    field, constants = setting.field, setting.constants
+    worlds: list[World] = [
+        PrimeInterpretation(p) for p in ((0, 2, 3) if field is None else (field.characteristic,))
+    ]
+    if field is not None:
+        worlds.append(RingInterpretation(field))
+    applies = {case: _given(statement, setting, parse(case.when), False) for case in cases}
+    chosen: list[Case] = []
+    for world in worlds:
+        while len(chosen) < len(cases):
+            left = _given(statement, setting, _covering_node(chosen))
+            if isinstance(world, PrimeInterpretation):
+                place = prime_search(left, constants, world.p, PLACES, deadline)
+            else:
+                place = ring_search(left, constants, world.ring, PLACES, deadline)
+            if place is None:
+                break
+            found = [
+                case
+                for case in cases
+                if case not in chosen
+                and Searcher(applies[case], constants, world, deadline, True).test(place)
+            ]
+            if not found:
+                return cases
+            chosen.append(min(found, key=lambda case: case.when.count("==")))
+    return chosen or cases[:1]
+
+
 def _covering(statement: Statement, setting: Setting, cases: list[Case]) -> Statement:
     """Return the statement that one of the cases always applies."""
+    return _given(statement, setting, _covering_node(cases))
+
+
+def _covering_node(cases: list[Case]) -> Node:
     node = parse(cases[0].when if cases else "0 == 1")
     for case in cases[1:]:
         node = Logic("or", node, parse(case.when))
-    return _given(statement, setting, node)
+    return node
 
 
-def _given(statement: Statement, setting: Setting, node: Node) -> Statement:
-    """Return the hypotheses ⇒ node, for all values of what is given."""
-    for h in reversed(statement.hypotheses):
+def _given(
+    statement: Statement, setting: Setting, node: Node, hypotheses: bool = True
+) -> Statement:
+    """Return the hypotheses ⇒ node, for all values of what is given; or node alone."""
+    for h in reversed(statement.hypotheses) if hypotheses else ():
         node = Logic("=>", h, node)
     free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
     made = about(statement, node, free, setting.field)

@@ -15,10 +15,11 @@ from typing import Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.expand import coordinate_names, polynomial_world
-from hfield.proving.formulas import Literal, branches
+from hfield.proving.formulas import Formula, Literal, branches
 from hfield.proving.language import Sort, Statement
 from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
+from hfield.proving.vanish import factored
 
 MAX_CASES = 16
 MAX_BRANCHES = 8
@@ -70,6 +71,13 @@ def linear_cases(
     return list(out), exact
 
 
+def _equations(formula: Formula) -> list[Any]:
+    """Return the polynomials that are 0 where the formula is true, as far as that shows."""
+    if formula.literal is not None:
+        return list(formula.literal.polynomials) if formula.literal.zero else []
+    return [f for part in formula.parts for f in _equations(part)] if formula.op == "and" else []
+
+
 class _System:
     """The polynomials of a statement, split into those sought and those given."""
 
@@ -86,6 +94,7 @@ class _System:
         ]
         self.bound = [self.variables.index(name) for name in names]
         self.p = None if setting.field is None else setting.field.characteristic
+        self.known = [f for h in statement.hypotheses for f in _equations(world.truth(h))]
         self.ways = 0
 
     def rows(self, branch: Sequence[Literal]) -> list[Row] | None:
@@ -96,11 +105,21 @@ class _System:
 
     def cases(self, rows: list[Row], unequal: list[tuple[Any, ...]]) -> Iterator[Case]:
         """Run through the cases of equations, where some tuples must not be 0."""
-        for way in self.eliminate(_Way(tuple(map(self.primitive, rows)))):
+        for way in self.eliminate(self.start(rows)):
             for numerators, below in self.solutions(way, len(unequal)):
                 case = self.case(rows, numerators, below, unequal)
                 if case is not None:
                     yield case
+
+    def start(self, rows: Sequence[Row]) -> _Way:
+        """Return the system before the elimination, the equations among the hypotheses used."""
+        way = _Way(tuple(map(self.primitive, rows)))
+        for f in self.known:
+            factors = self.factors(f) if f != 0 else []
+            if len(factors) == 1:
+                (g,) = factors
+                way = replace(way, rows=self.without(way.rows, g), zero=(*way.zero, g))
+        return way
 
     def row(self, f: Any) -> Row | None:
         """Return the equation f = 0 as a row, None if it is not linear in what is sought."""
@@ -147,9 +166,9 @@ class _System:
 
     def factors(self, f: Any) -> list[Any]:
         """Return the factors of f that are not known to be units."""
-        number, powers = f.factor()
+        number, powers = factored(f)
         out = [g for g, _ in powers]
-        n = abs(int(number))
+        n = abs(number)
         return out if self.is_nonzero_number(n) else [self.context.constant(n), *out]
 
     # --- elimination -----------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from hfield.errors import TooLargeError
 from hfield.proving.groebner import Basis, History, Polynomial
 
 MAX_CHECK = 5_000_000  # products of terms that a verification may take
-LARGE_PRIMES = (2**61 - 1, 2**127 - 1)
+LARGE_PRIMES = (2**61 - 1, 2**127 - 1, 2**521 - 1)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Square roots of elements: at most four, or a whole quadric of them when the element is a scalar."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -47,6 +47,8 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
     """
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: square roots are found over fields only")
+    if not ring.is_exact:
+        raise UndecidedError(f"{ring.name} is inexact: square roots are found over exact fields")
     if all(ring.is_zero(x) for x in q[1:]):
         return _of_scalar(ring, c, q[0])
     found: list[Coordinates] = []
@@ -183,23 +185,29 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | 
 def quadric(ring: Ring, c: Constants, s: Any) -> Iterator[Coordinates]:
     """Run through the elements of trace 0 and norm −s over a finite field; in steps of O(1) each.
 
-    In odd characteristic trace 0 fixes w, and for each x and y a quadratic equation is left for z. In
-    characteristic 2 it says t·x = 0, and w is a square root.
+    In odd characteristic ``−a·x² − b·y² + ab·z² = −s`` in the normal form. In characteristic 2 trace 0 says
+    t·x = 0, and w is a square root.
     """
-    a, t, b = c
     o = ring.zero
     if ring.characteristic == 2:
-        for x in ring.elements() if ring.is_zero(t) else (o,):
-            for y in ring.elements():
-                for z in ring.elements():
-                    yield ring.sqrt(norm(c, (o, x, y, z)) + s), x, y, z
+        for x in ring.elements() if ring.is_zero(c.t) else (o,):
+            for y, z in _pairs(ring):
+                yield ring.sqrt(norm(c, (o, x, y, z)) + s), x, y, z
         return
-    half = ring.inverse(ring(2))
+    form = normal_form(ring, c)
+    a, b = form.constants
+    if ring.is_zero(a) or ring.is_zero(b):
+        slot = b if ring.is_zero(a) else a
+        free = ring.is_zero(slot)
+        roots = ring.elements() if free and ring.is_zero(s) else ()
+        for r in roots if free else _both_roots(ring, ring.divide(s, slot)):
+            for u, v in _pairs(ring):
+                yield form.back((o, u, r, v) if ring.is_zero(a) else (o, r, u, v))
+        return
+    scale = ring.inverse(a * b)
     for x, y in _pairs(ring):
-        w = o - half * t * x
-        rest = norm(c, (w, x, y, o)) + s
-        for z in _zeros(ring, a * b, o - b * t * y, rest):
-            yield w, x, y, z
+        for z in _both_roots(ring, scale * (a * x * x + b * y * y - s)):
+            yield form.back((o, x, y, z))
 
 
 def _pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
@@ -211,13 +219,3 @@ def _pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
             yield x, y
         for y in seen[:n]:
             yield y, x
-
-
-def _zeros(ring: Ring, a: Any, b: Any, c: Any) -> Iterable[Any]:
-    """Return the solutions of ``a·z² + b·z + c = 0`` over a finite field of odd characteristic."""
-    if ring.is_zero(a):
-        if ring.is_zero(b):
-            return ring.elements() if ring.is_zero(c) else ()
-        return (ring.divide(ring.zero - c, b),)
-    twice = a + a
-    return [ring.divide(r - b, twice) for r in _both_roots(ring, b * b - (twice + twice) * c)]

@@ -97,6 +97,17 @@ def test_all_square_roots_of_scalars_by_exhaustion(text):
         assert set(found) == squares.get(A(s), set())
 
 
+def test_degenerate_quadrics_over_large_finite_fields():
+    name = "GF(2305843009213693951)"
+    for a, b, t, s in ((0, 1, 0, 4), (3, 0, 0, 12), (0, 0, 0, 0), (0, 2, 1, 1), (0, 7, 0, 0)):
+        A = QuaternionAlgebra(name, a, b, t)
+        first = list(itertools.islice(A(s).square_roots(), 8))
+        assert len(set(first)) == 8
+        assert all(x * x == s for x in first)
+    some = list(itertools.islice(H(name).elements(), 3))
+    assert [q.coordinates[3] for q in some] == [0, 1, 2]
+
+
 def test_lists_of_infinitely_many_roots():
     roots = H("QQ")(-1).square_roots()
     assert not roots.is_finite
