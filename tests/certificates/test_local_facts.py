@@ -262,7 +262,7 @@ def test_a_changed_reason_is_none(changes: dict[str, Any]) -> None:
         ),
         ("QQ(sqrt(5))", "2 5 3", "(2,sqrt(5)-1) (2,sqrt(5)-3) 10 25"),
         ("QQ(I)", "2 3 (5,I-2)", "(5,sqrt(-1)-2) (5,I-1) (2,I-1) 1"),
-        ("GF(2)(t)", "t inf t^2+t+1 t^4+t+1", "t^2 t^2+1 t^4+t^2+1 1 0 1/t (t^2+1)/t 2 inf+"),
+        ("GF(2)(t)", "t inf t^2+t+1 t^4+t+1", "t^2 t^2+1 t^4+t^2+1 1 0 1/t (t^2+t+1)/t 2 inf+"),
         ("GF(9)(t)", "t t-x inf t^2-x", "t^2+1 t^2-x^2 x t*x^0*t"),
         ("QQ(x)", "", "x inf x^2+1 2"),
         ("RR", "", "2 inf"),
