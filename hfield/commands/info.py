@@ -39,10 +39,11 @@ def run(args: Namespace) -> int:
     from hfield.algebra import QuaternionAlgebra
     from hfield.commands.count import count_lines, counts
     from hfield.description import describe
+    from hfield.factorisation import known_primes
 
     A = QuaternionAlgebra.from_text(args.algebra)
-    with open_output(args.output) as out:
-        description = describe(A, _primes(args.factors))
+    with open_output(args.output) as out, known_primes(_primes(args.factors), "--factors"):
+        description = describe(A)
         counted = counts(A, quick=True) if A.ring.order is not None else None
         if args.format == "json":
             data = description.to_json()
