@@ -86,8 +86,10 @@ def page(d: Description, width: int) -> list[str]:
 
 
 def row(label: str, text: str, width: int) -> list[str]:
-    """Lay out one fact: a label, and its text wrapped beside it."""
-    body = wrap(text, max(width - LABEL - 3, 24), break_long_words=False, break_on_hyphens=False)
+    """Lay out one fact: a label, and its text wrapped beside it, words cut that are too long."""
+    room = max(width - LABEL - 3, 24)
+    text = " ".join(shorten(word, room) for word in text.split(" "))
+    body = wrap(text, room, break_long_words=False, break_on_hyphens=False)
     labels = [label] + [""] * (len(body) - 1)
     return [f"  {head:<{LABEL}} {line}".rstrip() for head, line in zip(labels, body, strict=True)]
 
