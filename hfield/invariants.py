@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
-from hfield.errors import CoercionError, MixedParentsError, shorten
+from hfield.errors import CoercionError, MixedParentsError, UndecidedError, shorten
 from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
@@ -142,6 +142,10 @@ class Invariants(Parent):
         from hfield.maps import Division, Splitting
         from hfield.structure.splitting import Splitting as Found
 
+        if not self.ring.is_exact:
+            raise UndecidedError(
+                f"{self.ring} is inexact, so splitting is not decided there: ask over RR"
+            )
         answer = structure.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
 
@@ -305,6 +309,15 @@ class Invariants(Parent):
         with known_primes(factors):
             return eichler_order(self, level)
 
+    def extremal_order(self) -> Order:
+        """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
+
+        Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
+        """
+        from hfield.lattices.extremal import extremal_order
+
+        return extremal_order(self)
+
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
         from hfield.lattices.named import lipschitz_order
@@ -316,3 +329,13 @@ class Invariants(Parent):
         from hfield.lattices.named import hurwitz_order
 
         return hurwitz_order(self)
+
+    def class_number(self, level: int = 1) -> int:
+        """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.
+
+        In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
+        level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import class_number
+
+        return class_number(self, level)

@@ -32,7 +32,8 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("tests/adversary/test_primitives.py", "tests/certificates/test_polynomials.py"),
     ),
 }
-OUTCOMES = {0: "survived", 1: "killed", 3: "killed", 33: "no tests", 36: "timeout", 24: "timeout", -24: "timeout"}
+OUTCOMES = {0: "survived", 1: "killed", 3: "killed", 33: "no tests"}
+OUTCOMES |= dict.fromkeys((36, 24, -24, 152), "timeout")
 # A mutated message is no fault of the verdict: these lines are left out.
 MESSAGES = (r"^\s*(reject|return reject|self\.fail)\(f?\".*\"\)$", r"^\s*f?\"[^\"]*\"$")
 
@@ -47,7 +48,16 @@ def copied(target: Path, sources: tuple[str, ...], tests: tuple[str, ...]) -> No
         "source_paths": ["hfield"],
         "only_mutate": list(sources),
         "pytest_add_cli_args_test_selection": list(tests),
-        "pytest_add_cli_args": ["-p", "no:xdist", "-p", "no:cacheprovider", "-x", "-q", "-o", "addopts="],
+        "pytest_add_cli_args": [
+            "-p",
+            "no:xdist",
+            "-p",
+            "no:cacheprovider",
+            "-x",
+            "-q",
+            "-o",
+            "addopts=",
+        ],
         "also_copy": ["rotation", "anim", "scripts", "docs", "README.md"],
         "do_not_mutate_patterns": list(MESSAGES),
     }
@@ -73,22 +83,36 @@ def run(part: str, show: bool, jobs: int) -> Counter[str]:
         copied(folder, sources, tests)
         command = [sys.executable, "-m", "mutmut"]
         done = subprocess.run(
-            [*command, "run", "--max-children", str(jobs)], cwd=folder, capture_output=True, text=True, check=False
+            [*command, "run", "--max-children", str(jobs)],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            check=False,
         )
         found = outcomes(folder)
         if not found:
             print(done.stdout[-3000:], done.stderr[-3000:], sep="\n")
         tally = Counter(found.values())
         killed = tally["killed"] + tally["timeout"]
-        print(f"{part}: {killed} of {len(found)} killed ({killed / max(len(found), 1):.1%}); {dict(tally)}")
+        print(
+            f"{part}: {killed} of {len(found)} killed ({killed / max(len(found), 1):.1%}); {dict(tally)}"
+        )
         for mutant, outcome in found.items():
             if outcome in ("survived", "no tests"):
                 print(f"  {outcome}: {mutant}")
                 if show:
                     diff = subprocess.run(
-                        [*command, "show", mutant], cwd=folder, capture_output=True, text=True, check=False
+                        [*command, "show", mutant],
+                        cwd=folder,
+                        capture_output=True,
+                        text=True,
+                        check=False,
                     ).stdout
-                    changed = [x for x in diff.splitlines() if x[:1] in "+-" and x[:3] not in ("+++", "---")]
+                    changed = [
+                        x
+                        for x in diff.splitlines()
+                        if x[:1] in "+-" and x[:3] not in ("+++", "---")
+                    ]
                     print("\n".join(f"      {x}" for x in changed))
     return tally
 

@@ -15,6 +15,7 @@ from hfield.lattices import hermite
 from hfield.lattices.answers import Answer
 from hfield.lattices.lattice import Lattice, element_row
 from hfield.lattices.order import Order
+from hfield.lattices.order import prime as checked_prime
 from hfield.quaternion import Parent, Quaternion
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
@@ -240,6 +241,15 @@ class Ideal(Lattice):
         from hfield.lattices.small import equivalent_of_prime_norm
 
         return equivalent_of_prime_norm(self, frozenset(avoid))
+
+    def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
+        """Return (J, c, e), J = I·c of norm primeᵉ, for a left ideal of a p-extremal order: KLPT.
+
+        Raises :class:`LatticeError` for another order, and :class:`UndecidedError`.
+        """
+        from hfield.lattices.klpt import equivalent_of_power_norm
+
+        return equivalent_of_power_norm(self, checked_prime(prime), seed)
 
 
 def _is_number(x: Any) -> bool:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.errors import CoercionError
+from hfield.errors import CoercionError, LatticeError
+from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
 from hfield.lattices.euclidean import HurwitzOrder
 from hfield.lattices.maximal import eichler_suborder
@@ -60,9 +62,20 @@ def hurwitz_order(algebra: Parent) -> HurwitzOrder:
     return HurwitzOrder.of(algebra)
 
 
+def class_number(algebra: Parent, level: Any) -> int:
+    """Return the number of ideal classes of an Eichler order of the given level."""
+    n = positive(level, "level")
+    r = regular(algebra)
+    if r.definite:
+        return class_numbers.class_number(r.discriminant, n)
+    if math.gcd(n, r.discriminant) > 1:
+        raise LatticeError(f"the level {n} is not prime to the discriminant {r.discriminant}")
+    return 1  # strong approximation
+
+
 @lru_cache(maxsize=64)
 def _maximal(algebra: Any) -> Order:
     return maximal_order(algebra)
 
 
-__all__ = ["eichler_order", "hurwitz_order", "lipschitz_order", "maximal_order"]
+__all__ = ["class_number", "eichler_order", "hurwitz_order", "lipschitz_order", "maximal_order"]

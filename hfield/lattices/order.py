@@ -17,12 +17,15 @@ from hfield.errors import LatticeError, shorten
 from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.lattice import Lattice, checked_side, element_row
+from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
+    from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
+    from hfield.lattices.quadratic_orders import Embeddings
 
 UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
@@ -130,7 +133,7 @@ class Order(Lattice):
         if self._discriminant % prime(p):
             return None
         # the discriminant of x changes by a square unit, or stays 0, when x changes modulo p
-        symbols = {_kronecker(self._x_discriminant(x), p) for x in product((0, 1), repeat=4)} - {0}
+        symbols = {kronecker(self._x_discriminant(x), p) for x in product((0, 1), repeat=4)} - {0}
         return symbols.pop() if symbols else 0
 
     def _x_discriminant(self, x: tuple[int, ...]) -> int:
@@ -336,6 +339,44 @@ class Order(Lattice):
         """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
         return bool(self.isomorphism(other))
 
+    # --- elements ----------------------------------------------------------------------------------
+
+    def represent_integer(self, n: int, seed: int | None = None) -> Quaternion | None:
+        """Return an element of norm n, or None where there is none; n may have hundreds of digits.
+
+        Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
+        quadratic orders.
+        """
+        from hfield.lattices.represent import represent_integer
+
+        return represent_integer(self, positive(n, "norm"), seed)
+
+    def embeddings(self, discriminant: int) -> Embeddings:
+        """Return the optimal embeddings of the quadratic order of a negative discriminant.
+
+        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+        """
+        from hfield.lattices.quadratic_orders import embeddings
+
+        return embeddings(self, discriminant)
+
+    # --- classes -----------------------------------------------------------------------------------
+
+    def class_set(self) -> ClassSet:
+        """Return the right ideal classes, enumerated and checked by the mass, in a definite algebra.
+
+        Raises :class:`IndefiniteError`; there the number of classes is 1 for an Eichler order.
+        """
+        from hfield.lattices.classes import ClassSet
+
+        return ClassSet(self)
+
+    def mass(self) -> Fraction:
+        """Return ``Σ 1/[O_L(I)^× : ±1]`` over the right ideal classes, by a formula."""
+        from hfield.lattices.class_number import mass
+
+        return mass(self)
+
 
 def positive(n: Any, what: str) -> int:
     """Return a positive integer. Raises :class:`LatticeError` for anything else."""
@@ -353,13 +394,6 @@ def prime(p: Any) -> int:
     if not isinstance(p, (int, flint.fmpz)) or isinstance(p, bool) or not is_prime(int(p)):
         raise LatticeError(f"{shorten(repr(p))} is not a prime number")
     return int(p)
-
-
-def _kronecker(d: int, p: int) -> int:
-    """Return the Kronecker symbol (d / p)."""
-    if p != 2:
-        return int(flint.fmpz(d).jacobi(p))
-    return 0 if d % 2 == 0 else 1 if d % 8 in (1, 7) else -1
 
 
 def _check_integral(algebra: Parent, r: Regular, den: int, rows: Any) -> None:

@@ -79,3 +79,10 @@ def simple_root(a: int, b: int, c: int, p: int, e: int) -> int | None:
         found = [-c * pow(b, -1, p) % p] if b % p else []
     simple = [x for x in found if (2 * a * x + b) % p]
     return lifted(a, b, c, simple[0], p, e) if simple else None
+
+
+def kronecker(d: int, p: int) -> int:
+    """Return the Kronecker symbol (d / p) at a prime."""
+    if p != 2:
+        return int(flint.fmpz(d).jacobi(p))
+    return 0 if d % 2 == 0 else 1 if d % 8 in (1, 7) else -1

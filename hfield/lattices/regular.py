@@ -119,6 +119,13 @@ def regular(algebra: Any) -> Regular:
 
     Raises :class:`RingError` for an algebra over another ring, or for a degenerate one.
     """
+    found: Regular | None = vars(algebra).get("_regular")  # every lattice asks for it
+    if found is None:
+        found = vars(algebra)["_regular"] = _checked(algebra)
+    return found
+
+
+def _checked(algebra: Any) -> Regular:
     if algebra.ring.name != "QQ":
         raise RingError(
             f"lattices and orders over ℤ belong to algebras over QQ, and {algebra} is over {algebra.ring}"

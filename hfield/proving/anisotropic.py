@@ -12,7 +12,7 @@ from typing import Any
 
 from hfield.proving.facts import Rule, norm_rule_of
 from hfield.proving.shapes import polynomial_text, without_root
-from hfield.proving.vanish import constant
+from hfield.proving.vanish import constant, factored
 from hfield.rings.base import Ring, power
 
 MAX_DEGREE = 12
@@ -227,9 +227,9 @@ def square_part(n: int) -> tuple[int, int]:
 
 def square_free(f: Any) -> tuple[Any, Any]:
     """Return (m, g) with f = m²·g, as far as factoring tells."""
-    number, powers = f.factor()
-    m, rest = square_part(int(number))
+    number, powers = factored(f)
+    m, rest = square_part(number)
     root, free = f.context().constant(m), f.context().constant(rest)
     for g, e in powers:
-        root, free = root * g ** (int(e) // 2), free * g ** (int(e) % 2)
+        root, free = root * g ** (e // 2), free * g ** (e % 2)
     return root, free

@@ -1,20 +1,27 @@
 """Proving that something exists case by case, and refuting it where no case applies."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.proving.compiled import World
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
-from hfield.proving.isolate import isolated
+from hfield.proving.interpret import PrimeInterpretation, RingInterpretation
+from hfield.proving.isolate import isolated, isolated_alone
 from hfield.proving.language import Statement
 from hfield.proving.linear import Case, linear_cases
+from hfield.proving.printing import to_text
+from hfield.proving.search import Searcher, prime_search, ring_search
 from hfield.proving.setting import Setting
 from hfield.proving.terms import Decide, about, by_terms, combined
 from hfield.proving.trees import substitute
+from hfield.rings import ring
 from hfield.syntax import Logic, Node, parse
 
 MAX_ISOLATED = 40
+PLACES = 300
 
 
 def by_isolating(
@@ -33,38 +40,130 @@ def by_linear_algebra(
 ) -> tuple[Decision | None, Decision | None]:
     """Decide by linear algebra: a proof, or a refuted ``cover`` whose witness is a place to look at."""
     try:
-        cases = linear_cases(statement, setting, monotonic() + (deadline - monotonic()) / 3)
+        soon = monotonic() + (deadline - monotonic()) / 3
+        cases, exact = linear_cases(statement, setting, soon)
     except TooLargeError:
-        return None, None
-    if not cases:
+        cases, exact = [], False
+    cases = [*_isolated_cases(statement), *cases]
+    if not cases and not exact:
         return None, None
     terms = [tuple(text for _, text in case.terms) for case in cases]
     found = by_terms(statement, setting, deadline, decide_one, terms)
     if found is not None:
         return found, None
     try:
-        cover = decide_one(_covering(statement, setting, cases), setting, deadline)
+        chosen, cover = _covered(statement, setting, cases, deadline, decide_one)
         if cover.verdict == REFUTED:
             return None, cover
         if cover.verdict != PROVED:
             return None, None
-        proofs = [_proof(statement, setting, case, deadline, decide_one) for case in cases]
+        proofs = [_proof(statement, setting, case, deadline, decide_one) for case in chosen]
     except TooLargeError:
         return None, None
-    return _put_together(setting, cases, cover, proofs), None
+    return _put_together(setting, chosen, cover, proofs), None
+
+
+def _isolated_cases(statement: Statement) -> Iterator[Case]:
+    """Run through cases in which one of several names is solved for: where that serves."""
+    for terms in isolated_alone(statement):
+        own = tuple((name, terms[name]) for name in statement.exists)
+        node = substitute(statement.conclusion, {name: parse(text) for name, text in own})
+        yield Case(to_text(node), own)
+
+
+def _covered(
+    statement: Statement,
+    setting: Setting,
+    cases: list[Case],
+    deadline: float,
+    decide_one: Decide,
+) -> tuple[list[Case], Decision]:
+    """Return cases with the decision that one of them always applies.
+
+    Where a place refutes that and another case applies there, it joins them; where none does, that is
+    a place where nothing exists.
+    """
+    chosen = _few(statement, setting, cases, deadline)
+    while True:
+        cover = decide_one(_covering(statement, setting, chosen), setting, deadline)
+        if cover.verdict != REFUTED or cover.witness is None:
+            return chosen, cover
+        field = setting.field or ring(cover.witness["F"][0])
+        place = {
+            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
+            for name, texts in cover.witness.items()
+            if name != "F"
+        }
+        world = RingInterpretation(field)
+        found = [
+            case
+            for case in cases
+            if case not in chosen
+            and Searcher(
+                _given(statement, setting, parse(case.when), False),
+                setting.constants,
+                world,
+                deadline,
+                True,
+            ).test(place)
+        ]
+        if not found:
+            return chosen, cover
+        chosen = [*chosen, min(found, key=lambda case: case.when.count("=="))]
+
+
+def _few(statement: Statement, setting: Setting, cases: list[Case], deadline: float) -> list[Case]:
+    """Return some of the cases, one of which applies at every place that was looked at.
+
+    The fewer there are, the easier it is to prove that they cover everything. Where none applies all are
+    returned: then that is a place where nothing exists.
+    """
+    field, constants = setting.field, setting.constants
+    worlds: list[World] = [
+        PrimeInterpretation(p) for p in ((0, 2, 3) if field is None else (field.characteristic,))
+    ]
+    if field is not None:
+        worlds.append(RingInterpretation(field))
+    applies = {case: _given(statement, setting, parse(case.when), False) for case in cases}
+    chosen: list[Case] = []
+    for world in worlds:
+        while len(chosen) < len(cases):
+            left = _given(statement, setting, _covering_node(chosen))
+            if isinstance(world, PrimeInterpretation):
+                place = prime_search(left, constants, world.p, PLACES, deadline)
+            else:
+                place = ring_search(left, constants, world.ring, PLACES, deadline)
+            if place is None:
+                break
+            found = [
+                case
+                for case in cases
+                if case not in chosen
+                and Searcher(applies[case], constants, world, deadline, True).test(place)
+            ]
+            if not found:
+                return cases
+            chosen.append(min(found, key=lambda case: case.when.count("==")))
+    return chosen or cases[:1]
 
 
 def _covering(statement: Statement, setting: Setting, cases: list[Case]) -> Statement:
     """Return the statement that one of the cases always applies."""
-    node = parse(cases[0].when)
+    return _given(statement, setting, _covering_node(cases))
+
+
+def _covering_node(cases: list[Case]) -> Node:
+    node = parse(cases[0].when if cases else "0 == 1")
     for case in cases[1:]:
         node = Logic("or", node, parse(case.when))
-    return _given(statement, setting, node)
+    return node
 
 
-def _given(statement: Statement, setting: Setting, node: Node) -> Statement:
-    """Return the hypotheses ⇒ node, for all values of what is given."""
-    for h in reversed(statement.hypotheses):
+def _given(
+    statement: Statement, setting: Setting, node: Node, hypotheses: bool = True
+) -> Statement:
+    """Return the hypotheses ⇒ node, for all values of what is given; or node alone."""
+    for h in reversed(statement.hypotheses) if hypotheses else ():
         node = Logic("=>", h, node)
     free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
     made = about(statement, node, free, setting.field)

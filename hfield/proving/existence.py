@@ -1,8 +1,8 @@
 """Statements that something exists, and hypotheses that nothing satisfies."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from itertools import islice
+from itertools import chain
 from time import monotonic
 from typing import Any
 
@@ -17,16 +17,18 @@ from hfield.proving.linear import linear_cases
 from hfield.proving.places import lifted
 from hfield.proving.printing import to_text
 from hfield.proving.real_roots import by_roots
-from hfield.proving.search import Searcher, by_weight, small_scalars, witness_texts
+from hfield.proving.search import Assignment, Searcher, by_weight, small_scalars, witness_texts
 from hfield.proving.setting import Setting, divides, put_letters
 from hfield.proving.terms import Decide, about, by_terms, constants_in, matrix, true_place
-from hfield.proving.trees import quaternion_node, substitute
+from hfield.proving.trees import quaternion_node, substitute, walk
+from hfield.proving.unsolvable import unsolvable_at
 from hfield.proving.vanish import constant
 from hfield.rings import ring
-from hfield.syntax import Logic, Negate, Not, Number, parse
+from hfield.syntax import Compare, Logic, Name, Negate, Node, Not, Number, parse
 
 FEW = 400
 MAX_PLACES = 2_000
+MOST_LOOKED = 40  # of infinitely many
 
 
 def vacuous(
@@ -105,13 +107,13 @@ def _solved(statement: Statement, setting: Setting, deadline: float) -> Decision
     """Find a witness where what is sought is the solution of linear equations."""
     field = setting.field
     assert field is not None
-    if not (field.is_field and field.is_exact):
+    if not field.is_exact:
         return None
     names = tuple(name for name, _ in statement.unknowns)
     sought = replace(about(statement, matrix(statement)), exists=names)
     sought = replace(sought, hypotheses=(), conclusion=sought.node)
     try:
-        cases = linear_cases(sought, setting, deadline)
+        cases, _ = linear_cases(sought, setting, deadline)
     except TooLargeError:
         return None
     world = RingInterpretation(field)
@@ -239,12 +241,21 @@ def _by_places(
     finite = field.order is not None and field.order**width <= MAX_PLACES
     scalars: list[Any] = list(field.elements()) if finite else list(small_scalars(field))[:5]
     places = by_weight(free, scalars, len(scalars) * width if finite else 4)
-    count = 0
-    for place in places if finite else islice(places, 40):
+    if not finite:
+        places = chain(_around_solution(statement, setting, free, deadline, decide_one), places)
+    meant = _meant(statement, setting, free, deadline)
+    none_at = None if finite else unsolvable_at(statement, setting, deadline)
+    count = looked = 0
+    for place in places:
+        if monotonic() > deadline or looked >= (MAX_PLACES if finite else MOST_LOOKED):
+            break
         count += 1
-        instance, there = _instance(statement, setting, witness_texts(field, place))
-        if not algebra_exists(instance, there, deadline):
+        if count > MAX_PLACES:
+            break
+        if not meant(place) or (none_at is not None and not none_at(place)):
             continue
+        looked += 1
+        instance, there = _instance(statement, setting, witness_texts(field, place))
         try:
             one = _exists(instance, there, deadline, decide_one)
         except HFieldError:
@@ -253,11 +264,55 @@ def _by_places(
             return _none_there(one, witness_texts(field, place))
         if finite and one.verdict != PROVED:
             return one
-    if finite and monotonic() < deadline:
+    if finite and monotonic() <= deadline:
         steps = (f"there is one for each of the {count} values of what is given",)
         counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
         return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
-    return Decision(UNDECIDED, "none", tried=("terms in the unknowns", f"{count} places"))
+    tried = ["terms in the unknowns", f"{looked} places"]
+    if monotonic() > deadline:
+        tried.append("the time was over")
+    return Decision(UNDECIDED, "none", tried=tuple(tried))
+
+
+def _around_solution(
+    statement: Statement,
+    setting: Setting,
+    free: list[tuple[str, Sort]],
+    deadline: float,
+    decide_one: Decide,
+) -> Iterator[Assignment]:
+    """Run through places where the hypotheses have a solution that is found, the others small."""
+    field = setting.field
+    if field is None or not statement.hypotheses:
+        return
+    node = statement.hypotheses[0]
+    for h in statement.hypotheses[1:]:
+        node = Logic("and", node, h)
+    names = {n.name for n in walk(node) if isinstance(n, Name)} | set(setting.letters)
+    solved = about(statement, Not(node), tuple(name for name, _ in free), field)
+    witness = decide_one(solved, setting, monotonic() + (deadline - monotonic()) / 4).witness
+    if witness is None:
+        return
+    found: Assignment = {
+        name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
+        for name, texts in witness.items()
+    }
+    others = [(name, sort) for name, sort in free if name not in names]
+    for place in by_weight(others, list(small_scalars(field))[:5], 3):
+        yield {name: place.get(name, found[name]) for name, _ in free}
+
+
+def _meant(
+    statement: Statement, setting: Setting, free: list[tuple[str, Sort]], deadline: float
+) -> Callable[[Assignment], bool]:
+    """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
+    field = setting.field
+    assert field is not None
+    node: Node = Compare("==", Number(0), Number(0))
+    for h in statement.hypotheses:
+        node = Logic("and", node, h)
+    given = about(statement, node, tuple(name for name, _ in free))
+    return Searcher(given, setting.constants, RingInterpretation(field), deadline, True).test
 
 
 def _instance(

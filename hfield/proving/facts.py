@@ -6,6 +6,7 @@ stand in the evidence beside the rule.
 """
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import field as a_field
 from functools import lru_cache
@@ -68,9 +69,10 @@ def rules(setting: Setting) -> tuple[Rule, ...]:
         return ()
     out = []
     if not setting.letters:
-        found = _norm_rule(setting, field, structure_constants(setting))
-        if found is not None:
-            out.append(found)
+        with suppress(UndecidedError):
+            found = _norm_rule(setting, field, structure_constants(setting))
+            if found is not None:
+                out.append(found)
     roots = _roots_rule(field)
     if roots is not None:
         out.append(roots)
@@ -112,21 +114,37 @@ def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
     return None if found is None else replace(found, algebra=setting.algebra)
 
 
+def unused_norm(setting: Setting) -> str | None:
+    """Return why no rule speaks of the norm, where it may be, or even is, 0 only at 0."""
+    field = setting.field
+    if field is None or setting.letters or not (field.is_field and field.is_exact):
+        return None
+    try:
+        _norm_rule(setting, field, structure_constants(setting))
+    except UndecidedError as error:
+        return str(error)
+    return None
+
+
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
+    """Return the rule, or None where the norm has a zero. Raises :class:`UndecidedError`."""
+    from hfield.certificates.places import is_readable
     from hfield.structure.reasons import norm_evidence
     from hfield.structure.zero import zero_norm
 
     if field.order is not None:  # over a finite field every norm form has zeros
         return None
-    try:
-        answer = zero_norm(field, c)
-    except UndecidedError:
-        return None
+    answer = zero_norm(field, c)
     if answer.element is not None:
         return None
     data = norm_evidence(setting.algebra, field, c, answer)
+    if data is None and not is_readable(setting.algebra, field.name):
+        data = {"by": answer.method}  # the answer stands, and says that it has no certificate
     if data is None:
-        return None
+        raise UndecidedError(
+            f"the norm of {setting.algebra} is 0 only at 0 ({answer.reason}), but not by a reason that a "
+            "certificate can carry"
+        )
     return Rule(NORM, answer.reason, by=answer.method, data=data)
 
 

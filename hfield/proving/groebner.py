@@ -159,10 +159,6 @@ class Basis:
             {m: c for m, c in sums.get(-n, {}).items() if c} for n in range(1, self.generators + 1)
         ]
 
-    def polynomial(self, index: int) -> Polynomial:
-        """Return an element of the basis."""
-        return {self.leads[index]: 1, **dict(self.tails[index])}
-
     def _enter(self, f: Polynomial, history: History) -> None:
         """Make f monic and add it to the basis, with the pairs that are worth while."""
         if not f:

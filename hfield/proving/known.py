@@ -9,7 +9,7 @@ from hfield.proving.expand import Expanded, polynomial_world
 from hfield.proving.facts import relation
 from hfield.proving.language import BASIS, RESULT, Sort, Statement
 from hfield.proving.trees import walk
-from hfield.proving.vanish import vanishes
+from hfield.proving.vanish import factored, vanishes
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
 
@@ -50,7 +50,7 @@ def nonzero_constants_of(
             parts.setdefault(unknown, {})[constant] = int(c)
         for part in parts.values():
             coefficient = x.context.from_dict(part)
-            for g, _ in coefficient.factor()[1]:
+            for g, _ in factored(coefficient)[1]:
                 if any(g.degrees()[n] for n in free) and not vanishes(g, x, field):
                     found.setdefault(str(g), g)
     return tuple(sorted(found.values(), key=len)[:MAX_NONZERO])

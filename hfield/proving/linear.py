@@ -15,12 +15,13 @@ from typing import Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.expand import coordinate_names, polynomial_world
-from hfield.proving.formulas import Literal, branches
+from hfield.proving.formulas import Formula, Literal, branches
 from hfield.proving.language import Sort, Statement
 from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
+from hfield.proving.vanish import factored
 
-MAX_CASES = 16
+MAX_CASES = 64
 MAX_BRANCHES = 8
 MAX_TERMS = 200  # of a coefficient
 MAX_WAYS = 300
@@ -47,22 +48,37 @@ class _Way:
     zero: tuple[Any, ...] = ()
 
 
-def linear_cases(statement: Statement, setting: Setting, deadline: float) -> list[Case]:
-    """Return the cases in which what is said to exist can be written down; [] if nothing is linear.
+def linear_cases(
+    statement: Statement, setting: Setting, deadline: float
+) -> tuple[list[Case], bool]:
+    """Return the cases in which what is said to exist can be written down, and whether they are all.
 
     Raises :class:`TooLargeError`.
     """
-    system = _System(statement, setting, deadline)
+    system = System(statement, setting, deadline)
     out: dict[Case, None] = {}
-    for branch in islice(branches(system.formula), MAX_BRANCHES):
-        for case in system.cases(branch):
+    ways = list(islice(branches(system.formula), MAX_BRANCHES + 1))
+    exact = len(ways) <= MAX_BRANCHES
+    for branch in ways[:MAX_BRANCHES]:
+        rows = system.rows(branch)
+        if rows is None:
+            exact = False
+            continue
+        for case in system.cases(rows, [x.polynomials for x in branch if not x.zero]):
             out.setdefault(case)
             if len(out) >= MAX_CASES:
-                return list(out)
-    return list(out)
+                return list(out), False
+    return list(out), exact
 
 
-class _System:
+def _equations(formula: Formula) -> list[Any]:
+    """Return the polynomials that are 0 where the formula is true, as far as that shows."""
+    if formula.literal is not None:
+        return list(formula.literal.polynomials) if formula.literal.zero else []
+    return [f for part in formula.parts for f in _equations(part)] if formula.op == "and" else []
+
+
+class System:
     """The polynomials of a statement, split into those sought and those given."""
 
     def __init__(self, statement: Statement, setting: Setting, deadline: float) -> None:
@@ -78,26 +94,32 @@ class _System:
         ]
         self.bound = [self.variables.index(name) for name in names]
         self.p = None if setting.field is None else setting.field.characteristic
+        self.known = [f for h in statement.hypotheses for f in _equations(world.truth(h))]
         self.ways = 0
 
-    def cases(self, branch: Sequence[Literal]) -> Iterator[Case]:
-        """Run through the cases of a conjunction of literals."""
-        rows: list[Row] = []
-        unequal: list[tuple[Any, ...]] = []
-        for literal in branch:
-            if not literal.zero:
-                unequal.append(literal.polynomials)
-                continue
-            for f in literal.polynomials:
-                row = self.row(f)
-                if row is None:
-                    return  # not linear in what is sought
-                rows.append(row)
-        for way in self.eliminate(_Way(tuple(map(self.primitive, rows)))):
+    def rows(self, branch: Sequence[Literal]) -> list[Row] | None:
+        """Return the equations of a conjunction of literals, None if one is not linear."""
+        found = [self.row(f) for literal in branch if literal.zero for f in literal.polynomials]
+        rows = [row for row in found if row is not None]
+        return rows if len(rows) == len(found) else None
+
+    def cases(self, rows: list[Row], unequal: list[tuple[Any, ...]]) -> Iterator[Case]:
+        """Run through the cases of equations, where some tuples must not be 0."""
+        for way in self.eliminate(self.start(rows)):
             for numerators, below in self.solutions(way, len(unequal)):
                 case = self.case(rows, numerators, below, unequal)
                 if case is not None:
                     yield case
+
+    def start(self, rows: Sequence[Row]) -> _Way:
+        """Return the system before the elimination, the equations among the hypotheses used."""
+        way = _Way(tuple(map(self.primitive, rows)))
+        for f in self.known:
+            factors = self.factors(f) if f != 0 else []
+            if len(factors) == 1:
+                (g,) = factors
+                way = replace(way, rows=self.without(way.rows, g), zero=(*way.zero, g))
+        return way
 
     def row(self, f: Any) -> Row | None:
         """Return the equation f = 0 as a row, None if it is not linear in what is sought."""
@@ -144,9 +166,9 @@ class _System:
 
     def factors(self, f: Any) -> list[Any]:
         """Return the factors of f that are not known to be units."""
-        number, powers = f.factor()
+        number, powers = factored(f)
         out = [g for g, _ in powers]
-        n = abs(int(number))
+        n = abs(number)
         return out if self.is_nonzero_number(n) else [self.context.constant(n), *out]
 
     # --- elimination -----------------------------------------------------------------------------

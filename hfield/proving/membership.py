@@ -16,7 +16,7 @@ from hfield.errors import TooLargeError
 from hfield.proving.groebner import Basis, History, Polynomial
 
 MAX_CHECK = 5_000_000  # products of terms that a verification may take
-LARGE_PRIMES = (2**61 - 1, 2**127 - 1)
+LARGE_PRIMES = (2**61 - 1, 2**127 - 1, 2**521 - 1)
 
 
 @dataclass(frozen=True)
@@ -77,15 +77,21 @@ class Ideal:
         return self._verified(target, negative)
 
     def elements(self) -> list[tuple[Any, Cofactors]]:
-        """Return the minimal elements of the basis as integer polynomials, with their cofactors."""
+        """Return the minimal elements of the basis, reduced, as integer polynomials with their cofactors.
+
+        Raises :class:`TooLargeError` when the time of the last run is over.
+        """
         out = []
+        p = self.basis.p
         for _, index in self.basis.active:
-            terms = self._rational(self.basis.polynomial(index))
+            rest, history = self.basis.reduce(dict(self.basis.tails[index]), self.deadline)
+            terms = self._rational({self.basis.leads[index]: 1, **rest})
             if terms is None:
                 continue
             polynomial = self.context.from_dict(terms[0])
-            scale = terms[1] % self.basis.p
-            found = self._verified(polynomial, [(index, 0, scale)])
+            scale = terms[1] % p
+            own = [(index, 0, scale), *((n, m, c * scale % p) for n, m, c in history)]
+            found = self._verified(polynomial, own)
             if found is not None:
                 out.append((polynomial, found))
         return out

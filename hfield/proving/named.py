@@ -8,6 +8,7 @@ from hfield.proving import over_rings
 from hfield.proving.answers import identity, implied, refuted, scope_of_identity
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.expand import Expanded, expand
+from hfield.proving.facts import unused_norm
 from hfield.proving.formulas import Clause
 from hfield.proving.implication import prove_clauses
 from hfield.proving.language import Statement
@@ -65,7 +66,7 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
     found = look(statement, setting, MANY, deadline)
     if found is not None:
         return refuted("counterexample", field, found, statement, x)
-    return Decision(UNDECIDED, "none", tried=_tried(deadline, field))
+    return Decision(UNDECIDED, "none", tried=_tried(deadline, setting, field))
 
 
 def is_trivial(clause: Clause, x: Expanded, field: Ring) -> bool:
@@ -109,8 +110,11 @@ def _refuted_identity(
     return refuted("identity", field, found, statement, x)
 
 
-def _tried(deadline: float, field: Ring) -> tuple[str, ...]:
+def _tried(deadline: float, setting: Setting, field: Ring) -> tuple[str, ...]:
     tried = [f"{MANY} small places over {field.name}", "ideal membership of the conclusion"]
+    why = unused_norm(setting)
+    if why is not None:
+        tried.append(why)
     if monotonic() > deadline:
         tried.append("the time was over")
     return tuple(tried)

@@ -6,21 +6,27 @@ those of the domain, as long as nothing is divided by: over the field there is m
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 from time import monotonic
 
-from hfield.errors import HFieldError, TooLargeError
+from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.proving.answers import identity, implied, refuted, scope_of_identity
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.exhaustion import FEW_CASES, coordinates
 from hfield.proving.expand import Expanded, expand
 from hfield.proving.implication import prove_clauses
+from hfield.proving.interpret import RingInterpretation
 from hfield.proving.language import Statement
 from hfield.proving.places import FEW, exhaust, look, used_variables
+from hfield.proving.printing import to_text
 from hfield.proving.setting import Setting
+from hfield.proving.trees import divides_in, walk
 from hfield.proving.vanish import prime_factors, vanishes
 from hfield.rings import ring
 from hfield.rings.base import Ring
+from hfield.syntax import Binary, Call, Compare, Index, Logic, Name, Node, Not, Number, Power
 
+FALSE = Compare("==", Number(0), Number(1))
 SMALL = (2, 3, 4, 5, 7, 8, 9, 11, 13)
 MAX_MODULI = 16
 
@@ -42,14 +48,18 @@ def decide(
     except TooLargeError as error:
         x = None
         tried.append(str(error))
-    if x is not None and not statement.divides:
+    divided = any(map(divides_in, (*statement.hypotheses, statement.conclusion)))
+    if x is not None and not divided:
         proved = _proved(statement, setting, x, deadline, decide_over_field)
         if proved is not None:
             return proved
         tried.append("ideal membership of the conclusion")
     if field.order is not None:
         return exhaust(statement, setting, x, deadline)
-    if statement.divides:
+    if divided:
+        proved = _proved_with_numerals(statement, setting, deadline, decide_over_field)
+        if proved is not None:
+            return proved
         tried.append(
             f"where something divides, what holds over fields says nothing of {field.name}"
         )
@@ -80,6 +90,64 @@ def _proved(
     if field.name == "ZZ" and not any(c.goals for c in x.clauses):
         return _modulo(statement, setting, x, deadline, decide_over_field)
     return None
+
+
+def _proved_with_numerals(
+    statement: Statement, setting: Setting, deadline: float, decide_over_field: Decide
+) -> Decision | None:
+    """Prove over a domain what divides by numerals alone: each is a unit, or its comparison is false."""
+    field = setting.field
+    above = None if field is None else fractions_of(field)
+    if field is None or above is None:
+        return None
+    try:
+        parts = [settled(n, field) for n in (*statement.hypotheses, statement.conclusion)]
+    except HFieldError:
+        return None
+    same = parts == [*statement.hypotheses, statement.conclusion]
+    *hypotheses, conclusion = parts
+    there = replace(
+        statement,
+        text=" => ".join(f"({to_text(n)})" for n in parts),
+        hypotheses=tuple(hypotheses),
+        conclusion=conclusion,
+    )
+    decision = decide_over_field(there, replace(setting, field=above), deadline)
+    if decision.verdict != PROVED:
+        return None
+    evidence = {"kind": "fractions", "field": above.name, "proof": decision.evidence}
+    step = f"what it divides by are units of {field.name}, or the comparison is false"
+    return replace(decision, steps=(*decision.steps, step), evidence=evidence if same else None)
+
+
+def settled(node: Node, field: Ring) -> Node:
+    """Return a statement whose comparisons divide by units of the ring, in which those that divide by
+    other numerals are false. Raises UndecidedError where something else divides.
+    """
+    match node:
+        case Not(x):
+            return Not(settled(x, field))
+        case Logic(op, x, y):
+            return Logic(op, settled(x, field), settled(y, field))
+    return node if all(_is_unit(n, field) for n in walk(node)) else FALSE
+
+
+def _is_unit(node: Node, field: Ring) -> bool:
+    match node:
+        case Number(Fraction() as value):
+            below: Node = Number(value.denominator)
+        case Binary("/", _, right):
+            below = right
+        case Power(base, exponent) if exponent < 0:
+            below = base
+        case Call("inv", (base,)):
+            below = base
+        case _:
+            return True
+    if any(isinstance(n, Name | Call | Index) for n in walk(below)):
+        raise UndecidedError("something divides that is no numeral")
+    value, defined = RingInterpretation(field).term(below)
+    return bool(defined) and field.is_unit(value)
 
 
 def is_domain(field: Ring) -> bool:

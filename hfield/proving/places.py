@@ -25,6 +25,7 @@ from hfield.proving.solve import solve
 from hfield.rings.base import Ring
 
 QUICK, FEW, MANY = 120, 400, 20_000  # places looked at before, between and after proofs
+MAX_AXES = 8
 SHORT = 0.5  # seconds for the first attempt at a proof, and for solving one clause
 
 
@@ -70,12 +71,20 @@ def solve_clauses(
     test = Searcher(statement, setting.constants, RingInterpretation(field), deadline).test
     quaternions = quaternions_of(statement, setting.constants)
     for clause in left:
-        for narrower in (*narrowed(clause, quaternions), clause):
+        for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
             soon = min(deadline, monotonic() + SHORT)
             found = solve(statement, x, narrower, field, letters, soon)
             if found is not None and test(found):
                 return found
     return None
+
+
+def on_axes(clause: Clause) -> Iterator[Clause]:
+    """Run through clauses in which all variables of the conditions but one are 0."""
+    gens = clause.zeros[0].context().gens() if clause.zeros else ()
+    used = [g for n, g in enumerate(gens) if any(z.degrees()[n] for z in clause.zeros)]
+    for own in used[:MAX_AXES] if len(used) > 1 else ():
+        yield Clause((*clause.zeros, *(g for g in used if g != own)), clause.goals)
 
 
 def narrowed(

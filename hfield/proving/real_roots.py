@@ -3,7 +3,7 @@
 from time import monotonic
 from typing import Any
 
-from hfield.certificates.theorems import ODD_DEGREE, REAL_ROOTS
+from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.expand import polynomial_world
@@ -12,10 +12,6 @@ from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
 from hfield.syntax import Compare
 
-SIGN_CHANGE = (
-    "a real polynomial with values of both signs has a root between (intermediate value theorem)"
-)
-COMPLEX_ROOT = "a complex polynomial of positive degree has a root (fundamental theorem of algebra)"
 MAX_DEGREE = 200
 FARTHEST = 2**40
 

@@ -15,6 +15,7 @@ from hfield.proving.anisotropic import Form, Forms
 from hfield.proving.facts import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.membership import LARGE_PRIMES, Cofactors, Ideal
 from hfield.proving.shapes import MAX_DEGREE, as_squares, has_no_root, polynomial_text
+from hfield.proving.vanish import factored
 from hfield.rings.base import Ring
 
 SLICE = 150  # pairs between two looks at the rules
@@ -62,7 +63,7 @@ def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutati
     """
     if _is_large(problem):
         return None
-    for prime in LARGE_PRIMES if problem.characteristic == 0 else (None,):
+    for prime in _primes(problem):
         search = _Search(problem, rules, deadline)
         try:
             if search.run(search.start(prime), 0):
@@ -78,7 +79,7 @@ def member(problem: Problem, targets: Sequence[Any], deadline: float) -> list[Co
     """Return cofactors that put every target into the ideal of the zeros, or None."""
     if _is_large(problem):
         return None
-    ideal = Ideal(len(problem.variables), problem.characteristic)
+    ideal = Ideal(len(problem.variables), problem.characteristic, _primes(problem)[0])
     try:
         ideal.extend(ideal.lift(z) for z in problem.zeros)
         lifted = [ideal.lift(t) for t in targets]
@@ -91,6 +92,15 @@ def member(problem: Problem, targets: Sequence[Any], deadline: float) -> list[Co
                 return None
     except TooLargeError:
         return None
+
+
+def _primes(problem: Problem) -> tuple[int | None, ...]:
+    """Return the primes to compute modulo; in characteristic 0 they exceed the coefficients by far."""
+    if problem.characteristic:
+        return (None,)
+    polynomials = (*problem.zeros, *problem.nonzero)
+    bits = max((abs(int(c)).bit_length() for f in polynomials for c in f.coeffs()), default=1)
+    return tuple(p for p in LARGE_PRIMES if p.bit_length() > 2 * bits + 8) or LARGE_PRIMES[-1:]
 
 
 def _is_large(problem: Problem) -> bool:
@@ -230,14 +240,16 @@ class _Search:
         """Split a product that is 0 into its factors."""
         elements = [f for f, _ in ideal.elements()]
         for f in sorted([*ideal.generators, *elements], key=len):
-            if not 2 <= len(f) <= MAX_FACTORED or f.total_degree() > MAX_DEGREE:
+            if len(f) > MAX_FACTORED or not 2 <= f.total_degree() <= MAX_DEGREE:
                 continue
             if monotonic() > self.deadline:
                 return False
-            _, powers = f.factor_squarefree() if len(f) > 20 else f.factor()
+            _, powers = factored(f, squarefree=len(f) > 20)
             factors = [g for g, _ in powers]
             if len(factors) < 2 or len(factors) > 4:
                 continue
+            if any(ideal.cofactors(g) is not None for g in factors):
+                continue  # one of them is 0 already
             product = ideal.context.constant(1)
             for g, n in powers:
                 product *= g**n

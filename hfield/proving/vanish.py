@@ -74,6 +74,19 @@ def constant(field: Ring, text: str) -> Any:
     return field(text)
 
 
+def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple[Any, int]]]:
+    """Return the number and the factors, with their powers, of a polynomial that is not 0.
+
+    Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.
+    """
+    try:
+        number, powers = polynomial.factor_squarefree() if squarefree else polynomial.factor()
+    except OverflowError:
+        n = int(polynomial.content())
+        return n, [(polynomial / n, 1)]
+    return int(number), [(g, int(e)) for g, e in powers]
+
+
 def common_primes(polynomials: list[Any]) -> list[int] | None:
     """Return the primes that divide all coefficients: the characteristics in which all vanish.
 

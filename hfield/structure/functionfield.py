@@ -97,11 +97,13 @@ def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
     a, b = form.constants
     if form.kind == "artin-schreier":
         return 1 - 2 * _invariant(field, a, b, place)
-    kappa, residue = _tame(field, a, b, place)
+    kappa, residue = tame_residue(field, a, b, place)
     return 1 if kappa.is_square(residue) else -1
 
 
-def _tame(field: FunctionField, a: Any, b: Any, place: FunctionPlace) -> tuple[ResidueField, Any]:
+def tame_residue(
+    field: FunctionField, a: Any, b: Any, place: FunctionPlace
+) -> tuple[ResidueField, Any]:
     """Return the residue field and the tame residue of (a, b) at a place."""
     if place.poly is None:
         kappa = ResidueField(field, field.gen.num)
@@ -170,8 +172,8 @@ def ramified_places_functions(field: FunctionField, form: NormalForm) -> tuple[F
 def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
     """Tell whether two algebras of characteristic not 2 have the same residues at all places."""
     for v in _poles_and_zeros(field, *form.constants, *other.constants):
-        kappa, x = _tame(field, form.a, form.b, v)
-        _, y = _tame(field, other.a, other.b, v)
+        kappa, x = tame_residue(field, form.a, form.b, v)
+        _, y = tame_residue(field, other.a, other.b, v)
         if not kappa.is_square(kappa.multiply(x, y)):
             return False
     return True

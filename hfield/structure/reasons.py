@@ -19,8 +19,8 @@ from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.functionfield import FunctionPlace
 from hfield.structure.hilbert import hilbert_symbol_q, ramified_places_q
 from hfield.structure.integers import fraction, square_class
+from hfield.structure.local_order import unit_and_prime
 from hfield.structure.minimise import Vector
-from hfield.structure.norm_lattice import norm_lattice
 from hfield.structure.primes import PrimePlace
 from hfield.structure.quadratic import QuadraticPlace, p_adic_root
 from hfield.structure.quadratic_primes import primes_above
@@ -54,27 +54,30 @@ def _candidates(ring: Ring, c: Constants, answer: ZeroNorm) -> Iterator[Evidence
 def evidence_at(ring: Ring, c: Constants, places: Iterable[Any]) -> Iterator[Evidence]:
     """Yield the evidence at those places where the algebra is ramified and residues are finite."""
     for place in places:
-        lattice = _lattice(ring, c, place)
-        if lattice is not None:
-            texts = [[ring.text(ring(x)) for x in v] for v in lattice]
-            yield {"by": "place", "place": str(place), "lattice": texts}
+        found = _unit_and_prime(ring, c, place)
+        if found is not None:
+            u, j = ([ring.text(ring(x)) for x in v] for v in found)
+            yield {"by": "place", "place": str(place), "u": u, "j": j}
 
 
-def _lattice(ring: Ring, c: Constants, place: Any) -> list[Vector] | None:
-    """Return a lattice that shows the norm form to be 0 only at 0 over the completion at a place."""
+def _unit_and_prime(ring: Ring, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+    """Return two quaternions that show the norm form to be 0 only at 0 over the completion at a place."""
     if isinstance(ring, FunctionField) and isinstance(place, FunctionPlace):
         if place.poly is not None:
-            return norm_lattice(ResidueField(ring, place.poly), c, ring.one)
+            return unit_and_prime(ResidueField(ring, place.poly), c, ring.one)
         turned = Constants(*(inverted(ring, x) for x in c))
-        found = norm_lattice(ResidueField(ring, ring.gen.num), turned, ring.one)
-        return found and [[inverted(ring, x) for x in v] for v in found]
+        found = unit_and_prime(ResidueField(ring, ring.gen.num), turned, ring.one)
+        if found is None:
+            return None
+        u, j = ([inverted(ring, x) for x in v] for v in found)
+        return u, j
     if isinstance(ring, QuadraticField) and isinstance(place, QuadraticPlace) and place.prime:
         if place.root is None:
-            return norm_lattice(primes_above(ring, place.prime)[0], c, ring.one)
-        return norm_lattice(PrimePlace(place.prime), _completed(ring, c, place), Fraction(1))
+            return unit_and_prime(primes_above(ring, place.prime)[0], c, ring.one)
+        return unit_and_prime(PrimePlace(place.prime), _completed(ring, c, place), Fraction(1))
     if ring.name == "QQ" and isinstance(place, int):
         rational = Constants(*(fraction(x) for x in c))
-        return norm_lattice(PrimePlace(place), rational, Fraction(1))
+        return unit_and_prime(PrimePlace(place), rational, Fraction(1))
     return None
 
 

@@ -18,7 +18,7 @@ from hfield.factorisation import factorise
 from hfield.product import Constants
 from hfield.rings.base import Ring
 
-LARGEST_EXPONENT = 256
+LARGEST_EXPONENT = 64
 """The greatest k for which square roots modulo pᵏ are counted: the work grows like k²."""
 
 Field = Callable[[int, str], int]  # how many of a kind there are over GF(p)

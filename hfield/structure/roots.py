@@ -1,6 +1,6 @@
 """Square roots of elements: at most four, or a whole quadric of them when the element is a scalar."""
 
-import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,15 +12,13 @@ from hfield.rings.quadratic import QuadraticField
 from hfield.structure.commutators import basis_of
 from hfield.structure.embed import traceless_root_by_slot
 from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.function_roots import traceless_root_functions
 from hfield.structure.inseparable import as_norm
-from hfield.structure.isomorphic import is_isomorphic, isomorphism
 from hfield.structure.quadratic import integral, is_local_square
 from hfield.structure.ramification import pair, ramification
 from hfield.structure.rational_embedding import traceless_root_rational
 from hfield.structure.splitting import split
 from hfield.structure.zero import zero_norm
-
-TRIALS = 200
 
 
 @dataclass(frozen=True)
@@ -48,6 +46,8 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
     """
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: square roots are found over fields only")
+    if not ring.is_exact:
+        raise UndecidedError(f"{ring.name} is inexact: square roots are found over exact fields")
     if all(ring.is_zero(x) for x in q[1:]):
         return _of_scalar(ring, c, q[0])
     found: list[Coordinates] = []
@@ -58,7 +58,7 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
                 w, x, y, z = q
                 found.append((scale * (w + n), scale * x, scale * y, scale * z))
     for root in found:
-        if not all(ring.equal(x, y) for x, y in zip(multiply(c, root, root), q, strict=True)):
+        if not _squares_to(ring, c, root, q):
             raise AssertionError("a square root that was found does not square to the element")
     return SquareRoots(tuple(found))
 
@@ -78,7 +78,14 @@ def _of_scalar(ring: Ring, c: Constants, s: Any) -> SquareRoots:
         nilpotent = nilpotent_element(ring, c)
         return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
     scalars = [] if ring.characteristic == 2 else _both_roots(ring, s)
-    return SquareRoots(tuple((r, o, o, o) for r in scalars), traceless_root(ring, c, s))
+    root = traceless_root(ring, c, s)
+    if root is not None and not _squares_to(ring, c, root, (s, o, o, o)):
+        raise AssertionError("a square root that was found does not square to the scalar")
+    return SquareRoots(tuple((r, o, o, o) for r in scalars), root)
+
+
+def _squares_to(ring: Ring, c: Constants, root: Coordinates, q: Coordinates) -> bool:
+    return all(ring.equal(x, y) for x, y in zip(multiply(c, root, root), q, strict=True))
 
 
 def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
@@ -162,12 +169,48 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | 
     if isinstance(ring, QuadraticField) or ring.characteristic:
         root = traceless_root_by_slot(ring, Constants(a, o, b), s)
         return None if root is None else form.back(root)
-    c = Constants(a, o, b)
-    for m, n in itertools.product(range(15), range(1, 15)):
-        e = b * (ring(m * m) - a * ring(n * n))
-        other = Constants(s, o, e)
-        if not ring.is_zero(e) and is_isomorphic(ring, other, c):
-            found = isomorphism(ring, other, c)
-            assert found is not None
-            return form.back(found.images[1])
-    raise UndecidedError(f"whether s has a square root of trace 0 over {ring.name} was not decided")
+    if isinstance(ring, FunctionField):
+        found = traceless_root_functions(ring, form, s)
+        return None if found is None else form.back((o, *found))
+    raise UndecidedError(
+        f"whether {ring.text(s)} has a square root of trace 0 over {ring.name} was not decided"
+    )
+
+
+def quadric(ring: Ring, c: Constants, s: Any) -> Iterator[Coordinates]:
+    """Run through the elements of trace 0 and norm −s over a finite field; in steps of O(1) each.
+
+    In odd characteristic ``−a·x² − b·y² + ab·z² = −s`` in the normal form. In characteristic 2 trace 0 says
+    t·x = 0, and w is a square root.
+    """
+    o = ring.zero
+    if ring.characteristic == 2:
+        for x in ring.elements() if ring.is_zero(c.t) else (o,):
+            for y, z in _pairs(ring):
+                yield ring.sqrt(norm(c, (o, x, y, z)) + s), x, y, z
+        return
+    form = normal_form(ring, c)
+    a, b = form.constants
+    if ring.is_zero(a) or ring.is_zero(b):
+        slot = b if ring.is_zero(a) else a
+        free = ring.is_zero(slot)
+        roots = ring.elements() if free and ring.is_zero(s) else ()
+        for r in roots if free else _both_roots(ring, ring.divide(s, slot)):
+            for u, v in _pairs(ring):
+                yield form.back((o, u, r, v) if ring.is_zero(a) else (o, r, u, v))
+        return
+    scale = ring.inverse(a * b)
+    for x, y in _pairs(ring):
+        for z in _both_roots(ring, scale * (a * x * x + b * y * y - s)):
+            yield form.back((o, x, y, z))
+
+
+def _pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
+    """Run through the pairs of elements, square by square: for x = 0 alone there may be no solution."""
+    seen: list[Any] = []
+    for n, x in enumerate(ring.elements()):
+        seen.append(x)
+        for y in seen:
+            yield x, y
+        for y in seen[:n]:
+            yield y, x

@@ -37,10 +37,8 @@ def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None
     if ring.closure is not None:
         scalar = q[0] if all(map(ring.is_zero, q[1:])) else None
         return closed_order(ring, t, n, scalar)
-    if isinstance(ring, (FunctionField, PolynomialRing)) and not all(
-        _is_constant(ring, x) for x in (t, n)
-    ):
-        return None  # sums and products of roots of unity are constants
+    if isinstance(ring, (FunctionField, PolynomialRing)):
+        return _over_constants(ring, q, t, n)
     primes = _exponent(ring)
     if primes is None:
         return _searched(ring, c, q)
@@ -53,10 +51,31 @@ def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None
     return exponent
 
 
-def _is_constant(ring: FunctionField | PolynomialRing, x: Any) -> bool:
+def _over_constants(
+    ring: FunctionField | PolynomialRing, q: Coordinates, t: Any, n: Any
+) -> int | None:
+    """Answer over k(x) or k[x, …], where sums and products of roots of unity are constants."""
+    values = [_constant(ring, x) for x in (q[0], t, n)]
+    base = ring.base
+    scalar = all(map(ring.is_zero, q[1:]))
+    if (values[0] if scalar else values[1]) is None or values[2] is None:
+        return None
+    o = base.zero
+    # in k + k·i with i² = −n + t·i the element i has the trace and norm of q
+    element = (values[0], o, o, o) if scalar else (o, base.one, o, o)
+    algebra = Constants(o, o, o) if scalar else Constants(o - values[2], values[1], o)
+    return multiplicative_order(base, algebra, element)
+
+
+def _constant(ring: FunctionField | PolynomialRing, x: Any) -> Any:
+    """Return the element of the field or ring of constants that x is, or None."""
     if isinstance(ring, PolynomialRing):
-        return bool(x.is_constant())
-    return bool(x.num.degree() <= 0 and x.den.degree() <= 0)
+        return ring.constant_part(x) if x.is_constant() else None
+    if x.num.degree() > 0 or x.den.degree() > 0:
+        return None
+    return ring.base(
+        ring.base.zero if x.num == 0 else ring.base_element(x.num.leading_coefficient())
+    )
 
 
 def _is_one(ring: Ring, c: Constants, q: Coordinates, n: int) -> bool:
@@ -76,24 +95,23 @@ def _exponent(ring: Ring) -> dict[int, int] | None:
     10 or 12. Over a ring of m elements q generates a ring of at most m². Its residue fields are at most
     quadratic over those of the ring, and its units that are 1 modulo its radical have orders that divide m².
     """
-    base = ring.base if isinstance(ring, (FunctionField, PolynomialRing)) else ring
-    if base.order is not None:
-        m = int(base.order)
-        if base.is_field:
-            p = base.characteristic
+    if ring.order is not None:
+        m = int(ring.order)
+        if ring.is_field:
+            p = ring.characteristic
             return {**_factors_of_power(p, 2 * len(_digits(m - 1, p))), p: 1}
         found: dict[int, int] = {}
         for p, k in factorise(m).items():
-            residue = 1 if base.order == base.characteristic else k
+            residue = 1 if m == ring.characteristic else k
             parts = [_factors_of_power(p, 2 * f) for f in range(1, residue + 1)]
             for part in [*parts, {p: 2 * k}]:
                 found = {
                     r: max(part.get(r, 0), found.get(r, 0)) for r in part.keys() | found.keys()
                 }
         return found
-    if isinstance(base, QuadraticField):
+    if isinstance(ring, QuadraticField):
         return {2: 3, 3: 1, 5: 1}
-    return {2: 2, 3: 1} if base.name in ("ZZ", "QQ") else None
+    return {2: 2, 3: 1} if ring.name in ("ZZ", "QQ") else None
 
 
 def _digits(n: int, p: int) -> list[int]:

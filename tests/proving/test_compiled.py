@@ -11,7 +11,7 @@ from hfield.proving.search import holds, small_scalars
 from hfield.proving.setting import HAMILTON
 from hfield.proving.vanish import constant
 from hfield.rings import ring
-from tests.proving.oracle import Generator
+from tests.adversary.statement_generator import plain_statements
 
 WRITTEN = (
     "q*inv(q) == e",
@@ -21,7 +21,7 @@ WRITTEN = (
     "s*p == p*s and 0.5*p + 0.5*p == p",
     "p/norm(p) != 0",
 )
-DRAWN = tuple(Generator(seed).statement() for seed in range(60))
+DRAWN = tuple(plain_statements(0, 60))
 
 
 def places(statement, scalars, rng):

@@ -1,10 +1,14 @@
+import math
 from fractions import Fraction
 
-from hypothesis import assume, given
+import pytest
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from hfield.factorisation import factorise, remove
 from hfield.structure.conic import solve_conic
-from hfield.structure.hilbert import ramified_places_q
+from hfield.structure.hilbert import hilbert_symbol_q, ramified_places_q
+from hfield.structure.qforms import isotropic_vector
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)
 
@@ -35,3 +39,35 @@ def test_large_coefficients_given_their_primes():
     x, y, z = solve_conic(a, b, [p, q])
     assert a * x * x + b * y * y == z * z
     assert (x, y, z) != (0, 0, 0)
+
+
+def locally_isotropic(form: list[int]) -> bool:
+    """The theorem of Hasse and Minkowski, stated place by place."""
+    if all(f > 0 for f in form) or all(f < 0 for f in form):
+        return False
+    if len(form) > 4:
+        return True
+    for p in {2, *(p for f in form for p in factorise(f))}:
+        v, unit = remove(math.prod(form), p)
+        square = v % 2 == 0 and (unit % 8 == 1 if p == 2 else pow(unit, (p - 1) // 2, p) == 1)
+        hasse = math.prod(hilbert_symbol_q(form[i], form[j], p) for j in range(4) for i in range(j))
+        if square and hasse != hilbert_symbol_q(-1, -1, p):
+            return False
+    return True
+
+
+@pytest.mark.parametrize("bound", [12, 10**5])
+@given(data=st.data())
+@settings(max_examples=150, deadline=None)
+def test_forms_in_four_to_six_variables(bound, data):
+    coefficient = st.integers(-bound, bound).filter(bool)
+    form = data.draw(st.lists(coefficient, min_size=4, max_size=6))
+    zero = isotropic_vector(form)
+    assert (zero is not None) == locally_isotropic(form)
+    if zero is not None:
+        assert any(zero)
+        assert sum(f * x * x for f, x in zip(form, zero, strict=True)) == 0
+
+
+def test_a_zero_coefficient_is_a_zero():
+    assert isotropic_vector([1, 0, 1, 1]) == [0, 1, 0, 0]

@@ -10,7 +10,6 @@ from itertools import product
 from typing import Any
 
 from flint import fmpz_mat
-from judge_implications import implication
 
 from hfield.errors import HFieldError
 from hfield.ledger.centre import _equations
@@ -21,24 +20,33 @@ from hfield.proving.noncommutative import multiply_out
 from hfield.proving.prove import prove
 from hfield.proving.setting import read_setting
 from hfield.rings import ring
+from tests.adversary.forging.validity_of_items import implication
 
 Certificate = dict[str, Any]
 
 
-def judge(mutant: Certificate, original: Certificate) -> str:
-    """Return why a mutant that passed is valid, '' if no reason is found.
+def same_target(mutant: Certificate, original: Certificate) -> bool:
+    """Tell whether two certificates are about the same."""
+    return mutant["statement"] == original["statement"] and _where(mutant) == _where(original)
 
-    Its target has to be the original's, whose verdict the prover decided.
-    """
-    same = all(mutant[key] == original[key] for key in ("verdict", "assumes"))
-    if not same or _where(mutant) != _where(original):
+
+def why_valid(mutant: Certificate, original: Certificate) -> str:
+    """Return why a mutant with the target of the original is valid, '' if no reason is found."""
+    try:
+        return _evidence(mutant["evidence"], original["evidence"], mutant)
+    except (HFieldError, KeyError, ValueError, IndexError, TypeError):
         return ""
-    return _evidence(mutant["evidence"], original["evidence"], mutant)
 
 
 def _where(data: Certificate) -> Any:
+    """Return the field and the structure constants, by their values where no letters are in them."""
     field = None if data["field"] is None else data["field"].replace(" ", "")
-    return read_setting(field, data["algebra"])
+    setting = read_setting(field, data["algebra"])
+    if setting.letters:
+        return setting, data["verdict"]
+    base = setting.field or ring("QQ")
+    constants = tuple(base.text(base(text)) for text in setting.constants)
+    return field, constants, data["verdict"]
 
 
 def _evidence(new: Any, old: Any, data: Certificate) -> str:
@@ -190,9 +198,9 @@ def _place(evidence: Any, data: Certificate) -> bool:
 
 def _terms(evidence: Any, data: Certificate) -> bool:
     given = [f"{name} == {term}" for name, term in evidence["terms"].items()]
-    body = data["statement"].split("exists", 1)
-    inside = body[1].split(":", 1)[1]
-    return prove(f"{body[0]}({inside}", data["field"], given, data["algebra"]).verdict == "proved"
+    before, _, after = data["statement"].partition("exists")
+    text = before + after.partition(":")[2]
+    return prove(text, data["field"], given, data["algebra"]).verdict == "proved"
 
 
 def _left_out(evidence: Any, data: Certificate) -> bool:

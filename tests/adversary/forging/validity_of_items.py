@@ -1,6 +1,6 @@
 """Whether the items of an implication's evidence are valid: its polynomials multiplied out by flint.
 
-The part of judge_certificates.py that is about cofactors; it uses nothing of hfield.certificates either.
+The part of validity.py that is about cofactors; it uses nothing of hfield.certificates either.
 """
 
 import re

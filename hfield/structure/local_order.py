@@ -1,6 +1,6 @@
-"""A lattice on which one sees that a norm form has no zero over the completion at a place.
+"""A maximal order over the completion at a place, and two elements of it that show the norm to have no zero.
 
-Over a completion where the algebra is a division algebra, the elements with integral norm are its maximal
+Where the algebra is a division algebra over the completion, the elements with integral norm are its maximal
 order M. Modulo the prime of the place, the norm on M involves two coordinates alone; on the other two it is
 divisible by the prime, and both halves are forms without zero over the residue field (Voight,
 *Quaternion Algebras*, theorem 13.3.11). M is found from any lattice inside it, by adding what is missing step
@@ -19,8 +19,8 @@ MAX_STEPS = 1_000
 Form = dict[tuple[int, int], Any]
 
 
-def norm_lattice(place: Any, c: Constants, one: Any) -> list[Vector] | None:
-    """Return four quaternions that span M, those with a norm divisible by the prime last.
+def unit_and_prime(place: Any, c: Constants, one: Any) -> tuple[Vector, Vector] | None:
+    """Return quaternions u, j in M: u generates its residue field, and N(j) is divisible by the prime once.
 
     None says that the norm form has a zero over the completion. ``place`` is a :class:`ResidueField` or a
     :class:`PrimePlace` with a finite residue field, and ``one`` the 1 of its field.
@@ -50,8 +50,17 @@ def norm_lattice(place: Any, c: Constants, one: Any) -> list[Vector] | None:
         halves = ((form, outside), (divided, sorted(inside)))
         if len(inside) != 2 or any(_has_zero(place, f, *ns) for f, ns in halves):
             return None
-        return [basis[n] for n in (*outside, *inside)]
+        # 1 is in M, so one of the two that span the residue field is no multiple of it
+        u = next(basis[n] for n in outside if _generates(place, c, basis[n], one))
+        return u, basis[inside[0]]
     return None
+
+
+def _generates(place: Any, c: Constants, u: Vector, one: Any) -> bool:
+    """Tell whether X² − tr(u)·X + N(u) has no root in the residue field."""
+    trace = u[0] + u[0] + c.t * u[1]
+    a, b, d = (place.reduce(x) for x in (one, trace, _norm(c, u)))
+    return place.quadratic_root(a, b, d) is None
 
 
 def _norm(c: Constants, v: Vector) -> Any:
