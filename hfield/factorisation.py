@@ -205,6 +205,41 @@ def factor(n: int, known: Iterable[int] = (), bits: int = 48) -> Factorisation:
     return _factor(n, _known.get().union(known), bits)
 
 
+def shared_primes(numbers: Iterable[int]) -> frozenset[int]:
+    """Return the primes that are found in some of the numbers: what one hides another may show.
+
+    What is left of each is split by greatest common divisors with the others.
+    """
+    found: set[int] = set()
+    rests = []
+    for n in numbers:
+        part = factor(n, found)
+        found.update(part.primes)
+        if part.rest:
+            rests.append(part.rest.value)
+    for part in map(factor, coprime_base(rests) if len(rests) > 1 else ()):
+        found.update(part.primes)
+    return frozenset(found)
+
+
+def coprime_base(numbers: Iterable[int]) -> list[int]:
+    """Return pairwise coprime numbers greater than 1 of which the given positive ones are products."""
+    base: list[int] = []
+    waiting = list(numbers)
+    while waiting:
+        n = waiting.pop()
+        for k, b in enumerate(base):
+            c = gcd(n, b)
+            if c > 1:
+                del base[k]
+                waiting += [x for x in (c, b // c, n // c) if x > 1]
+                break
+        else:
+            if n > 1:
+                base.append(n)
+    return sorted(base)
+
+
 def factorise(n: int, known: Iterable[int] = ()) -> dict[int, int]:
     """Return the primes of ``|n|``, n ≠ 0, with exponents. Raises :class:`UnfactoredError`."""
     return factor(n, known).complete()

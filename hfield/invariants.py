@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError, shorten
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
@@ -110,25 +111,31 @@ class Invariants(Parent):
 
     # --- division or splitting -----------------------------------------------------------------
 
-    def zero_norm_element(self) -> Quaternion | None:
+    # ``factors`` may name primes of the constants (over ℚ) or of their norms, where these are too hard to
+    # factor; each is proved prime, or :class:`RingError` is raised.
+
+    def zero_norm_element(self, factors: Factors | None = None) -> Quaternion | None:
         """Return a nonzero element of norm 0, or None if it is proved that there is none.
 
         Raises :class:`UndecidedError` where neither is known; the message says what was tried.
         """
-        found = structure.zero_norm(*self._here()).element
+        with known_primes(factors):
+            found = structure.zero_norm(*self._here()).element
         return None if found is None else self(*found)
 
-    def is_division_algebra(self) -> bool:
+    def is_division_algebra(self, factors: Factors | None = None) -> bool:
         """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
-        return structure.is_division(*self._here())
+        with known_primes(factors):
+            return structure.is_division(*self._here())
 
-    def division_or_splitting(self) -> Splitting | Division:
+    def division_or_splitting(self, factors: Factors | None = None) -> Splitting | Division:
         """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
 
         The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
         algebra, which is neither, and :class:`UndecidedError`.
         """
-        return self._split_or_not
+        with known_primes(factors):
+            return self._split_or_not
 
     @cached_property
     def _split_or_not(self) -> Splitting | Division:
@@ -142,7 +149,7 @@ class Invariants(Parent):
         answer = structure.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
 
-    def split(self) -> Splitting | None:
+    def split(self, factors: Factors | None = None) -> Splitting | None:
         """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
 
         >>> from hfield import H
@@ -150,7 +157,7 @@ class Invariants(Parent):
         """
         from hfield.maps import Splitting
 
-        answer = self._split_or_not
+        answer = self.division_or_splitting(factors)
         return answer if isinstance(answer, Splitting) else None
 
     def _splitting(self) -> Splitting:
@@ -172,15 +179,14 @@ class Invariants(Parent):
 
     # --- ramification --------------------------------------------------------------------------
 
-    def ramified_places(self, factors: Any = None) -> tuple[Any, ...]:
+    def ramified_places(self, factors: Factors | None = None) -> tuple[Any, ...]:
         """Return the places where the algebra stays a division algebra, finite ones first.
 
-        ``factors`` may name primes of a and b (over ℚ) or of their norms, to spare a factorisation.
         Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
         """
         return structure.ramified_places(self.ring, self.constants, factors)
 
-    def discriminant(self, factors: Any = None) -> Any:
+    def discriminant(self, factors: Factors | None = None) -> Any:
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
         Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
@@ -202,21 +208,23 @@ class Invariants(Parent):
             )
         return other.constants
 
-    def is_isomorphic(self, other: Any) -> bool:
+    def is_isomorphic(self, other: Any, factors: Factors | None = None) -> bool:
         """Tell whether two algebras over one field are isomorphic.
 
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
         """
-        return structure.is_isomorphic(*self._here(), self._comparable(other))
+        with known_primes(factors):
+            return structure.is_isomorphic(*self._here(), self._comparable(other))
 
-    def isomorphism(self, other: Any) -> Isomorphism | None:
+    def isomorphism(self, other: Any, factors: Factors | None = None) -> Isomorphism | None:
         """Return an isomorphism onto ``other``, a callable, or None if there is none.
 
         The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.
         """
         from hfield.maps import Isomorphism
 
-        found = structure.isomorphism(*self._here(), self._comparable(other))
+        with known_primes(factors):
+            found = structure.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
     # --- finite fields ---------------------------------------------------------------------------
@@ -284,20 +292,22 @@ class Invariants(Parent):
 
         return Order.from_basis(self, elements)
 
-    def maximal_order(self) -> Order:
+    def maximal_order(self, factors: Factors | None = None) -> Order:
         """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate: always the same."""
         from hfield.lattices.named import maximal_order
 
-        return maximal_order(self)
+        with known_primes(factors):
+            return maximal_order(self)
 
-    def eichler_order(self, level: int) -> Order:
+    def eichler_order(self, level: int, factors: Factors | None = None) -> Order:
         """Return an Eichler order of the given level, the same for the same algebra and level.
 
         Raises :class:`LatticeError` for a level that is not prime to the discriminant.
         """
         from hfield.lattices.named import eichler_order
 
-        return eichler_order(self, level)
+        with known_primes(factors):
+            return eichler_order(self, level)
 
     def extremal_order(self) -> Order:
         """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.

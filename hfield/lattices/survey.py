@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from hfield.executors import unordered
+from hfield.factorisation import factorise
 from hfield.lattices import class_number
-from hfield.structure.integers import factorise
 
 Pair = tuple[int, int]
 PIECE = 8

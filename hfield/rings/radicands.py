@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from functools import lru_cache
 from math import gcd, isqrt
 
-from hfield.factorisation import SIEVED_BITS, factor, power_root, remove
+from hfield.factorisation import SIEVED_BITS, coprime_base, factor, power_root, remove
 
 PROVED_BELOW = 1 << SIEVED_BITS
 """Reduced radicands below are squarefree; greater ones may hide the square of a large prime."""
@@ -68,20 +68,8 @@ def independent(radicands: frozenset[int]) -> tuple[int, ...]:
 
     Up to squares they are independent, so a field automorphism may change the sign of any one of their roots.
     """
-    base: list[int] = []
-    waiting = [abs(n) for n in radicands]
-    while waiting:
-        n = waiting.pop()
-        for k, b in enumerate(base):
-            c = gcd(n, b)
-            if c > 1:
-                del base[k]
-                waiting += [x for x in (c, b // c, n // c) if x > 1]
-                break
-        else:
-            if n > 1:
-                base.append(n)
-    return tuple(sorted(b for b in base if _exact_root(b) is None))
+    base = coprime_base(abs(n) for n in radicands)
+    return tuple(b for b in base if _exact_root(b) is None)
 
 
 def odd(n: int, b: int) -> bool:

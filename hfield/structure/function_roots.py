@@ -22,6 +22,7 @@ from hfield.structure.functionfield import ramified_places_functions, tame_resid
 from hfield.structure.integers import fraction
 from hfield.structure.isomorphic import isomorphism
 from hfield.structure.qforms import isotropic_vector
+from hfield.structure.rational_embedding import traceless_root_rational
 
 TRIALS = 150
 POINTS = 12
@@ -157,8 +158,8 @@ def _quadratic(field: FunctionField, a: Any, b: Any, f: Any) -> Any:
         return ()  # ℚ(x, √f) is purely transcendental over ℚ
     inner = Constants(QQ(a.num[0]), QQ.zero, QQ(b.num[0]))
     if m == 0:
-        zero = isotropic_vector([fraction(x) for x in (inner.a, inner.b, -inner.a * inner.b, -n)])
-        return () if zero is None else tuple(field(x / zero[3]) for x in zero[:3])
+        root = traceless_root_rational(QQ, inner, n)
+        return () if root is None else tuple(field(x) for x in root[1:])
     h = linear / (2 * m)
     n = n - m * h * h
     found = isomorphism(QQ, Constants(m, QQ.zero, n), inner)

@@ -74,7 +74,7 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     :class:`UnfactoredError`.
     """
     m, n = square_class(a), square_class(b)
-    with known_primes(factors):
+    with known_primes(factors, ""):
         in_m, in_n = factorise(m), factorise(n)
     whole_m, whole_n = flint.fmpz(m), flint.fmpz(n)
     primes = []

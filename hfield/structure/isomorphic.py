@@ -1,9 +1,11 @@
 """When two algebras over one field are isomorphic, and an explicit, checked isomorphism."""
 
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import MixedParentsError, UndecidedError
+from hfield.factorisation import WORD, known_primes, shared_primes
 from hfield.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.rings.base import Ring
 from hfield.structure.commutators import basis_of
@@ -11,6 +13,7 @@ from hfield.structure.compare import same_class
 from hfield.structure.degenerate import embed_degenerate
 from hfield.structure.embed import embed_generator
 from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
+from hfield.structure.integers import square_class
 from hfield.structure.linear import apply, kernel
 from hfield.structure.splitting import division_or_splitting, from_zero_divisor
 from hfield.structure.zero import is_division, zero_norm
@@ -98,7 +101,8 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
         return all(degenerate) and embed_degenerate(ring, c, other) is not None
     if ring.order is not None:
         return True
-    same = same_class(ring, normal_form(ring, c), normal_form(ring, other))
+    with _primes_of_both(ring, c, other):
+        same = same_class(ring, normal_form(ring, c), normal_form(ring, other))
     if same is not None:
         return same
     divisions = [is_division(ring, x) for x in (c, other)]
@@ -126,14 +130,28 @@ def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | Non
         found = embed_degenerate(ring, c, other)
         assert found is not None, "the two are isomorphic"
         return verified(ring, c, other, *found)
+    with _primes_of_both(ring, c, other):
+        return verified(ring, c, other, *_images(ring, c, other))
+
+
+def _images(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:
+    """Return the images of i and j under an isomorphism of nondegenerate algebras."""
     if ring.name not in ("RR", "CC"):
         q, p = zero_norm(ring, c).element, zero_norm(ring, other).element
         if q is not None and p is not None:
             left, right = from_zero_divisor(ring, c, q), from_zero_divisor(ring, other, p)
-            i, j = (right.from_matrix(m) for m in (left.i, left.j))
-            return verified(ring, c, other, i, j)
-    i, j = embed_generator(ring, c, other)
-    return verified(ring, c, other, i, j)
+            return right.from_matrix(left.i), right.from_matrix(left.j)
+    return embed_generator(ring, c, other)
+
+
+def _primes_of_both(ring: Ring, *algebras: Constants) -> AbstractContextManager[None]:
+    """Over ℚ, let the primes that are found in one of the constants serve for all."""
+    if ring.name != "QQ":
+        return nullcontext()
+    numbers = [square_class(x) for c in algebras for x in normal_form(ring, c).constants]
+    if all(-WORD < n < WORD for n in numbers):
+        return nullcontext()
+    return known_primes(shared_primes(numbers), "")
 
 
 def same_parent(ring: Ring, other: Ring) -> None:

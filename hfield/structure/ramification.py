@@ -147,7 +147,8 @@ def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) ->
     :class:`UndecidedError` over a ring without a theory of places.
     """
     if ring.name == "QQ" and c.a and c.b and not c.t:  # already normal: the short way, for surveys
-        return ramified_places_q(c.a, c.b, factors)
+        with known_primes(factors):
+            return ramified_places_q(c.a, c.b)
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: ask over its field of fractions")
     if ring.is_zero(discriminant(c)):

@@ -31,10 +31,9 @@ class _Diagonal:
 def embed_rational(
     ring: Ring, outer: Constants, inner: Constants
 ) -> tuple[Coordinates, Coordinates]:
-    """Return I and J in ``inner``, over ℚ, that satisfy the relations of the isomorphic ``outer``.
+    """Return I and J in the algebra ``inner`` over ℚ that satisfy the relations of ``outer``.
 
-    Both are division algebras, with t = 0. Raises :class:`UnfactoredError` where the constants are
-    too hard to factor.
+    Both are division algebras, isomorphic, with t = 0. Raises :class:`UnfactoredError`.
     """
     source, target = _Diagonal(outer.a, outer.b), _Diagonal(inner.a, inner.b)
     images = isometry(source.form, target.form, source.primes | target.primes)
