@@ -44,7 +44,7 @@ FLOORS = [
     {"anim.checks"},
     {"anim.model", "anim.film", "anim.timeline"},
     {"anim.motion", "anim.picture", "anim.output"},
-    {"anim.pipelines", "anim.bands", "anim.physics", "anim.render", "anim.viewer"},
+    {"anim.pipelines", "anim.bands", "anim.physics", "anim.rendering", "anim.viewer"},
     {"anim.top"},
     {"anim.ledger"},
     {"anim.commands"},

@@ -1,5 +1,6 @@
 """Proving that something exists case by case, and refuting it where no case applies."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from time import monotonic
 from typing import Any
@@ -8,13 +9,15 @@ from hfield.errors import TooLargeError
 from hfield.proving.compiled import World
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
 from hfield.proving.interpret import PrimeInterpretation, RingInterpretation
-from hfield.proving.isolate import isolated
+from hfield.proving.isolate import isolated, isolated_alone
 from hfield.proving.language import Statement
 from hfield.proving.linear import Case, linear_cases
+from hfield.proving.printing import to_text
 from hfield.proving.search import Searcher, prime_search, ring_search
 from hfield.proving.setting import Setting
 from hfield.proving.terms import Decide, about, by_terms, combined
 from hfield.proving.trees import substitute
+from hfield.rings import ring
 from hfield.syntax import Logic, Node, parse
 
 MAX_ISOLATED = 40
@@ -40,7 +43,8 @@ def by_linear_algebra(
         soon = monotonic() + (deadline - monotonic()) / 3
         cases, exact = linear_cases(statement, setting, soon)
     except TooLargeError:
-        return None, None
+        cases, exact = [], False
+    cases = [*_isolated_cases(statement), *cases]
     if not cases and not exact:
         return None, None
     terms = [tuple(text for _, text in case.terms) for case in cases]
@@ -48,16 +52,64 @@ def by_linear_algebra(
     if found is not None:
         return found, None
     try:
-        cases = _few(statement, setting, cases, deadline)
-        cover = decide_one(_covering(statement, setting, cases), setting, deadline)
+        chosen, cover = _covered(statement, setting, cases, deadline, decide_one)
         if cover.verdict == REFUTED:
             return None, cover
         if cover.verdict != PROVED:
             return None, None
-        proofs = [_proof(statement, setting, case, deadline, decide_one) for case in cases]
+        proofs = [_proof(statement, setting, case, deadline, decide_one) for case in chosen]
     except TooLargeError:
         return None, None
-    return _put_together(setting, cases, cover, proofs), None
+    return _put_together(setting, chosen, cover, proofs), None
+
+
+def _isolated_cases(statement: Statement) -> Iterator[Case]:
+    """Run through cases in which one of several names is solved for: where that serves."""
+    for terms in isolated_alone(statement):
+        own = tuple((name, terms[name]) for name in statement.exists)
+        node = substitute(statement.conclusion, {name: parse(text) for name, text in own})
+        yield Case(to_text(node), own)
+
+
+def _covered(
+    statement: Statement,
+    setting: Setting,
+    cases: list[Case],
+    deadline: float,
+    decide_one: Decide,
+) -> tuple[list[Case], Decision]:
+    """Return cases with the decision that one of them always applies.
+
+    Where a place refutes that and another case applies there, it joins them; where none does, that is
+    a place where nothing exists.
+    """
+    chosen = _few(statement, setting, cases, deadline)
+    while True:
+        cover = decide_one(_covering(statement, setting, chosen), setting, deadline)
+        if cover.verdict != REFUTED or cover.witness is None:
+            return chosen, cover
+        field = setting.field or ring(cover.witness["F"][0])
+        place = {
+            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
+            for name, texts in cover.witness.items()
+            if name != "F"
+        }
+        world = RingInterpretation(field)
+        found = [
+            case
+            for case in cases
+            if case not in chosen
+            and Searcher(
+                _given(statement, setting, parse(case.when), False),
+                setting.constants,
+                world,
+                deadline,
+                True,
+            ).test(place)
+        ]
+        if not found:
+            return chosen, cover
+        chosen = [*chosen, min(found, key=lambda case: case.when.count("=="))]
 
 
 def _few(statement: Statement, setting: Setting, cases: list[Case], deadline: float) -> list[Case]:

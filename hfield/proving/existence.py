@@ -1,7 +1,8 @@
 """Statements that something exists, and hypotheses that nothing satisfies."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from itertools import chain
 from time import monotonic
 from typing import Any
 
@@ -19,10 +20,11 @@ from hfield.proving.real_roots import by_roots
 from hfield.proving.search import Assignment, Searcher, by_weight, small_scalars, witness_texts
 from hfield.proving.setting import Setting, divides, put_letters
 from hfield.proving.terms import Decide, about, by_terms, constants_in, matrix, true_place
-from hfield.proving.trees import quaternion_node, substitute
+from hfield.proving.trees import quaternion_node, substitute, walk
+from hfield.proving.unsolvable import unsolvable_at
 from hfield.proving.vanish import constant
 from hfield.rings import ring
-from hfield.syntax import Compare, Logic, Negate, Node, Not, Number, parse
+from hfield.syntax import Compare, Logic, Name, Negate, Node, Not, Number, parse
 
 FEW = 400
 MAX_PLACES = 2_000
@@ -239,13 +241,18 @@ def _by_places(
     finite = field.order is not None and field.order**width <= MAX_PLACES
     scalars: list[Any] = list(field.elements()) if finite else list(small_scalars(field))[:5]
     places = by_weight(free, scalars, len(scalars) * width if finite else 4)
+    if not finite:
+        places = chain(_around_solution(statement, setting, free, deadline, decide_one), places)
     meant = _meant(statement, setting, free, deadline)
+    none_at = None if finite else unsolvable_at(statement, setting, deadline)
     count = looked = 0
     for place in places:
         if monotonic() > deadline or looked >= (MAX_PLACES if finite else MOST_LOOKED):
             break
         count += 1
-        if count > MAX_PLACES or not meant(place):
+        if count > MAX_PLACES:
+            break
+        if not meant(place) or (none_at is not None and not none_at(place)):
             continue
         looked += 1
         instance, there = _instance(statement, setting, witness_texts(field, place))
@@ -265,6 +272,34 @@ def _by_places(
     if monotonic() > deadline:
         tried.append("the time was over")
     return Decision(UNDECIDED, "none", tried=tuple(tried))
+
+
+def _around_solution(
+    statement: Statement,
+    setting: Setting,
+    free: list[tuple[str, Sort]],
+    deadline: float,
+    decide_one: Decide,
+) -> Iterator[Assignment]:
+    """Run through places where the hypotheses have a solution that is found, the others small."""
+    field = setting.field
+    if field is None or not statement.hypotheses:
+        return
+    node = statement.hypotheses[0]
+    for h in statement.hypotheses[1:]:
+        node = Logic("and", node, h)
+    names = {n.name for n in walk(node) if isinstance(n, Name)} | set(setting.letters)
+    solved = about(statement, Not(node), tuple(name for name, _ in free), field)
+    witness = decide_one(solved, setting, monotonic() + (deadline - monotonic()) / 4).witness
+    if witness is None:
+        return
+    found: Assignment = {
+        name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
+        for name, texts in witness.items()
+    }
+    others = [(name, sort) for name, sort in free if name not in names]
+    for place in by_weight(others, list(small_scalars(field))[:5], 3):
+        yield {name: place.get(name, found[name]) for name, _ in free}
 
 
 def _meant(

@@ -4,11 +4,12 @@
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from hfield.proving.known import is_scalar
 from hfield.proving.language import Sort, Statement
 from hfield.proving.printing import to_text
-from hfield.proving.trees import walk
+from hfield.proving.trees import substitute, walk
 from hfield.syntax import Binary, Call, Compare, Logic, Name, Negate, Node, Number, Power
 
 ZERO, ONE = Number(0), Number(1)
@@ -34,6 +35,19 @@ def isolated(statement: Statement) -> dict[str, list[str]]:
                 if text not in out[name]:
                     out[name].append(text)
     return out
+
+
+def isolated_alone(statement: Statement) -> Iterator[dict[str, str]]:
+    """Run through terms for all names: one solves an equation in which the others are put to 0."""
+    if len(statement.exists) < 2:
+        return
+    for name in statement.exists:
+        others = {other: ZERO for other in statement.exists if other != name}
+        alone = replace(
+            statement, conclusion=substitute(statement.conclusion, others), exists=(name,)
+        )
+        for term in isolated(alone)[name]:
+            yield {**dict.fromkeys(others, "0"), name: term}
 
 
 def _equations(node: Node) -> Iterator[Compare]:

@@ -21,7 +21,7 @@ from hfield.proving.setting import Setting
 from hfield.proving.shapes import polynomial_text
 from hfield.proving.vanish import factored
 
-MAX_CASES = 16
+MAX_CASES = 64
 MAX_BRANCHES = 8
 MAX_TERMS = 200  # of a coefficient
 MAX_WAYS = 300
@@ -55,7 +55,7 @@ def linear_cases(
 
     Raises :class:`TooLargeError`.
     """
-    system = _System(statement, setting, deadline)
+    system = System(statement, setting, deadline)
     out: dict[Case, None] = {}
     ways = list(islice(branches(system.formula), MAX_BRANCHES + 1))
     exact = len(ways) <= MAX_BRANCHES
@@ -78,7 +78,7 @@ def _equations(formula: Formula) -> list[Any]:
     return [f for part in formula.parts for f in _equations(part)] if formula.op == "and" else []
 
 
-class _System:
+class System:
     """The polynomials of a statement, split into those sought and those given."""
 
     def __init__(self, statement: Statement, setting: Setting, deadline: float) -> None:

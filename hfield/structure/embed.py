@@ -1,6 +1,6 @@
 """Finding i and j of one algebra inside an isomorphic one, without splitting either.
 
-Over the real and complex numbers by square roots. Over ℚ, i is a zero of a form in four variables.
+Over the real and complex numbers by square roots. Over ℚ by an isometry (`rational_embedding`).
 Elsewhere, for division algebras, by a common slot: isomorphic algebras (a, b) and (p, q) have an e with
 (a, b) = (a, e) = (p, e) = (p, q). Given e, three conics with a point give the elements. Over a quadratic
 field and over GF(q)(t), q odd, e is built from its local classes. Over ℚ(x) it is searched for: it
@@ -24,9 +24,8 @@ from hfield.structure.compare import same_class
 from hfield.structure.forms import normal_form
 from hfield.structure.function_slots import common_slot_functions
 from hfield.structure.inseparable import embed_even
-from hfield.structure.integers import fraction
-from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic_conic import solve_conic_quadratic
+from hfield.structure.rational_embedding import embed_rational
 from hfield.structure.slots import common_slot
 from hfield.structure.zero import zero_norm
 
@@ -46,7 +45,7 @@ def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordin
     if ring.name in ("RR", "CC"):
         i, j = _closed(ring, outer, inner)
     elif ring.name == "QQ":
-        i, j = _rational(ring, outer, inner)
+        i, j = embed_rational(ring, outer, inner)
     elif isinstance(ring, FunctionField) and ring.characteristic == 2:
         i, j = embed_even(ring, outer, inner)
     else:
@@ -74,25 +73,6 @@ def _closed(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinates
             i, j = ([x * u for u in units[n]] for x, n in ((r, m), (s, n)))
             return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
     raise AssertionError("isomorphic real algebras have squares of the same signs")
-
-
-def _rational(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-    """Find i as a pure quaternion with the right square, and j among what anticommutes with it."""
-    p, q = inner.a, inner.b
-    solution = isotropic_vector([fraction(x) for x in (p, q, -p * q, -outer.a)])
-    assert solution is not None, "isomorphic algebras contain the same fields"
-    x, y, z, r = (ring(u) for u in solution)
-    scale = ring.inverse(r)
-    i = (ring.zero, x * scale, y * scale, z * scale)
-    for u in basis_of(ring)[1:]:
-        left, right = multiply(inner, i, u), multiply(inner, u, i)
-        w, x, y, z = (s - t for s, t in zip(left, right, strict=True))
-        if not all(map(ring.is_zero, (w, x, y, z))):
-            break
-    v = (w, x, y, z)
-    value = ring.divide(outer.b, multiply(inner, v, v)[0])
-    split = Constants(outer.a, ring.zero, value)
-    return i, _times_norm(ring, inner, i, v, split, functools.partial(conic_point, ring))
 
 
 def _slot(ring: FunctionField, outer: Constants, inner: Constants) -> Any:

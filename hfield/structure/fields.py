@@ -1,7 +1,6 @@
 """Zero norms over the infinite fields that have a theory of places: ℚ, ℚ(√d), k(t)."""
 
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -9,15 +8,16 @@ from hfield.factorisation import is_prime
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
+from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.bundle import RamifiedError, solve_conic_functions
 from hfield.structure.conic import solve_conic
 from hfield.structure.evidence import ZeroNorm, found, none
 from hfield.structure.forms import NormalForm
-from hfield.structure.hilbert import hilbert_symbol_q
-from hfield.structure.qforms import isotropic_vector
+from hfield.structure.hilbert import hilbert_symbol_q, ramified_places_q
 from hfield.structure.quadratic_conic import solve_conic_quadratic
 from hfield.structure.ramification import pair, ramification
+from hfield.structure.rational_embedding import traceless_root_rational
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 _LOCAL = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
@@ -74,10 +74,13 @@ def _quadratic(ring: QuadraticField, form: NormalForm) -> Coordinates:
     if s or t:
         x, y, z = solve_conic_quadratic(ring, form.a, form.b)
         return z, x, y, ring.zero
-    solution = isotropic_vector([a, b, -a * b, Fraction(-ring.d)])
-    assert solution is not None, "an algebra over ℚ that ℚ(√d) splits contains a square root of d"
-    x, y, z, w = (ring(u) for u in solution)
-    return -w * ring.gen, x, y, z
+    if not ramified_places_q(a, b):
+        x, y, z = (ring(u) for u in solve_conic(a, b))
+        return z, x, y, ring.zero
+    root = traceless_root_rational(QQ, Constants(QQ(a), QQ.zero, QQ(b)), QQ(ring.d))
+    assert root is not None, "an algebra over ℚ that ℚ(√d) splits contains a square root of d"
+    _, x, y, z = (ring(u) for u in root)
+    return -ring.gen, x, y, z
 
 
 def _functions(ring: FunctionField, c: Constants) -> ZeroNorm:

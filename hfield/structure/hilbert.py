@@ -129,7 +129,7 @@ def from_ramification_q(primes: Iterable[Any], infinite: bool) -> tuple[int, int
                 return a, b
     # a is a non-residue at each odd prime, and modulo 8 unramified or not at 2 as wanted
     conditions = [(5 if 2 in ps else 1, 8)]
-    conditions += [(_non_residue(p), p) for p in ps if p != 2]
+    conditions += [(non_residue(p), p) for p in ps if p != 2]
     start, step = crt(conditions)
     q = start if sign > 0 else step - start
     while not is_prime(q) or q in ps:
@@ -137,6 +137,6 @@ def from_ramification_q(primes: Iterable[Any], infinite: bool) -> tuple[int, int
     return sign * q, b
 
 
-def _non_residue(p: int) -> int:
+def non_residue(p: int) -> int:
     """Return the least quadratic non-residue modulo an odd prime."""
     return next(r for r in range(2, p) if flint.fmpz(r).jacobi(p) == -1)

@@ -14,10 +14,9 @@ from hfield.structure.embed import traceless_root_by_slot
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.function_roots import traceless_root_functions
 from hfield.structure.inseparable import as_norm
-from hfield.structure.integers import fraction
-from hfield.structure.qforms import isotropic_vector
 from hfield.structure.quadratic import integral, is_local_square
 from hfield.structure.ramification import pair, ramification
+from hfield.structure.rational_embedding import traceless_root_rational
 from hfield.structure.splitting import split
 from hfield.structure.zero import zero_norm
 
@@ -157,12 +156,8 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | 
     a, b = form.constants
     o = ring.zero
     if ring.name == "QQ":
-        solution = isotropic_vector([fraction(x) for x in (a, b, o - a * b, o - s)])
-        if solution is None:
-            return None
-        x, y, z, r = (ring(u) for u in solution)
-        scale = ring.inverse(r)
-        return form.back((o, x * scale, y * scale, z * scale))
+        root = traceless_root_rational(ring, Constants(a, o, b), s)
+        return None if root is None else form.back(root)
     if ring.name == "RR":
         return None if ring.sign(s) > 0 else form.back((o, ring.sqrt(ring.divide(s, a)), o, o))
     if ring.sqrt(s) is not None:

@@ -6,11 +6,11 @@ from typing import Any
 import pytest
 
 from hfield.certificates import check as checking
-from hfield.certificates.check import check
+from hfield.certificates.check import Pin, check
 from hfield.certificates.clauses import expand, without_factors
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.existence import MAX_CASES
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, finding, together
+from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding, together
 from hfield.certificates.language import parse, substitute, walk
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import add, constant, multiply, variable
@@ -84,7 +84,7 @@ def test_json_values_of_the_wrong_kind() -> None:
         (kind_of, ("kind",)),
     ):
         with pytest.raises(Rejected):
-            call(*args)  # type: ignore[operator]
+            call(*args)
     assert an_integer(5, "it", 5) == 5
     assert shown("a\0b" * 100, 10) == "a?ba?ba?b…"
     assert shown([1]) == "[1]"
@@ -132,6 +132,8 @@ def test_texts_that_are_no_statements(text: str) -> None:
 
 
 def test_trees() -> None:
+    with pytest.raises(Rejected, match="characters"):
+        parse("q" * 20_001)
     assert parse("exists p, q: -p[0]**(-2) == 1.5") == (
         "exists",
         ("p", "q"),
@@ -347,7 +349,12 @@ def test_contradictions_and_cases() -> None:
         assert check({**data, "field": field, "algebra": f"(-1,-1|{field})"})
     rejects({**data, "field": "ZZ/6", "algebra": "(-1,-1|ZZ/6)"}, "not covered")
     branches = [[ends("0", "1", "0", "T1")], [ends("0", "0", "1", "T2")]]
-    step = {"step": "cases", "factors": ["s", "y"], "powers": [1, 1], "branches": branches}
+    step: dict[str, Any] = {
+        "step": "cases",
+        "factors": ["s", "y"],
+        "powers": [1, 1],
+        "branches": branches,
+    }
     step |= {"cofactors": ["1", "0", "0"], "denominator": 1}
     cased = opposite(["s*y"], ["s", "y"], [step])
     assert check({**data, "evidence": implication([cased])})
@@ -648,7 +655,7 @@ def test_roots_by_theorems(text: str, field: str, evidence: Any, good: bool) -> 
 def test_findings() -> None:
     wide, narrow = finding(RINGS, "identity"), finding(FIELD, "exhaustion").citing("a", "b", "a")
     both = together([wide, narrow, narrow])
-    assert (both.scope, both.methods, both.cites) == (FIELD, {"identity", "exhaustion"}, ("a", "b"))
+    assert both == Finding(FIELD, frozenset({"identity", "exhaustion"}), ("a", "b"))
     assert wide.within(FIELDS).scope == FIELDS
     assert narrow.within(RINGS).scope == FIELD
     assert together([]).scope == RINGS
@@ -711,6 +718,12 @@ def test_a_norm_that_is_0_only_at_0() -> None:
     ):
         bad = {**items[0], "steps": [{**items[0]["steps"][0], **change}, items[0]["steps"][1]]}
         rejects({**data, "evidence": implication([bad, *items[1:]], [NORM])}, ".")
+    # a constant that the statement does not speak of
+    real = {**data, "field": "RR", "algebra": "(-1,-1|RR)"}
+    assert check(real)
+    for algebra in ("(-sqrt(2),-1|RR)", "(-1,-sqrt(2)|RR)"):
+        foreign = implication(other, [{**NORM, "algebra": algebra}])
+        rejects({**real, "evidence": foreign}, "there is no function")
     for field in (None, "ZZ", "CC", "GF(3)", "QQ(I)"):
         rejects({**data, "field": field, "algebra": f"(-1,-1|{field or 'F'})"}, ".")
 
@@ -802,6 +815,15 @@ def test_too_many_choices_and_clauses() -> None:
     many = " or ".join(f"(s == {n} and y == {n})" for n in range(10))
     item = opposite(["s*y"], [f"s - {n}" for n in range(10)], [ends(*("0",) * 11)])
     rejects(certified(f"s*y == 0 => {many}", None, "implication", implication([item])), ".")
+    elsewhere = direct(["s"], "s", ["1"], characteristic=3)
+    rejects(
+        certified("s == 0 => s == 0 or 1 == 0", "GF(5)", "implication", implication([elsewhere])),
+        "another characteristic",
+    )
+    unknown = opposite(["s"], ["s"], [{**ends("T1", "1"), "step": "trust"}])
+    rejects(
+        certified("s == 0 => s == y", None, "implication", implication([unknown])), "no known kind"
+    )
     composite = direct(["s"], "s", ["1"], characteristic=6)
     rejects(
         certified("s == 0 => s == 0 or 1 == 0", "QQ", "implication", implication([composite])),
@@ -812,11 +834,68 @@ def test_too_many_choices_and_clauses() -> None:
     assert check(certified(text, None, "implication", implication([single])))
     wider = text.replace(" or t == 0", " or q == k or t == 0")
     rejects(certified(wider, None, "implication", implication([single])), "too many branches")
-    conjunction = " and ".join(f"s*{n} != {n}*y + 1" for n in range(1, 1_030))
-    rejects(certified(conjunction, None, "identity", IDENTITY), "high|clauses")
-    halves = [
-        "(" + " and ".join(f"s != {n}" for n in range(at, at + 150)) + ")"
-        for at in range(0, 1_200, 150)
-    ]
-    rejects(certified(" and ".join(halves), None, "identity", IDENTITY), "clauses")
-    assert str(check(certified("q == q", "QQ", "identity", IDENTITY))).startswith("proved over QQ")
+    parts = [" and ".join(f"s != {n + 150 * m}" for n in range(150)) for m in range(8)]
+    groups = " and ".join(f"({part})" for part in parts)
+    rejects(certified(groups, None, "identity", IDENTITY), "too many clauses")
+
+
+def test_how_far_a_verdict_reaches() -> None:
+    data = certified("q == q", "QQ", "identity", IDENTITY)
+    assert str(check(data)).startswith("proved over QQ\n")
+    inside = certified("over{GF(2); p*q == q*p}", None, "identity", IDENTITY)
+    assert check(inside).where == "as it stands"
+    witness = {"kind": "witness", "field": "GF(3)", "values": {"s": ["2"]}}
+    false = certified("s == 1", None, "counterexample", witness)
+    assert check({**false, "verdict": "refuted"}).where == "as a statement on all fields"
+
+
+# --- multilinear maps, pins -------------------------------------------------------------------------
+
+
+def test_multilinear_maps() -> None:
+    tuples = [[x, [int(x == u) for u in "eijk"]] for x in "eijk"]
+    evidence = {"kind": "multilinear", "unknowns": ["q"], "tuples": tuples}
+    data = certified("vector(q) + scalar(q)*e - 0 == -(-q)", None, "multilinear", evidence)
+    assert check(data).scope == RINGS
+    for statement in (
+        "q == q => q == q",
+        "q != q",
+        "s*q == q*s",
+        "q == q + 1",
+        "norm(q) == norm(q)",
+        "q*q == q*q",
+        "0*q/1 == q",
+        "e == e",
+    ):
+        rejects({**data, "statement": statement}, ".")
+    for bad in (
+        {**evidence, "unknowns": ["p"]},
+        {**evidence, "tuples": tuples[:3]},
+        {**evidence, "tuples": [*tuples[:3], tuples[0]]},
+        {**evidence, "tuples": [*tuples[:3], ["m", [0, 0, 0, 1]]]},
+        {**evidence, "tuples": [*tuples[:3], ["k", [0, 0, 0, 1, 0]]]},
+        {**evidence, "tuples": [*tuples[:3], ["k", [0, 0, 1, 1]]]},
+        {**evidence, "tuples": [*tuples[:3], "k"]},
+    ):
+        rejects({**data, "evidence": bad}, ".")
+    rejects({**data, "algebra": "(a,b|F)"}, ".")
+    wide = "*".join(["(p + q)"] * 7)
+    rejects(
+        {**data, "statement": f"{wide} == q", "evidence": {**evidence, "unknowns": ["p", "q"]}}, "."
+    )
+    commutator = {**evidence, "tuples": [[x, [0, 0, 0, 0]] for x in "eijk"]}
+    assert check(
+        {**data, "statement": "comm(q, e) == conj(q)*0 + trace(q)*0", "evidence": commutator}
+    )
+
+
+def test_pins_of_any_field() -> None:
+    data = certified("q == q", "QQ", "identity", IDENTITY)
+    assert check(data, Pin(("p == p", "q == q"), any_field=True))
+    assert Pin(("q == q",)).readable()
+    with pytest.raises(Rejected):
+        Pin(("q == ",)).readable()
+    with pytest.raises(Rejected, match="about QQ, not about all fields"):
+        check(data, Pin(("q == q",)))
+    with pytest.raises(Rejected, match="another statement"):
+        check(data, Pin(("p == p",), any_field=True))

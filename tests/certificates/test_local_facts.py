@@ -2,14 +2,16 @@
 
 import random
 from collections.abc import Iterator
+from fractions import Fraction
 from itertools import product
 from typing import Any
 
 import pytest
 
 from hfield import prove
+from hfield.certificates.facts import has_no_rational_root, is_square, level_above
 from hfield.certificates.local.quotients import Quotient, has_no_root
-from hfield.certificates.local.residues import jacobi
+from hfield.certificates.local.residues import jacobi, read_place
 from hfield.certificates.places import is_certified
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_field
@@ -234,6 +236,113 @@ def test_a_changed_reason_is_none(changes: dict[str, Any]) -> None:
     assert not is_certified("(-1,-1|QQ)", "QQ", {**H_IN_QQ, **changes})
 
 
+@pytest.mark.parametrize(
+    ("field", "good", "bad"),
+    [
+        ("QQ", "2 3 4611686018427387905", "4 6 1 0 -3 t inf (7,sqrt(2)-3) 3.0 ³"),
+        (
+            "QQ(sqrt(2))",
+            "2 3 15 (7,sqrt(2)-3) (119,sqrt(2)-45)",
+            "(7,sqrt(2)-1) (7,sqrt(3)-3) (2,sqrt(2)-1)",
+        ),
+        (
+            "QQ(sqrt(2))",
+            "(7,sqrt(2)-4)",
+            "(7,sqrt(2)-10) (14,sqrt(2)-4) (3,sqrt(2)-1) (7,I-3) 4 6 14 inf+",
+        ),
+        (
+            "QQ(sqrt(6))",
+            "2 3 35 (5,sqrt(6)-1)",
+            "9 15 21 33 6 12 (3,sqrt(6)-0) (15,sqrt(6)-6) (15,sqrt(6)-9)",
+        ),
+        (
+            "QQ(sqrt(17))",
+            "17 (2,sqrt(17)-1) (2,sqrt(17)-3)",
+            "2 51 (2,sqrt(17)-2) (2,sqrt(17)-5) (2,sqrt(17)-0)",
+        ),
+        ("QQ(sqrt(5))", "2 5 3", "(2,sqrt(5)-1) (2,sqrt(5)-3) 10 25"),
+        ("QQ(I)", "2 3 (5,I-2)", "(5,sqrt(-1)-2) (5,I-1) (2,I-1) 1"),
+        ("GF(2)(t)", "t inf t^2+t+1 t^4+t+1", "t^2 t^2+1 t^4+t^2+1 1 0 1/t (t^2+1)/t 2 inf+"),
+        ("GF(9)(t)", "t t-x inf t^2-x", "t^2+1 t^2-x^2 x t*x^0*t"),
+        ("QQ(x)", "", "x inf x^2+1 2"),
+        ("RR", "", "2 inf"),
+        ("CC", "", "2 3"),
+        ("GF(5)", "", "2 5"),
+    ],
+)
+def test_what_is_a_place(field: str, good: str, bad: str) -> None:
+    for text in good.split():
+        assert read_place(read_field(field), text)
+    for text in bad.split():
+        with pytest.raises(Rejected):
+            read_place(read_field(field), text)
+
+
+def test_what_is_integral_at_a_composite_modulus() -> None:
+    for field, text in (("QQ", "119"), ("QQ(sqrt(2))", "(119,sqrt(2)-45)"), ("QQ(sqrt(2))", "15")):
+        ring_of, n = read_field(field), 15 if text == "15" else 119
+        v = read_place(ring_of, text)
+        for p in (3, 5, 7, 17):
+            integral = v.residue(ring_of.fraction(Fraction(1, p))) is not None
+            assert integral == (n % p != 0)
+        assert v.residue(ring_of.fraction(Fraction(n, n * n))) is None
+    v = read_place(read_field("QQ(sqrt(2))"), "(7,sqrt(2)-3)")
+    x = read_field("QQ(sqrt(2))").read(
+        "(3+sqrt(2))/7"
+    )  # of norm 1/7: integral at the other ideal only
+    y = read_field("QQ(sqrt(2))").read("(3-sqrt(2))/7")
+    assert (v.residue(x), v.residue(y)) == (None, pow(6, -1, 7))
+
+
+def test_levels() -> None:
+    """−1 is shown to be no sum of n squares exactly below the level that the rings know."""
+    names = [
+        "QQ",
+        "GF(3)",
+        "GF(5)",
+        "GF(7)",
+        "GF(9)",
+        "GF(27)",
+        "GF(4)",
+        "RR",
+        "CC",
+        "QQ(x)",
+        "GF(7)(t)",
+    ]
+    roots = [
+        d for d in range(-40, 12) if d not in (0, 1, -1) and all(d % (p * p) for p in (2, 3, 5))
+    ]
+    for name in (*names, "GF(5)(t)", "GF(2)(t)", "QQ(I)", *(f"QQ(sqrt({d}))" for d in roots)):
+        level = ring(name).level.value
+        assert level is not None
+        for n in (1, 2, 3, 4, 5):
+            assert level_above(read_field(name), n) == (n < level), (name, n)
+
+
+@pytest.mark.parametrize(
+    "name", ["QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-7))", "GF(9)", "QQ(x)", "GF(5)(t)"]
+)
+def test_squares(name: str) -> None:
+    F, G, rng = ring(name), read_field(name), random.Random(name)
+    for _ in range(40):
+        x = F.random(rng)
+        for y in (x, x * x, x * x * F(2), F.zero - x * x, x * x + F.one):
+            assert is_square(G, G.read(F.text(y))) == (F.sqrt(y) is not None), F.text(y)
+
+
+def test_polynomials_without_rational_roots() -> None:
+    rng, told = random.Random(5), {True: 0, False: 0}
+    for _ in range(300):
+        c = [rng.randint(-12, 12) for _ in range(rng.randint(2, 5))]
+        if not c[-1]:
+            continue
+        candidates = (Fraction(u, v) for u in range(-12, 13) for v in range(1, 13))
+        rootless = not any(sum(a * x**n for n, a in enumerate(c)) == 0 for x in candidates)
+        assert has_no_rational_root(c) == rootless, c
+        told[rootless] += 1
+    assert min(told.values()) > 50
+
+
 def test_a_modulus_need_not_be_prime() -> None:
     """(−1, n) has the Jacobi symbol −1 at n = 3·5·7·11·23 (23 times): N(j) = −n, and u² = −1."""
     n = 3 * 5 * 7 * 11 * 23
@@ -315,3 +424,17 @@ def test_an_unshown_norm_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
     answer = prove("norm(q) == 0 => q == 0", algebra="(3,-5|QQ(I))")
     assert answer.verdict == "undecided"
     assert "not by a reason that a certificate can carry" in "; ".join(answer.decision.tried)
+
+
+@pytest.mark.parametrize(
+    ("field", "p", "d"), [("QQ(I)", 3, -1), ("QQ(sqrt(2))", 5, 2), ("QQ(I)", 7, -1)]
+)
+def test_polynomials_at_a_prime_that_stays_prime(field: str, p: int, d: int) -> None:
+    """The symbol of the norm of the discriminant tells what the field of p² elements does."""
+    base = read_field(f"GF({p})")
+    k = Quotient(base, [-d % p, 0, 1])
+    v = read_place(read_field(field), str(p))
+    for trace, norm in product(product(range(p), repeat=2), repeat=2):
+        assert v.is_irreducible(trace, norm) == has_no_root(
+            k, k.reduce(list(trace)), k.reduce(list(norm))
+        )
