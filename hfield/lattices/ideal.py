@@ -11,7 +11,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
-from hfield.lattices import hermite
+from hfield.lattices import compatible, hermite
 from hfield.lattices.answers import Answer
 from hfield.lattices.lattice import Lattice, element_row
 from hfield.lattices.order import Order
@@ -101,14 +101,10 @@ class Ideal(Lattice):
         if self.side in (side, "two-sided"):
             return self.order
         # I·conj(I) is the norm times the left order
-        bar = self._bar
+        bar = self.conjugate()
         square = bar._product(self) if side == "right" else self._product(bar)
         found = square._scaled(1 / self._norm)
         return Order(found.algebra, found._den, found._matrix)
-
-    @property
-    def _bar(self) -> Lattice:
-        return Lattice.conjugate(self)
 
     def is_invertible(self) -> bool:
         """Tell whether the ideal is locally principal."""
@@ -120,6 +116,10 @@ class Ideal(Lattice):
 
     def is_integral(self) -> bool:
         """Tell whether the ideal lies in its order."""
+        return self._integral
+
+    @cached_property
+    def _integral(self) -> bool:
         return self <= self.order
 
     def is_two_sided(self) -> bool:
@@ -127,6 +127,15 @@ class Ideal(Lattice):
         return self.side == "two-sided" or self.left_order() == self.right_order()
 
     # --- arithmetic ------------------------------------------------------------------------------
+
+    def _product(self, other: Lattice) -> Lattice:
+        if isinstance(other, Ideal) and (self.side, other.side) == ("right", "left"):
+            order = self.order
+            if order is other.order or order == other.order:
+                found = compatible.product(self, other)
+                if found is not None:
+                    return Lattice(self.algebra, *found)
+        return super()._product(other)
 
     def conjugate(self) -> Ideal:
         """Return the ideal of the conjugates, on the other side."""

@@ -150,7 +150,7 @@ class Order(Lattice):
     @cached_property
     def _integral_gram(self) -> list[list[int]]:
         """The matrix of ``tr(x·conj(y))`` on the basis; the norm of an order is 1."""
-        return [list(row) for row in hermite.tuples(self._content[1])]
+        return [list(row) for row in hermite.tuples(self._even)]
 
     @cached_property
     def _traces(self) -> tuple[int, ...]:

@@ -7,6 +7,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import LatticeError, TooLargeError
+from hfield.lattices import compatible
 from hfield.lattices.lattice import Lattice
 from tests.lattices.random_lattices import algebra, element
 
@@ -124,6 +125,34 @@ def test_inverses_products_and_conjugates() -> None:
         assert (scaled, m) == (I, 6)
         with pytest.raises(LatticeError, match="integral"):
             I.inverse().primitive_part()
+
+
+def test_products_by_linear_algebra_and_by_sixteen_rows() -> None:
+    """Of a right and a left ideal of one order, of prime, composite and other norms, integral or not."""
+    rng = Random(8)
+    quick = 0
+    for _ in range(60):
+        A = algebra(rng)
+        O = eichler(A, rng)
+        D = O.discriminant()
+        n, m = rng.sample(
+            [n for n in (7**2, 101, 5 * 11, 2**4 * 3, 2, 9, 10007) if math.gcd(n, D) == 1], 2
+        )
+        I = O.random_ideal(n, "right", seed=rng.randrange(10**9))
+        J = O.random_ideal(m, "left", seed=rng.randrange(10**9))
+        x = element(A, rng)
+        for first, second in (
+            (I, J),
+            (x * I, J),
+            (I, J * x),
+            (I, 6 * J),
+            (J.conjugate(), J),
+            (I, J * J.conjugate()),
+        ):
+            assert first * second == A.lattice([p * q for p in first.basis for q in second.basis])
+            if second.side == "left" and first.side == "right" and second.is_integral():
+                quick += compatible.product(first, second) is not None
+    assert quick > 100
 
 
 def test_an_ideal_that_is_not_invertible() -> None:
