@@ -12,7 +12,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import compatible, hermite
-from hfield.lattices.answers import Answer
+from hfield.lattices.answers import Answer, rows_json
 from hfield.lattices.lattice import Lattice, element_row
 from hfield.lattices.order import Order
 from hfield.lattices.order import prime as checked_prime
@@ -73,6 +73,14 @@ class Ideal(Lattice):
     def of(cls, lattice: Lattice, side: str, order: Order | None = None) -> Ideal:
         """Return a lattice as an ideal of its left or right order, which may be known."""
         return cls(lattice.algebra, lattice._den, lattice._matrix, side, order)
+
+    @classmethod
+    def like(cls, lattice: Lattice, order: Order, side: str) -> Ideal:
+        """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
+        products = lattice._product(order) if side == "right" else order._product(lattice)
+        if products != lattice:
+            raise LatticeError(f"{shorten(lattice)} is no {side} ideal of {shorten(order)}")
+        return cls.of(lattice, side, order)
 
     # --- its orders ------------------------------------------------------------------------------
 
@@ -204,6 +212,8 @@ class Ideal(Lattice):
 
     def _joint(self, other: Any) -> Ideal:
         """Return ``other`` if it is an ideal on the same side of the same order."""
+        if isinstance(other, Lattice) and not isinstance(other, Ideal):
+            other = Ideal.like(self._same(other, "compare"), self.order, self.side)
         if not isinstance(other, Ideal):
             raise LatticeError(f"{shorten(repr(other))} is not an ideal")
         self._same(other, "compare")
@@ -216,6 +226,18 @@ class Ideal(Lattice):
                 "these are ideals of different orders: two ideals are compared over one order"
             )
         return other
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """What a program needs to check the ideal: its rows, those of its order, and its norm."""
+        return {
+            "kind": "ideal",
+            "algebra": str(self.algebra),
+            "side": self.side,
+            **rows_json(self),
+            "order": rows_json(self.order),
+            "norm": str(self._norm),
+        }
 
     # --- classes ---------------------------------------------------------------------------------
 

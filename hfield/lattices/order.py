@@ -15,6 +15,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import enumeration, hermite
+from hfield.lattices.answers import rows_json
 from hfield.lattices.lattice import Lattice, checked_side, element_row
 from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import Regular, regular
@@ -178,6 +179,17 @@ class Order(Lattice):
         rows = self.hnf[1]
         v = list(x)
         return [sum(v[m] * rows[m][n] for m in range(4)) for n in range(4)]
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """What a program needs to check the order: its rows, closed under products, and its discriminant."""
+        return {
+            "kind": "order",
+            "algebra": str(self.algebra),
+            **rows_json(self),
+            "discriminant": self._discriminant,
+            "discriminant_of_algebra": self._regular.discriminant,
+        }
 
     # --- larger and smaller orders ---------------------------------------------------------------
 

@@ -217,6 +217,13 @@ def test_ideals_of_different_orders_are_not_compared() -> None:
         I.equivalence(I.conjugate())
     with pytest.raises(LatticeError, match="not an ideal"):
         I.equivalence(3)
+    x = A(1, 2, 0, 1)
+    found = I.equivalence(A.lattice([q * x for q in I.basis]))  # a bare lattice that is one
+    assert I * found.element == I * x
+    with pytest.raises(LatticeError, match="no left ideal"):
+        I.equivalence(x * I.right_order() * 3)
+    assert I.evidence["norm"] == "3"
+    assert O.evidence["discriminant"] == 11
 
 
 @pytest.mark.parametrize("definite", [True, False])
