@@ -18,7 +18,7 @@ FLOORS = [
     {"hfield.maps", "hfield.lattices"},
     {"hfield.invariants"},
     {"hfield.algebra"},
-    {"hfield.description"},
+    {"hfield.description", "hfield.census"},
     {"hfield.proving"},
     {"hfield.ledger"},
     {"hfield.coq"},

@@ -37,10 +37,10 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute what is missing, and write it."""
+    from hfield import census
     from hfield.executors import open_executor
-    from hfield.lattices import survey
 
-    pairs = survey.definite_pairs(
+    pairs = census.definite_pairs(
         numbers(args.discriminants, "D"), numbers(args.levels, "--levels")
     )
     (most,) = numbers(args.most, "--most")[:1]
@@ -51,19 +51,19 @@ def run(args: Namespace) -> int:
         )
     if args.output is None:
         with open_output(None) as out, open_executor(args.jobs, args.dask) as executor:
-            for found in survey.run(executor, pairs, most, set()):
+            for found in census.run(executor, pairs, most, set()):
                 out.write("\n".join(json.dumps(row) for row in found))
         return 0
     path = Path(args.output)
     parquet = path.suffix == ".parquet"
     if parquet:
         _pyarrow()
-    journal = survey.Journal(path.with_name(path.name + ".jsonl") if parquet else path)
+    journal = census.Journal(path.with_name(path.name + ".jsonl") if parquet else path)
     try:
         done = _done(journal)
         with open_executor(args.jobs, args.dask) as executor, Progress("pairs") as progress:
             number = len(done & set(pairs))
-            for found in survey.run(executor, pairs, most, done):
+            for found in census.run(executor, pairs, most, done):
                 journal.append(found)
                 number += len(found)
                 progress(number, len(pairs), f"D = {found[-1]['discriminant']}")

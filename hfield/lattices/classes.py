@@ -147,6 +147,8 @@ class ClassSet:
 
     def index(self, ideal: Any) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
+            ideal = Ideal.like(ideal, self.order, "right")
         if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self.order:
             raise LatticeError(
                 f"{shorten(repr(ideal))} is not a right ideal of {shorten(self.order)}"

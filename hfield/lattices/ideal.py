@@ -11,8 +11,8 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
-from hfield.lattices import hermite
-from hfield.lattices.answers import Answer
+from hfield.lattices import compatible, hermite
+from hfield.lattices.answers import Answer, rows_json
 from hfield.lattices.lattice import Lattice, element_row
 from hfield.lattices.order import Order
 from hfield.lattices.order import prime as checked_prime
@@ -74,6 +74,14 @@ class Ideal(Lattice):
         """Return a lattice as an ideal of its left or right order, which may be known."""
         return cls(lattice.algebra, lattice._den, lattice._matrix, side, order)
 
+    @classmethod
+    def like(cls, lattice: Lattice, order: Order, side: str) -> Ideal:
+        """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
+        products = lattice._product(order) if side == "right" else order._product(lattice)
+        if products != lattice:
+            raise LatticeError(f"{shorten(lattice)} is no {side} ideal of {shorten(order)}")
+        return cls.of(lattice, side, order)
+
     # --- its orders ------------------------------------------------------------------------------
 
     @property
@@ -101,14 +109,10 @@ class Ideal(Lattice):
         if self.side in (side, "two-sided"):
             return self.order
         # I·conj(I) is the norm times the left order
-        bar = self._bar
+        bar = self.conjugate()
         square = bar._product(self) if side == "right" else self._product(bar)
         found = square._scaled(1 / self._norm)
         return Order(found.algebra, found._den, found._matrix)
-
-    @property
-    def _bar(self) -> Lattice:
-        return Lattice.conjugate(self)
 
     def is_invertible(self) -> bool:
         """Tell whether the ideal is locally principal."""
@@ -120,6 +124,10 @@ class Ideal(Lattice):
 
     def is_integral(self) -> bool:
         """Tell whether the ideal lies in its order."""
+        return self._integral
+
+    @cached_property
+    def _integral(self) -> bool:
         return self <= self.order
 
     def is_two_sided(self) -> bool:
@@ -127,6 +135,15 @@ class Ideal(Lattice):
         return self.side == "two-sided" or self.left_order() == self.right_order()
 
     # --- arithmetic ------------------------------------------------------------------------------
+
+    def _product(self, other: Lattice) -> Lattice:
+        if isinstance(other, Ideal) and (self.side, other.side) == ("right", "left"):
+            order = self.order
+            if order is other.order or order == other.order:
+                found = compatible.product(self, other)
+                if found is not None:
+                    return Lattice(self.algebra, *found)
+        return super()._product(other)
 
     def conjugate(self) -> Ideal:
         """Return the ideal of the conjugates, on the other side."""
@@ -195,6 +212,8 @@ class Ideal(Lattice):
 
     def _joint(self, other: Any) -> Ideal:
         """Return ``other`` if it is an ideal on the same side of the same order."""
+        if isinstance(other, Lattice) and not isinstance(other, Ideal):
+            other = Ideal.like(self._same(other, "compare"), self.order, self.side)
         if not isinstance(other, Ideal):
             raise LatticeError(f"{shorten(repr(other))} is not an ideal")
         self._same(other, "compare")
@@ -207,6 +226,18 @@ class Ideal(Lattice):
                 "these are ideals of different orders: two ideals are compared over one order"
             )
         return other
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """What a program needs to check the ideal: its rows, those of its order, and its norm."""
+        return {
+            "kind": "ideal",
+            "algebra": str(self.algebra),
+            "side": self.side,
+            **rows_json(self),
+            "order": rows_json(self.order),
+            "norm": str(self._norm),
+        }
 
     # --- classes ---------------------------------------------------------------------------------
 

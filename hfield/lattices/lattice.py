@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpz_mat
+from flint import fmpq, fmpz_mat
 
 from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, TooLargeError, shorten
 from hfield.lattices import enumeration, hermite
@@ -220,17 +220,22 @@ class Lattice:
 
     def dual(self) -> Lattice:
         """Return ``{x : tr(x·L) ⊆ ℤ}``, the codifferent of an order (Voight, definition 15.6.2)."""
+        return self._make(*self._dual)
+
+    @property
+    def _dual(self) -> tuple[int, Any]:
+        """A basis of the dual, as rows over a denominator that are in no normal form."""
         r = self._regular
         m, d = hermite.inverse(r.form * self._matrix.transpose())
-        scale = self._den * r.scale
-        return self._make(d * r.conjugate_scale, m * r.conjugation * scale)
+        return d * r.conjugate_scale, m * r.conjugation * (self._den * r.scale)
 
     def colon(self, other: Any, side: str = "left") -> Lattice:
         """Return ``{x : x·M ⊆ L}`` for M = other, or ``{x : M·x ⊆ L}`` for ``side="right"``."""
         factor = self._same(other, "divide")
-        if checked_side(side) == "left":
-            return factor._product(self.dual()).dual()
-        return self.dual()._product(factor).dual()
+        r, (den, dual) = self._regular, self._dual
+        pair = (factor._matrix, dual) if checked_side(side) == "left" else (dual, factor._matrix)
+        # x·M ⊆ L exactly when tr(x·M·L′) ⊆ ℤ for the dual L′
+        return self._make(den * factor._den * r.scale, r.products(*pair)).dual()
 
     def index(self, other: Any) -> int | Fraction:
         """Return the index of the other lattice in this one: an int where it is contained.
@@ -270,7 +275,9 @@ class Lattice:
 
         Everywhere locally some element has the norm of the ideal, and generates a part of this index.
         """
-        return self._volume_ratio(other) == other._norm**2
+        content, r = int(other._content[0]), self._regular
+        volume = hermite.determinant(other._matrix) * self._den**4 * r.scale**2
+        return volume == content * content * hermite.determinant(self._matrix)
 
     def inverse(self) -> Lattice:
         """Return ``{x : L·x·L ⊆ L}``, the inverse. Raises :class:`LatticeError` where L has none."""
@@ -286,32 +293,33 @@ class Lattice:
 
     def norm(self) -> Any:
         """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
-        return self.algebra.ring(self._norm)
-
-    @property
-    def _norm(self) -> Fraction:
-        return self._content[0]
+        return fmpq(self._content[0], self._regular.scale * self._den * self._den)
 
     @cached_property
-    def _content(self) -> tuple[Fraction, Any]:
-        """The norm, and the matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
-        r = self._regular
-        entries = r.gram(self._matrix).entries()
-        a, b, c, d, _, e, f, g, _, _, h, i, _, _, _, j = entries
-        content = b
-        for x in (c, d, f, g, i, a // 2, e // 2, h // 2, j // 2):
+    def _norm(self) -> Fraction:
+        return Fraction(int(self._content[0]), self._regular.scale * self._den * self._den)
+
+    @cached_property
+    def _content(self) -> tuple[Any, list[Any]]:
+        """The gcd of all values of the norm, and the entries of its Gram matrix, both scaled."""
+        entries = (self._regular.gram(self._matrix)).entries()
+        a, content, b, c, _, d, e, f, _, _, g, h, _, _, _, i = entries
+        for x in (a // 2, b, c, d // 2, e, f, g // 2, h, i // 2):
             content = content.gcd(x)
             if content == 1:
                 break
-        if content != 1:
-            entries = [x // content for x in entries]
-        norm = Fraction(int(content), r.scale * self._den * self._den)
-        return norm, fmpz_mat(4, 4, entries)
+        return content, entries
+
+    @cached_property
+    def _even(self) -> Any:
+        """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
+        content, entries = self._content
+        return fmpz_mat(4, 4, [x // content for x in entries] if content != 1 else entries)
 
     def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
-        F, (norm, gram) = self.algebra.ring, self._content
-        return tuple(tuple(F(x * norm) for x in row) for row in hermite.tuples(gram))
+        F, norm = self.algebra.ring, self._norm
+        return tuple(tuple(F(x * norm) for x in row) for row in hermite.tuples(self._even))
 
     def _definite(self, what: str) -> None:
         if not self._regular.definite:
@@ -326,7 +334,7 @@ class Lattice:
 
         In an indefinite algebra the basis is reduced for a positive definite form that majorises the norm.
         """
-        r, (_, gram) = self._regular, self._content
+        r, gram = self._regular, self._even
         if r.definite:
             reduced, steps = gram.lll(transform=True, rep="gram")
         else:

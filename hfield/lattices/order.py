@@ -16,6 +16,7 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, shorten
 from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
+from hfield.lattices.answers import rows_json
 from hfield.lattices.lattice import Lattice, checked_side, element_row
 from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import Regular, regular
@@ -150,7 +151,7 @@ class Order(Lattice):
     @cached_property
     def _integral_gram(self) -> list[list[int]]:
         """The matrix of ``tr(x·conj(y))`` on the basis; the norm of an order is 1."""
-        return [list(row) for row in hermite.tuples(self._content[1])]
+        return [list(row) for row in hermite.tuples(self._even)]
 
     @cached_property
     def _traces(self) -> tuple[int, ...]:
@@ -178,6 +179,17 @@ class Order(Lattice):
         rows = self.hnf[1]
         v = list(x)
         return [sum(v[m] * rows[m][n] for m in range(4)) for n in range(4)]
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """What a program needs to check the order: its rows, closed under products, and its discriminant."""
+        return {
+            "kind": "order",
+            "algebra": str(self.algebra),
+            **rows_json(self),
+            "discriminant": self._discriminant,
+            "discriminant_of_algebra": self._regular.discriminant,
+        }
 
     # --- larger and smaller orders ---------------------------------------------------------------
 

@@ -5,11 +5,10 @@ from fractions import Fraction
 
 import pytest
 
-from hfield import QuaternionAlgebra
+from hfield import QuaternionAlgebra, census
 from hfield.cli import main
 from hfield.commands.brandt import polynomial
 from hfield.commands.survey import numbers
-from hfield.lattices import survey
 
 
 def run(capsys, *words):
@@ -103,7 +102,7 @@ def test_a_survey(capsys):
         json.loads(line)
         for line in page(capsys, "survey", "2..31", "--levels", "1..3").splitlines()
     ]
-    pairs = survey.definite_pairs(range(2, 32), range(1, 4))
+    pairs = census.definite_pairs(range(2, 32), range(1, 4))
     assert sorted((r["discriminant"], r["level"]) for r in rows) == sorted(pairs)
     assert (30, 1) in pairs
     assert (6, 1) not in pairs
@@ -143,7 +142,7 @@ def test_a_survey_in_processes(capsys, tmp_path):
     page(capsys, "survey", "2..40", "-o", str(path), "--jobs", "2", "--most", "1")
     rows = [json.loads(line) for line in path.read_text().splitlines()]
     assert all((row["type_number"] is None) == (row["class_number"] > 1) for row in rows)
-    assert len(rows) == len(survey.definite_pairs(range(2, 41), [1]))
+    assert len(rows) == len(census.definite_pairs(range(2, 41), [1]))
 
 
 def test_parquet(capsys, tmp_path):
@@ -152,7 +151,7 @@ def test_parquet(capsys, tmp_path):
     page(capsys, "survey", "2..40", "-o", str(path))
     table = parquet.read_table(path).to_pylist()
     assert [row["discriminant"] for row in table] == [
-        d for d, _ in survey.definite_pairs(range(2, 41), [1])
+        d for d, _ in census.definite_pairs(range(2, 41), [1])
     ]
     assert list(tmp_path.iterdir()) == [path]
 

@@ -7,6 +7,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import LatticeError, TooLargeError
+from hfield.lattices import compatible
 from hfield.lattices.lattice import Lattice
 from tests.lattices.random_lattices import algebra, element
 
@@ -126,6 +127,34 @@ def test_inverses_products_and_conjugates() -> None:
             I.inverse().primitive_part()
 
 
+def test_products_by_linear_algebra_and_by_sixteen_rows() -> None:
+    """Of a right and a left ideal of one order, of prime, composite and other norms, integral or not."""
+    rng = Random(8)
+    quick = 0
+    for _ in range(60):
+        A = algebra(rng)
+        O = eichler(A, rng)
+        D = O.discriminant()
+        n, m = rng.sample(
+            [n for n in (7**2, 101, 5 * 11, 2**4 * 3, 2, 9, 10007) if math.gcd(n, D) == 1], 2
+        )
+        I = O.random_ideal(n, "right", seed=rng.randrange(10**9))
+        J = O.random_ideal(m, "left", seed=rng.randrange(10**9))
+        x = element(A, rng)
+        for first, second in (
+            (I, J),
+            (x * I, J),
+            (I, J * x),
+            (I, 6 * J),
+            (J.conjugate(), J),
+            (I, J * J.conjugate()),
+        ):
+            assert first * second == A.lattice([p * q for p in first.basis for q in second.basis])
+            if second.side == "left" and first.side == "right" and second.is_integral():
+                quick += compatible.product(first, second) is not None
+    assert quick > 100
+
+
 def test_an_ideal_that_is_not_invertible() -> None:
     O = H("QQ").lipschitz_order()
     e, i, j, _ = O.basis
@@ -188,6 +217,13 @@ def test_ideals_of_different_orders_are_not_compared() -> None:
         I.equivalence(I.conjugate())
     with pytest.raises(LatticeError, match="not an ideal"):
         I.equivalence(3)
+    x = A(1, 2, 0, 1)
+    found = I.equivalence(A.lattice([q * x for q in I.basis]))  # a bare lattice that is one
+    assert I * found.element == I * x
+    with pytest.raises(LatticeError, match="no left ideal"):
+        I.equivalence(x * I.right_order() * 3)
+    assert I.evidence["norm"] == "3"
+    assert O.evidence["discriminant"] == 11
 
 
 @pytest.mark.parametrize("definite", [True, False])

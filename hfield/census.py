@@ -15,6 +15,7 @@ from math import gcd
 from pathlib import Path
 from typing import Any
 
+from hfield.algebra import QuaternionAlgebra
 from hfield.executors import unordered
 from hfield.factorisation import factorise
 from hfield.lattices import class_number
@@ -37,8 +38,6 @@ def definite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[
 
 def row(pair: Pair, most: int) -> dict[str, Any]:
     """Return what is known of the classes of (D, N); they are enumerated if they are at most ``most``."""
-    from hfield.algebra import QuaternionAlgebra
-
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)))
     number = class_number.class_number(d, n)
