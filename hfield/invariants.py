@@ -140,7 +140,7 @@ class Invariants(Parent):
     @cached_property
     def _split_or_not(self) -> Splitting | Division:
         from hfield.maps import Division, Splitting
-        from hfield.structure.splitting import Splitting as Found
+        from hfield.structure.isomorphisms.splitting import Splitting as Found
 
         if not self.ring.is_exact:
             raise UndecidedError(

@@ -24,7 +24,7 @@ from hfield.lattices.reduction import kernel
 from hfield.lattices.represent import in_frame
 from hfield.lattices.small import by_norm
 from hfield.quaternion import Quaternion
-from hfield.structure.integers import sqrt_mod
+from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

@@ -18,7 +18,7 @@ from hfield.factorisation import is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.order import Order
 from hfield.quaternion import Quaternion
-from hfield.structure.integers import sqrt_mod
+from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,9 @@ from typing import Any
 
 from hfield.errors import NotationError
 from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, REFUTED, Decision
-from hfield.proving.interpret import PrimeInterpretation, bind
-from hfield.proving.language import BASIS, Sort, read_statement
-from hfield.proving.setting import read_setting
+from hfield.proving.evaluation.interpretation import PrimeInterpretation, bind
+from hfield.proving.statements.language import BASIS, Sort, read_statement
+from hfield.proving.statements.setting import read_setting
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Index, Name, Negate, Node, Number
 

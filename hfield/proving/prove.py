@@ -14,9 +14,9 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
-from hfield.proving.language import Statement
-from hfield.proving.printing import to_latex, to_unicode
-from hfield.proving.setting import Setting
+from hfield.proving.statements.language import Statement
+from hfield.proving.statements.printing import to_latex, to_unicode
+from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
 MAX_STEPS = 12  # shown to people; the decision has them all

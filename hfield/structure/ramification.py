@@ -12,16 +12,17 @@ from hfield.rings.functions import FunctionField, Quotient
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.surds import Surd
-from hfield.structure import functionfield, quadratic
 from hfield.structure.forms import NormalForm, discriminant, normal_form
-from hfield.structure.hilbert import (
+from hfield.structure.function_fields import hilbert_functions
+from hfield.structure.quadratic_fields import hilbert_quadratic
+from hfield.structure.rationals.hilbert_rationals import (
     INFINITE,
     discriminant_q,
     hilbert_symbol_q,
     place_of_q,
     ramified_places_q,
 )
-from hfield.structure.integers import fraction
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -> int:
@@ -46,15 +47,15 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     if isinstance(field, QuadraticField):
         x, y = pair(field, field(a)), pair(field, field(b))
         with known_primes(factors):
-            return quadratic.hilbert_symbol_quadratic(field.d, x, y, place)
+            return hilbert_quadratic.hilbert_symbol_quadratic(field.d, x, y, place)
     return hilbert_symbol_q(a, b, place)
 
 
 def _field_of(a: Any, b: Any, place: Any) -> Ring | None:
     """Return the field that the arguments of a symbol belong to; None for ℚ."""
-    if isinstance(place, quadratic.QuadraticPlace):
+    if isinstance(place, hilbert_quadratic.QuadraticPlace):
         return QuadraticField(place.d)
-    if isinstance(place, functionfield.FunctionPlace):
+    if isinstance(place, hilbert_functions.FunctionPlace):
         return place.field
     for x in (a, b):
         if isinstance(x, Quotient):
@@ -75,13 +76,13 @@ def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
         raise RingError(
             "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
         )
-    v = functionfield.place_of_functions(field, place)
+    v = hilbert_functions.place_of_functions(field, place)
     if field.base.order is None:
         raise UndecidedError(
             f"the completions of {field} are not local fields: the residue alone does not decide there"
         )
     form = normal_form(field, Constants(a, field.one if even else field.zero, b))
-    return functionfield.symbol(field, form, v)
+    return hilbert_functions.symbol(field, form, v)
 
 
 def places(ring: Ring) -> Iterator[Any]:
@@ -90,9 +91,9 @@ def places(ring: Ring) -> Iterator[Any]:
     Raises :class:`UndecidedError` for a ring that has no such list.
     """
     if isinstance(ring, QuadraticField):
-        return quadratic.all_places(ring.d)
+        return hilbert_quadratic.all_places(ring.d)
     if isinstance(ring, FunctionField):
-        return functionfield.all_places(ring)
+        return hilbert_functions.all_places(ring)
     if ring.name == "QQ":
         return _places_of_q()
     raise UndecidedError(f"{ring.name} is not a global field: its places are not listed")
@@ -110,9 +111,9 @@ def _places_of_q() -> Iterator[Any]:
 def place(ring: Ring, text: Any) -> Any:
     """Read a place of a global field, as its text or as it is. Raises :class:`RingError`."""
     if isinstance(ring, QuadraticField):
-        return quadratic.place_of_quadratic(ring.d, text)
+        return hilbert_quadratic.place_of_quadratic(ring.d, text)
     if isinstance(ring, FunctionField):
-        return functionfield.place_of_functions(ring, text)
+        return hilbert_functions.place_of_functions(ring, text)
     if ring.name == "QQ":
         return place_of_q(text)
     raise RingError(f"{ring.name} is not a global field: it has no places here")
@@ -130,10 +131,10 @@ def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
     Over ℚ(x) these are the places with a residue; without any, the algebra is constant.
     """
     if isinstance(ring, FunctionField):
-        return functionfield.ramified_places_functions(ring, form)
+        return hilbert_functions.ramified_places_functions(ring, form)
     if isinstance(ring, QuadraticField):
         a, b = (pair(ring, x) for x in form.constants)
-        return quadratic.ramified_places_quadratic(ring.d, a, b)
+        return hilbert_quadratic.ramified_places_quadratic(ring.d, a, b)
     if ring.name == "QQ":
         return ramified_places_q(form.a, form.b)
     return None

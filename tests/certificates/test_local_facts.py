@@ -18,7 +18,7 @@ from hfield.certificates.scalars.fields import read_field
 from hfield.product import Constants
 from hfield.rings import ring
 from hfield.structure import norm_evidence, place, ramified_places, zero_norm
-from hfield.structure.reasons import evidence_at
+from hfield.structure.norm_forms.anisotropy_evidence import evidence_at
 
 FIELDS = (
     *("QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-2))", "QQ(sqrt(-3))", "QQ(sqrt(3))", "QQ(sqrt(5))"),
@@ -420,7 +420,9 @@ def test_numbers_that_the_checker_does_not_know_have_no_certificate(algebra: str
 
 def test_an_unshown_norm_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """What no certificate can carry is no rule, and the undecided answer says why."""
-    monkeypatch.setattr("hfield.structure.reasons.is_certified", lambda *_: False)
+    monkeypatch.setattr(
+        "hfield.structure.norm_forms.anisotropy_evidence.is_certified", lambda *_: False
+    )
     answer = prove("norm(q) == 0 => q == 0", algebra="(3,-5|QQ(I))")
     assert answer.verdict == "undecided"
     assert "not by a reason that a certificate can carry" in "; ".join(answer.decision.tried)

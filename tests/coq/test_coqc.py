@@ -10,8 +10,8 @@ from hfield.coq.ledger import export_ledger
 from hfield.coq.theorems import EQUATIONS, RINGS, Theorem, proposition
 from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims, find
-from hfield.proving.language import read_statement
-from hfield.proving.setting import read_setting
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
 from tests.coq.test_export_ledger import TOO_LARGE
 
 COQC = shutil.which("coqc")

@@ -4,12 +4,12 @@ import random
 
 import pytest
 
-from hfield.proving.compiled import compile_statement
-from hfield.proving.interpret import PrimeInterpretation, RingInterpretation, bind
-from hfield.proving.language import Sort, read_statement
-from hfield.proving.search import holds, small_scalars
-from hfield.proving.setting import HAMILTON
-from hfield.proving.vanish import constant
+from hfield.proving.counterexamples.candidates import holds, small_scalars
+from hfield.proving.evaluation.compiled import compile_statement
+from hfield.proving.evaluation.interpretation import PrimeInterpretation, RingInterpretation, bind
+from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.statements.language import Sort, read_statement
+from hfield.proving.statements.setting import HAMILTON
 from hfield.rings import ring
 from tests.adversary.statement_generator import plain_statements
 

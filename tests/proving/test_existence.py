@@ -4,11 +4,11 @@ import random
 
 import pytest
 
-from hfield.proving.cases import by_linear_algebra
 from hfield.proving.decide import decide
-from hfield.proving.language import read_statement
-from hfield.proving.linear import linear_cases
-from hfield.proving.setting import read_setting
+from hfield.proving.existence.case_distinction import by_linear_algebra
+from hfield.proving.existence.linear_systems import linear_cases
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
 from hfield.syntax import parse
 from tests.proving.small_rings import RINGS, holds
 

@@ -7,8 +7,8 @@ from structure_cases import cases, constants
 
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
 from hfield.rings import ring
-from hfield.structure.counts import count
-from hfield.structure.exhaust import confirm, tally
+from hfield.structure.counting.formulas_finite import count
+from hfield.structure.counting.tally import confirm, tally
 
 UP_TO_32 = [2, 3, 4, 5, 7, 8, 9, 11, 13, 16, 17, 19, 23, 25, 27, 29, 31, 32]
 

@@ -9,7 +9,7 @@ from structure_cases import cases
 from hfield.errors import CoercionError, NotationError, RingError, UndecidedError
 from hfield.factorisation import factorise
 from hfield.structure import hilbert_symbol
-from hfield.structure.hilbert import (
+from hfield.structure.rationals.hilbert_rationals import (
     discriminant_q,
     from_ramification_q,
     hilbert_symbol_q,

@@ -14,11 +14,11 @@ from flint import fmpz_mat
 from hfield.errors import HFieldError
 from hfield.ledger.centre import _equations
 from hfield.product import Constants, multiply, norm
-from hfield.proving.interpret import RingInterpretation, bind
-from hfield.proving.language import read_statement
-from hfield.proving.noncommutative import multiply_out
+from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.polynomials.free_algebra import multiply_out
 from hfield.proving.prove import prove
-from hfield.proving.setting import read_setting
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
 from hfield.rings import ring
 from tests.adversary.forging.validity_of_items import implication
 
