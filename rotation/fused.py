@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rotation import kernels
+from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, by_euler, write
 from rotation.angles import radians
 from rotation.arrays import (
     Array,
@@ -22,6 +23,9 @@ from rotation.arrays import (
 )
 from rotation.euler import sequence
 from rotation.kernels.single import matrix_of_axis_angle, matrix_of_quaternion
+from rotation.matrices import TO_MATRIX
+from rotation.namespaces import quiet
+from rotation.quaternions import normalised
 
 
 def rotate(
@@ -63,6 +67,10 @@ def rotate(
     t = real(angle, "angle")
     batch = common_batch(points=points_batch, axis=axis_batch, angle=t.shape)
     result, target = destination(out, batch, p, (a, t), layout)
+    if result.size <= 3 * FEW:
+        if write(ABOUT_AXIS, target, *_checked(out, p, a), t, p):
+            require_nonzero(a, "axis")
+        return result
     if a.size == 3 and t.size == 1:
         require_nonzero(a, "axis")
         kernels.one(p, matrix_of_axis_angle(a.reshape(3), t.reshape(())), target)
@@ -103,6 +111,12 @@ def rotate_quat(
     r, q_batch = components(q, 4, "q", layout)
     batch = common_batch(points=points_batch, q=q_batch)
     result, target = destination(out, batch, p, (r,), layout)
+    if result.size <= 3 * FEW:
+        unit = normalised(r)
+        single = unit.size == 4
+        m = TO_MATRIX(unit.reshape(4)) if single else unit
+        write(BY_MATRIX if single else BY_QUATERNION, target, m, p)
+        return result
     if r.size == 4:
         require_nonzero(r, "quaternion")
         kernels.one(p, matrix_of_quaternion(r.reshape(4)), target)
@@ -153,14 +167,23 @@ def rotate_euler(
     batch = common_batch(points=points_batch, angles=angles_batch)
     result, target = destination(out, batch, p, (a,), layout)
     if degrees:
-        a = radians(np, a.astype(np.float64, copy=False))
+        a = quiet(radians)(np, a.astype(np.float64, copy=False))
     turns = axes[::-1] if intrinsic else axes
+    if result.size <= 3 * FEW:
+        write(by_euler(turns, intrinsic), target, a, p)
+        return result
     if len(turns) < 3:  # the rest are no turns at all
         a = a[..., ::-1] if intrinsic else a
         a = np.concatenate([a, np.zeros((*angles_batch, 3 - len(turns)), a.dtype)], axis=-1)
         turns, intrinsic = (*turns, 0, 0), False
     kernels.euler(p, a, (turns[0], turns[1], turns[2]), intrinsic, target)
     return result
+
+
+def _checked(out: Array | None, points: Array, axes: Array) -> tuple[Array, ...]:
+    if _in_place(out, points):
+        require_nonzero(axes, "axis")
+    return (axes,)
 
 
 def _in_place(out: Array | None, points: Array) -> bool:

@@ -6,11 +6,12 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import quaternions, sampling
+from rotation.acting import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, real
 from rotation.batch import expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError
-from rotation.matrices import to_matrix
+from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, quiet
 
 
@@ -126,7 +127,6 @@ class Rotation(Conversions):
 
     # Points
 
-    @quiet
     def apply(self, points: Any, inverse: bool = False, out: Any = None) -> Array:
         """Rotate points: ``R·v``.
 
@@ -148,6 +148,24 @@ class Rotation(Conversions):
         DTypeError
             Points or ``out`` of another type.
         """
+        q = self._q
+        if type(q) is np.ndarray and out is None and type(points) in (np.ndarray, list, tuple):
+            v = points if type(points) is np.ndarray else real(points, "points")
+            if (
+                v.dtype.char == "d"
+                and v.ndim
+                and v.shape[-1] == 3
+                and v.size <= 3 * FEW
+                and (q.ndim == 1 or v.ndim == 1 or q.shape[:-1] == v.shape[:-1])
+            ):
+                if q.ndim > 1:
+                    return (BY_INVERSE if inverse else BY_QUATERNION)(q, v)
+                m = TO_MATRIX(q)
+                return BY_MATRIX(m.T if inverse else m, v)
+        return self._applied(points, inverse, out)
+
+    @quiet
+    def _applied(self, points: Any, inverse: bool, out: Any) -> Array:
         q = quaternions.inverse(self._q) if inverse else self._q
         xp = namespace(q, points)
         if is_numpy(xp):
