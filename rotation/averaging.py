@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from rotation.errors import RotationError
-from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows
+from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows, spread
 from rotation.quaternions import canonical, normalised
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
@@ -51,12 +51,7 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     batch = tuple(q.shape[:-1])
     axes = _axes(axis, len(batch))
     w = xp.ones_like(q[..., 0]) if weights is None else floats(weights, "weights", xp)
-    try:
-        w = xp.broadcast_to(w, batch)
-    except ValueError:
-        raise RotationError(
-            f"weights of shape {tuple(w.shape)} do not broadcast to rotations of shape {batch}"
-        ) from None
+    w = spread(xp, w, batch, "weights")
     refuse_rows(w < 0.0, "the weight", "is negative")
     kept = [n for n in range(len(batch)) if n not in axes]
     shape = tuple(batch[n] for n in kept)

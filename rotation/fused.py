@@ -21,10 +21,11 @@ from rotation.arrays import (
     real,
     require_nonzero,
 )
+from rotation.batch import Batch
 from rotation.euler import sequence
 from rotation.kernels.single import matrix_of_axis_angle, matrix_of_quaternion
 from rotation.matrices import TO_MATRIX
-from rotation.namespaces import quiet
+from rotation.namespaces import expect_numpy, quiet
 from rotation.quaternions import normalised
 
 
@@ -34,6 +35,7 @@ def rotate(
     angle: npt.ArrayLike,
     out: Array | None = None,
     layout: Layout = "aos",
+    degrees: bool = False,
 ) -> Array:
     """Rotate points about axes through the origin (thesis, section 2.2, Theorem 5).
 
@@ -42,11 +44,13 @@ def rotate(
     points, axis : array_like, shape (…, 3), or (3, …) for ``layout="soa"``
         An axis may have any length but zero, from the smallest float to the largest.
     angle : array_like, shape (…)
-        In radians, counterclockwise seen against the axis. The sine is right to 2⁻⁵² at any size.
+        Counterclockwise seen against the axis. The sine is right to 2⁻⁵² at any size.
     out : ndarray, optional
         Where to write the result: the points themselves, or memory that overlaps no argument.
     layout : {"aos", "soa"}
         Whether components come last or first, in points, axis and out alike.
+    degrees : bool
+        The angles are in degrees, not radians.
 
     Returns
     -------
@@ -67,6 +71,8 @@ def rotate(
     t = real(angle, "angle")
     batch = common_batch(points=points_batch, axis=axis_batch, angle=t.shape)
     result, target = destination(out, batch, p, (a, t), layout)
+    if degrees:
+        t = quiet(radians)(np, t.astype(np.float64, copy=False))
     if result.size <= 3 * FEW:
         if write(ABOUT_AXIS, target, *_checked(out, p, a), t, p):
             require_nonzero(a, "axis")
@@ -83,7 +89,10 @@ def rotate(
 
 
 def rotate_quat(
-    points: npt.ArrayLike, q: npt.ArrayLike, out: Array | None = None, layout: Layout = "aos"
+    points: npt.ArrayLike,
+    q: "npt.ArrayLike | Batch",
+    out: Array | None = None,
+    layout: Layout = "aos",
 ) -> Array:
     """Rotate points by quaternions, ``v ↦ q v q⁻¹`` (thesis, section 2.2.5, Theorem 6).
 
@@ -91,7 +100,7 @@ def rotate_quat(
     ----------
     points : array_like, shape (…, 3), or (3, …) for ``layout="soa"``
     q : array_like, shape (…, 4), or (4, …) for ``layout="soa"``
-        Scalar first, of any length but zero: the length makes no difference.
+        Scalar first, of any length but zero: the length makes no difference. A `Rotation` is taken too.
     out, layout
         As in `rotate`.
 
@@ -108,7 +117,11 @@ def rotate_quat(
         As in `rotate`.
     """
     p, points_batch = components(points, 3, "points", layout)
-    r, q_batch = components(q, 4, "q", layout)
+    if isinstance(q, Batch):
+        expect_numpy("rotate_quat", q._q)
+        r, q_batch = q._q, q.shape
+    else:
+        r, q_batch = components(q, 4, "q", layout)
     batch = common_batch(points=points_batch, q=q_batch)
     result, target = destination(out, batch, p, (r,), layout)
     if result.size <= 3 * FEW:

@@ -112,6 +112,10 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
         return real(value, what).astype(np.float64, copy=False)
     array = xp.asarray(value)
     if xp.isdtype(array.dtype, "real floating"):
+        if xp.finfo(array.dtype).bits < 32:
+            raise DTypeError(
+                f"{what} has dtype {array.dtype}, too coarse for rotations; convert to float32 or float64"
+            )
         return array
     if xp.isdtype(array.dtype, "integral"):
         return xp.astype(array, xp.zeros(()).dtype)  # the library's default precision
@@ -123,6 +127,18 @@ def expect_last(array: Array, shape: tuple[int, ...], what: str) -> None:
     if tuple(array.shape[-len(shape) :]) != shape:
         wanted = ", ".join(map(str, shape))
         raise RotationError(f"{what} has shape {tuple(array.shape)}; expected (…, {wanted})")
+
+
+def spread(xp: Any, array: Array, shape: tuple[int, ...], what: str) -> Array:
+    """Return ``array`` broadcast to ``shape``; raises `RotationError` where it does not, in any library."""
+    own = tuple(array.shape)
+    try:
+        fits = np.broadcast_shapes(own, shape) == shape
+    except ValueError:
+        fits = False
+    if not fits:
+        raise RotationError(f"{what} of shape {own} do not broadcast to {shape}")
+    return xp.broadcast_to(array, shape)
 
 
 def first_row(bad: Array) -> tuple[int, ...] | None:
