@@ -34,6 +34,14 @@ class NotFiniteError(HFieldError, TypeError):
     """An enumeration of an infinite ring or algebra."""
 
 
+class LatticeError(HFieldError, ValueError):
+    """What is no lattice, order or ideal, or not one of the kind asked for."""
+
+
+class IndefiniteError(LatticeError, NotFiniteError):
+    """A question with an answer in definite algebras only, asked of an indefinite one."""
+
+
 class UndecidedError(HFieldError, ArithmeticError):
     """A question about which this package has no decision procedure; the message says what was tried."""
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
-from hfield.errors import CoercionError, MixedParentsError, RingError, shorten
+from hfield.errors import CoercionError, MixedParentsError, UndecidedError, shorten
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
+    from hfield.lattices.euclidean import HurwitzOrder
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
     from hfield.maps import Division, Isomorphism, LinearMap, Splitting
-    from hfield.orders import HurwitzOrder, Order
 
 
 # What may be counted, in singular and plural.
@@ -107,35 +111,45 @@ class Invariants(Parent):
 
     # --- division or splitting -----------------------------------------------------------------
 
-    def zero_norm_element(self) -> Quaternion | None:
+    # ``factors`` may name primes of the constants (over ℚ) or of their norms, where these are too hard to
+    # factor; each is proved prime, or :class:`RingError` is raised.
+
+    def zero_norm_element(self, factors: Factors | None = None) -> Quaternion | None:
         """Return a nonzero element of norm 0, or None if it is proved that there is none.
 
         Raises :class:`UndecidedError` where neither is known; the message says what was tried.
         """
-        found = structure.zero_norm(*self._here()).element
+        with known_primes(factors):
+            found = structure.zero_norm(*self._here()).element
         return None if found is None else self(*found)
 
-    def is_division_algebra(self) -> bool:
+    def is_division_algebra(self, factors: Factors | None = None) -> bool:
         """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
-        return structure.is_division(*self._here())
+        with known_primes(factors):
+            return structure.is_division(*self._here())
 
-    def division_or_splitting(self) -> Splitting | Division:
+    def division_or_splitting(self, factors: Factors | None = None) -> Splitting | Division:
         """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
 
         The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
         algebra, which is neither, and :class:`UndecidedError`.
         """
-        return self._split_or_not
+        with known_primes(factors):
+            return self._split_or_not
 
     @cached_property
     def _split_or_not(self) -> Splitting | Division:
         from hfield.maps import Division, Splitting
-        from hfield.structure.splitting import Splitting as Found
+        from hfield.structure.isomorphisms.splitting import Splitting as Found
 
+        if not self.ring.is_exact:
+            raise UndecidedError(
+                f"{self.ring} is inexact, so splitting is not decided there: ask over RR"
+            )
         answer = structure.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
 
-    def split(self) -> Splitting | None:
+    def split(self, factors: Factors | None = None) -> Splitting | None:
         """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
 
         >>> from hfield import H
@@ -143,7 +157,7 @@ class Invariants(Parent):
         """
         from hfield.maps import Splitting
 
-        answer = self._split_or_not
+        answer = self.division_or_splitting(factors)
         return answer if isinstance(answer, Splitting) else None
 
     def _splitting(self) -> Splitting:
@@ -165,15 +179,14 @@ class Invariants(Parent):
 
     # --- ramification --------------------------------------------------------------------------
 
-    def ramified_places(self, factors: Any = None) -> tuple[Any, ...]:
+    def ramified_places(self, factors: Factors | None = None) -> tuple[Any, ...]:
         """Return the places where the algebra stays a division algebra, finite ones first.
 
-        ``factors`` may name primes of a and b (over ℚ) or of their norms, to spare a factorisation.
         Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
         """
         return structure.ramified_places(self.ring, self.constants, factors)
 
-    def discriminant(self, factors: Any = None) -> Any:
+    def discriminant(self, factors: Factors | None = None) -> Any:
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
         Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
@@ -195,24 +208,26 @@ class Invariants(Parent):
             )
         return other.constants
 
-    def is_isomorphic(self, other: Any) -> bool:
+    def is_isomorphic(self, other: Any, factors: Factors | None = None) -> bool:
         """Tell whether two algebras over one field are isomorphic.
 
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
         """
-        return structure.is_isomorphic(*self._here(), self._comparable(other))
+        with known_primes(factors):
+            return structure.is_isomorphic(*self._here(), self._comparable(other))
 
-    def isomorphism(self, other: Any) -> Isomorphism | None:
+    def isomorphism(self, other: Any, factors: Factors | None = None) -> Isomorphism | None:
         """Return an isomorphism onto ``other``, a callable, or None if there is none.
 
         The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.
         """
         from hfield.maps import Isomorphism
 
-        found = structure.isomorphism(*self._here(), self._comparable(other))
+        with known_primes(factors):
+            found = structure.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
-    # --- finite fields and rational orders -----------------------------------------------------
+    # --- finite fields ---------------------------------------------------------------------------
 
     def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
         """Return how many elements there are, over a finite ring.
@@ -248,27 +263,79 @@ class Invariants(Parent):
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
 
-    def maximal_order(self) -> Order:
-        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate."""
-        return self._order("maximal_order")
+    # --- lattices and orders over ℤ --------------------------------------------------------------
+
+    def lattice(self, elements: Iterable[Any]) -> Lattice:
+        """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
+
+        Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` over another field.
+        """
+        from hfield.lattices.lattice import Lattice
+
+        return Lattice.spanned(self, elements)
+
+    def order(self, elements: Iterable[Any]) -> Order:
+        """Return the order that elements generate as a ring.
+
+        Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.generated(self, elements)
+
+    def order_from_basis(self, elements: Iterable[Any]) -> Order:
+        """Return the order with a basis of four elements.
+
+        Raises :class:`LatticeError` unless they span a ring with 1.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.from_basis(self, elements)
+
+    def maximal_order(self, factors: Factors | None = None) -> Order:
+        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate: always the same."""
+        from hfield.lattices.named import maximal_order
+
+        with known_primes(factors):
+            return maximal_order(self)
+
+    def eichler_order(self, level: int, factors: Factors | None = None) -> Order:
+        """Return an Eichler order of the given level, the same for the same algebra and level.
+
+        Raises :class:`LatticeError` for a level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import eichler_order
+
+        with known_primes(factors):
+            return eichler_order(self, level)
+
+    def extremal_order(self) -> Order:
+        """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
+
+        Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
+        """
+        from hfield.lattices.extremal import extremal_order
+
+        return extremal_order(self)
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
-        return self._order("lipschitz_order")
+        from hfield.lattices.named import lipschitz_order
+
+        return lipschitz_order(self)
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
-        from hfield.orders import HurwitzOrder
+        from hfield.lattices.named import hurwitz_order
 
-        if [str(c) for c in self.constants] != ["-1", "0", "-1"]:
-            raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {self}")
-        return HurwitzOrder(self, self._order("hurwitz_order")._found)
+        return hurwitz_order(self)
 
-    def _order(self, name: str) -> Order:
-        from hfield.orders import Order
+    def class_number(self, level: int = 1) -> int:
+        """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.
 
-        if self.ring.name != "QQ":
-            raise RingError(
-                f"orders over ℤ belong to algebras over QQ, and {self} is over {self.ring}"
-            )
-        return Order(self, getattr(structure, name)(self.constants))
+        In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
+        level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named import class_number
+
+        return class_number(self, level)

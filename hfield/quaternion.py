@@ -108,8 +108,10 @@ class Quaternion(ElementFacts):
     def _join(self, other: Any, operation: str) -> tuple[Quaternion, Quaternion]:
         """Bring the two operands into one algebra and one kind (single or array)."""
         q = self._operand(other, operation)
-        if self.is_batch == q.is_batch:
+        if not self.is_batch and not q.is_batch:
             return self, q
+        if self.shape != q.shape and self.shape and q.shape:
+            _check_shapes(self.shape, q.shape, operation)
         return self._as_batch(), q._as_batch()
 
     def _as_batch(self) -> Quaternion:
@@ -140,6 +142,8 @@ class Quaternion(ElementFacts):
         return self
 
     def __mul__(self, other: Any) -> Quaternion:
+        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+            return NotImplemented
         p, q = self._join(other, "multiply")
         return self._new(*product.multiply(p._constants, p.coordinates, q.coordinates))
 
@@ -260,8 +264,10 @@ class Quaternion(ElementFacts):
             f"{shorten(self.ring.text(n))}, and q·y = 0 for y = {shorten(y)}"
         )
 
-    def is_zero(self) -> bool:
-        """Tell whether a single quaternion is 0."""
+    def is_zero(self) -> Any:
+        """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
+        if self.is_batch:
+            return self == 0
         return all(self.ring.is_zero(x) for x in self.coordinates)
 
     def matrix(self) -> tuple[tuple[Any, ...], ...]:
@@ -303,6 +309,18 @@ class Quaternion(ElementFacts):
             return Quaternion, (self.algebra, self.coordinates)
         rows = tuple([state(x) for x in c.ravel().tolist()] for c in self.coordinates)
         return _unpickled, (self.algebra, self.shape, rows)
+
+
+def _check_shapes(left: tuple[int, ...], right: tuple[int, ...], operation: str) -> None:
+    import numpy as np
+
+    try:
+        np.broadcast_shapes(left, right)
+    except ValueError:
+        raise CoercionError(
+            f"cannot {operation} arrays of quaternions of the shapes {left} and {right}: expected one shape "
+            "for both, or shapes that broadcast as numpy's do"
+        ) from None
 
 
 def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]) -> Quaternion:

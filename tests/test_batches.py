@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from hfield import H, ring
-from hfield.errors import HFieldError, NotInvertibleError
+from hfield.errors import CoercionError, HFieldError, NotInvertibleError
 
 RINGS = [
     "ZZ", "ZZ/4", "ZZ/6", "ZZ/100000000000000000000", "QQ", "QQ(sqrt(5))", "QQ(I)", "RR", "CC",
@@ -81,3 +81,19 @@ def test_arrays_without_dimensions():
         assert q[0] == A(1, 1, 0, 1)
         with pytest.raises(HFieldError):
             A([1, 0], [1, 2, 3], 0, 0)
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_arrays_that_do_not_fit_are_refused(name):
+    A = H(name)
+    q = A([1, 0, 1], 0, 0, 0)
+    other = A([1, 1], 0, 0, 0)
+    for combine in (
+        lambda: q + other, lambda: q - other, lambda: q * other, lambda: q / other,
+        lambda: q == other, lambda: q * np.array([1, 2]), lambda: np.array([1, 2]) - q,
+    ):  # fmt: skip
+        with pytest.raises(CoercionError, match=r"shapes \(\d,\) and \(\d,\)"):
+            combine()
+    assert (q * A([[1], [1]], 0, 0, 0)).shape == (2, 3)
+    assert q.is_zero().tolist() == [False, True, False]
+    assert A([], 0, 0, 0).is_zero().shape == (0,)

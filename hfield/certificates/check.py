@@ -62,7 +62,7 @@ class Established:
         if self.field is not None:
             return f"over {one_line(self.field)}"
         if self.scope == FIELD:
-            return "over all fields at once" if self.verdict == "refuted" else "as it stands"
+            return "as a statement on all fields" if self.verdict == "refuted" else "as it stands"
         return f"over all {self.scope}"
 
     def lines(self) -> list[str]:

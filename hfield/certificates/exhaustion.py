@@ -42,16 +42,19 @@ def width(unknowns: tuple[tuple[str, str], ...]) -> int:
 
 def check_all(statement: Statement, setting: Setting, cases: int) -> None:
     """Check a statement without quantifiers for all values of its unknowns."""
-    ring, many = _finite(setting), width(statement.unknowns)
+    ring = _finite(setting)
     assert ring.order is not None
-    if cases not in {ring.order**n for n in range(many + 1)}:
+    total, by_clauses = (
+        ring.order ** width(statement.unknowns),
+        ring.is_field or not statement.divides,
+    )
+    tree = None
+    if by_clauses and (total > FEW or cases != total):
+        tree = _Tree(expand(statement, setting), ring)
+    if cases != total and (tree is None or cases != ring.order ** len(tree.used)):
         reject("the number of cases is wrong")
-    if ring.order**many > FEW:
-        if statement.divides and not ring.is_field:
-            reject(
-                "over a ring that is no field, statements that divide are tried in few cases only"
-            )
-        _Tree(expand(statement, setting), ring).check()
+    if tree is not None and total > FEW:
+        tree.check()
         return
     truths = {
         truth_at(ring, setting, statement, values) for values in places(ring, statement.unknowns)

@@ -24,17 +24,10 @@ def check_implication(expansion: Expansion, setting: Setting, data: Any) -> Find
     ring = setting.field
     if ring is None:
         return finding(_everywhere(expansion, items), "implication")
-    usable = items
-    if not ring.is_field:
-        usable = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
-        if ring.name == "ZZ" and not _divides(expansion):
-            usable = items  # what holds for all elements of ℚ holds for those of ℤ
-    _cover(expansion, Place(expansion, ring), usable)
-    return finding(FIELD, "implication").citing(*context.assumes)
-
-
-def _divides(expansion: Expansion) -> bool:
-    return bool(expansion.factors)
+    if not ring.is_field and (expansion.factors or not ring.is_domain):
+        items = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
+    _cover(expansion, Place(expansion, ring), items)
+    return finding(FIELD, "implication").citing(*context.rules.cites)
 
 
 def _everywhere(expansion: Expansion, items: list[Item]) -> str:
@@ -94,7 +87,7 @@ def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item
     goals = [[same(g) for g in goal if not place.vanishes(g)] for goal in clause.goals]
     if any(all(g in proved for g in goal) for goal in goals):
         return True
-    if place.ring is not None and not place.ring.is_field and place.ring.name != "ZZ":
+    if place.ring is not None and not place.ring.is_domain:
         return False
     excluded = [{same(g) for g in item.nonzero} for item in usable if item.member is None]
     excluded += [{f} for f in proved]

@@ -1,7 +1,6 @@
 """JSON without what it leaves open: no key twice, no floats, no endless numbers, no deep nesting."""
 
 import json
-import re
 from typing import Any, NoReturn
 
 from hfield.certificates.rejection import MAX_DIGITS, reject, shown
@@ -14,13 +13,8 @@ def read_json(text: str) -> Any:
     """Read JSON. Raises :class:`Rejected`."""
     if len(text) > MAX_BYTES:
         reject(f"the file has more than {MAX_BYTES} characters")
-    depth = 0
-    for mark in re.finditer(r'"(?:[^"\\]|\\.)*"|[\[\]{}]', text):
-        depth += (mark[0] in "[{") - (mark[0] in "]}")
-        if depth > MAX_NESTING:
-            reject(f"the file nests deeper than {MAX_NESTING} levels")
     try:
-        return json.loads(
+        data = json.loads(
             text,
             object_pairs_hook=_object,
             parse_float=_no_integer,
@@ -29,6 +23,19 @@ def read_json(text: str) -> Any:
         )
     except (ValueError, RecursionError) as error:
         reject(f"this is no JSON: {shown(str(error))}")
+    level, depth = [data], 0
+    while level:
+        depth += 1
+        if depth > MAX_NESTING:
+            reject(f"the file nests deeper than {MAX_NESTING} levels")
+        level = [x for value in level for x in _inside(value)]
+    return data
+
+
+def _inside(value: Any) -> list[Any]:
+    if isinstance(value, dict):
+        return list(value.values())
+    return value if isinstance(value, list) else []
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

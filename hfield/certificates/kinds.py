@@ -24,10 +24,12 @@ from hfield.certificates.rejection import (
     reject,
     shown,
 )
+from hfield.certificates.roots import complex_root, real_root
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.numbers import Floats
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree
+from hfield.certificates.transfer import fractions, reduction
 from hfield.certificates.values import read_values
 
 # All that may come upon a counterexample: it is the evidence, however it was found.
@@ -148,6 +150,10 @@ KINDS: dict[tuple[str, bool, str], Check] = {
     ("proved", True, "witness"): _example,
     ("proved", True, "terms"): partial(terms, prove),
     ("proved", True, "cases"): partial(cases, prove),
+    ("proved", True, "real root"): real_root,
+    ("proved", True, "complex root"): complex_root,
+    ("proved", False, "fractions"): partial(fractions, prove),
+    ("proved", False, "reduction"): partial(reduction, prove),
     ("refuted", False, "witness"): _counterexample,
     ("refuted", True, "none exists"): partial(none_exists, prove),
     ("refuted", True, "place"): partial(place, prove),

@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass
 
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.kinds import prove
+from hfield.certificates.rejection import Rejected, reject, shown
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.statement import read_setting
+from hfield.certificates.statement import Setting, read_setting
 from hfield.certificates.vocabulary.logic import meaning
 
 
@@ -36,5 +37,20 @@ class Pin:
             if here != wanted:
                 reject(f"this is about {here or 'all fields'}, not about {wanted or 'all fields'}")
         asked = self.algebra or f"(-1,-1|{'F' if field is None else field})"
-        if read_setting(asked, field).constants != read_setting(algebra, field).constants:
+        if not same_algebra(read_setting(asked, field), read_setting(algebra, field)):
             reject(f"this is about the algebra {shown(algebra)}")
+
+
+def same_algebra(one: Setting, other: Setting) -> bool:
+    """Tell whether the structure constants are equal wherever those of one of the two are defined."""
+    if one.constants == other.constants:
+        return True
+    if set(one.letters) != set(other.letters):
+        return False
+    try:
+        for setting in (one, other):
+            for u, v in zip(one.constants, other.constants, strict=True):
+                prove(("==", u, v), setting, {"kind": "identity"})
+    except Rejected:
+        return False
+    return True

@@ -1,22 +1,18 @@
 """Why a norm form is 0 only at 0: an ordering, the level of the field, a place, or a specialisation.
 
-At a place, four elements of the algebra are given. On what they span over the integers of the place, the
-norm is a form whose reduction involves the first two coordinates alone and is 0 only where these are; and
-the norm divided by the uniformiser, where the first two coordinates are divisible by it, reduces
-to such a form in the last two. A zero could therefore be divided by the uniformiser for ever. Nothing in this
-depends on the characteristic or on that of the residues. docs/trust.md has the proof.
+At a place two elements u and j of the algebra are given, such that N(x + y·u) has twice the valuation that x
+or y has, and N(j) an odd one; and such that nothing cancels in N(x + y·u + j·(z + w·u)). Nothing in this
+depends on the characteristic, nor on that of the residues. docs/trust.md has the proofs.
 """
 
 from collections.abc import Mapping
-from itertools import combinations
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
-from hfield.certificates.facts import is_ordered, level_above
+from hfield.certificates.facts import level_above
 from hfield.certificates.language import walk
-from hfield.certificates.local.quotients import has_no_zero
 from hfield.certificates.local.residues import read_place
-from hfield.certificates.rejection import Rejected, a_list, a_text, an_object, reject, texts
+from hfield.certificates.rejection import Rejected, a_text, an_object, reject, texts
 from hfield.certificates.scalars.functions import Functions, dense
 from hfield.certificates.scalars.numbers import QQ
 from hfield.certificates.scalars.ring import Ring
@@ -27,7 +23,7 @@ Constants = tuple[Any, Any, Any]
 KEYS = {
     "ordering": "by",
     "level": "by",
-    "place": "by place lattice",
+    "place": "by place u j",
     "specialisation": "by at proof",
 }
 
@@ -48,7 +44,8 @@ def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str
     elif by == "level":
         _by_level(field, c)
     elif by == "place":
-        _by_place(field, c, a_text(data["place"], "a place"), data["lattice"])
+        name = a_text(data["place"], "a place")
+        _by_place(field, c, name, _quaternion(field, data["u"]), _quaternion(field, data["j"]))
     else:
         point = a_text(data["at"], "a point")
         anisotropic(QQ, _at(field, c, point), data["proof"], f"{algebra} at {point}")
@@ -61,6 +58,15 @@ def is_certified(algebra: str, field: str, data: Mapping[str, Any]) -> bool:
         with bounded():
             ring, c = constants_of(algebra, field)
             anisotropic(ring, c, data, algebra)
+    except Rejected:
+        return False
+    return True
+
+
+def is_readable(algebra: str, field: str) -> bool:
+    """Tell whether the constants of an algebra are numbers that are known here."""
+    try:
+        constants_of(algebra, field)
     except Rejected:
         return False
     return True
@@ -86,12 +92,19 @@ def constants_of(algebra: str, field: str) -> tuple[Ring, Constants]:
     return ring, (a, t, b)
 
 
+def _quaternion(field: Ring, value: object) -> list[Any]:
+    found = texts(value, "coordinates", 4)
+    if len(found) != 4:
+        reject("a quaternion has four coordinates")
+    return [field.read(text) for text in found]
+
+
 def _by_ordering(field: Ring, c: Constants) -> None:
     """Let 4N = (2w + tx)² − d·x² − b·((2y + tz)² − d·z²), d = t² + 4a, where d and b are negative."""
     a, t, b = c
     d = field.add(field.mul(t, t), field.mul(field.number(4), a))
-    signs = zip(field.signs(d), field.signs(b), strict=True)
-    if not is_ordered(field) or (-1, -1) not in signs:
+    signs = zip(field.signs(d), field.signs(b), strict=True)  # None where there is no ordering
+    if (-1, -1) not in signs:
         reject("the constants are not both negative in an ordering that is known here")
 
 
@@ -103,29 +116,27 @@ def _by_level(field: Ring, c: Constants) -> None:
         reject("−1 may be a sum of two squares, or this is not H(F)")
 
 
-def _by_place(field: Ring, c: Constants, name: str, lattice: Any) -> None:
-    """Check that the norm reduces on the lattice as it should."""
+def _by_place(field: Ring, c: Constants, name: str, u: list[Any], j: list[Any]) -> None:
+    """Let X² − tr(u)·X + N(u) be integral without root among the residues, N(j) as odd as ``odd`` is.
+
+    Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
+    """
     place = read_place(field, name)
-    rows = [texts(row, "the coordinates of a quaternion", 4) for row in a_list(lattice, "lattice")]
-    if [len(row) for row in rows] != [4] * 4:
-        reject("a lattice is given by four quaternions")
-    basis = [[field.read(text) for text in row] for row in rows]
-    form = {(m, m): norm(field, c, basis[m]) for m in range(4)}
-    for m, n in combinations(range(4), 2):
-        total = [field.add(u, v) for u, v in zip(basis[m], basis[n], strict=True)]
-        rest = field.neg(field.add(form[m, m], form[n, n]))
-        form[m, n] = field.add(norm(field, c, total), rest)
-    k, inverse = place.residues, field.inverse(place.uniformiser)
-    first = [place.residue(form[key]) for key in ((0, 0), (0, 1), (1, 1))]
-    # the coefficients that involve the last two coordinates are divisible by the uniformiser
-    rest_of = {key: place.residue(field.mul(f, inverse)) for key, f in form.items() if key[1] > 1}
-    if None in first or None in rest_of.values():
-        reject(
-            "the norm form is not integral on the lattice, or reduces to a form in more unknowns"
-        )
-    last = [rest_of[key] for key in ((2, 2), (2, 3), (3, 3))]
-    if not (has_no_zero(k, *first) and has_no_zero(k, *last)):
-        reject(f"the norm form has other zeros than 0 at the residues of {name}")
+    odd = field.inverse(place.odd)
+
+    def paired(p: list[Any], q: list[Any]) -> Any:
+        both = norm(field, c, [field.add(x, y) for x, y in zip(p, q, strict=True)])
+        return field.add(both, field.neg(field.add(norm(field, c, p), norm(field, c, q))))
+
+    one = [field.one, field.zero, field.zero, field.zero]
+    trace, size = place.residue(paired(one, u)), place.residue(norm(field, c, u))
+    if trace is None or size is None or not place.is_irreducible(trace, size):
+        reject(f"the polynomial of u has a root among the residues at {name}, or is not integral")
+    unit = place.residue(field.mul(odd, norm(field, c, j)))
+    if unit is None or not place.is_unit(unit):
+        reject(f"the norm of j has not the valuation of {name}")
+    if any(place.residue(field.mul(odd, paired(p, j))) is None for p in (one, u)):
+        reject(f"the traces of j and of its product with u are not divisible by {name}")
 
 
 def norm(field: Ring, c: Constants, q: list[Any]) -> Any:

@@ -166,8 +166,7 @@ class _Reader:
         for name in bound:
             self.unknowns.setdefault(name, self.unknown(name) or "s")
         for constant in self.structure:
-            if self.term(constant) != "s":
-                reject("a structure constant is no scalar")
+            self.term(constant)
         return Statement(
             tuple(self.unknowns.items()),
             tuple(bound),

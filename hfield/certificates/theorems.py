@@ -11,6 +11,10 @@ LIMITS = "a real polynomial with leading term λⁿ, n odd, tends to ±∞ as λ
 INDUCTION = (
     "induction on k: what holds for one argument, and passes on to one more, holds for every k"
 )
+SIGN_CHANGE = (
+    "a real polynomial with values of both signs has a root between (intermediate value theorem)"
+)
+COMPLEX_ROOT = "a complex polynomial of positive degree has a root (fundamental theorem of algebra)"
 REAL_ROOTS = "every number that is not negative is a square in RR"
 COMPLEX_ROOTS = "every number is a square in CC"
 
@@ -20,6 +24,8 @@ THEOREMS = {
     KULIKOV: "Fuchs, Infinite Abelian Groups I, theorem 27.5",
     ODD_DEGREE: "Rudin, Principles of Mathematical Analysis, theorem 4.23",
     LIMITS: "Rudin, Principles of Mathematical Analysis, chapter 4, exercise on polynomials",
+    SIGN_CHANGE: "Rudin, Principles of Mathematical Analysis, theorem 4.23",
+    COMPLEX_ROOT: "Rudin, Principles of Mathematical Analysis, theorem 8.8",
     INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
     COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",

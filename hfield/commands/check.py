@@ -139,7 +139,7 @@ def _pin(args: Namespace) -> Pin | None:
                 "--given, --field and --algebra go with --statement, or --field with --claim"
             )
         return None
-    from hfield.proving.setting import read_setting
+    from hfield.proving.statements.setting import read_setting
 
     setting = read_setting(None if everywhere else args.field, args.algebra)
     name = None if setting.field is None else setting.field.name

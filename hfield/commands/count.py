@@ -68,7 +68,7 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
     Over a finite ring that has no formulas (no field, and not ℤ/n) only the exhaustive count answers.
     """
     from hfield import structure
-    from hfield.structure.exhaust import LIMIT
+    from hfield.structure.counting.tally import LIMIT
 
     F, c = A.ring, A.constants
     if F.order is not None and not structure.has_formulas(F):

@@ -39,10 +39,11 @@ def run(args: Namespace) -> int:
     from hfield.algebra import QuaternionAlgebra
     from hfield.commands.count import count_lines, counts
     from hfield.description import describe
+    from hfield.factorisation import known_primes
 
     A = QuaternionAlgebra.from_text(args.algebra)
-    with open_output(args.output) as out:
-        description = describe(A, _primes(args.factors))
+    with open_output(args.output) as out, known_primes(_primes(args.factors), "--factors"):
+        description = describe(A)
         counted = counts(A, quick=True) if A.ring.order is not None else None
         if args.format == "json":
             data = description.to_json()
@@ -85,8 +86,10 @@ def page(d: Description, width: int) -> list[str]:
 
 
 def row(label: str, text: str, width: int) -> list[str]:
-    """Lay out one fact: a label, and its text wrapped beside it."""
-    body = wrap(text, max(width - LABEL - 3, 24), break_long_words=False, break_on_hyphens=False)
+    """Lay out one fact: a label, and its text wrapped beside it, words cut that are too long."""
+    room = max(width - LABEL - 3, 24)
+    text = " ".join(shorten(word, room) for word in text.split(" "))
+    body = wrap(text, room, break_long_words=False, break_on_hyphens=False)
     labels = [label] + [""] * (len(body) - 1)
     return [f"  {head:<{LABEL}} {line}".rstrip() for head, line in zip(labels, body, strict=True)]
 

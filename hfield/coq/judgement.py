@@ -28,11 +28,11 @@ from hfield.coq.rooms import (
 )
 from hfield.coq.terms import NotCoveredError, Terms
 from hfield.errors import TooLargeError
-from hfield.proving.language import Sort, Statement, read_statement
-from hfield.proving.printing import to_text
-from hfield.proving.setting import Setting
-from hfield.proving.trees import substitute, walk
-from hfield.proving.vanish import prime_factors
+from hfield.proving.polynomials.vanishing import prime_factors
+from hfield.proving.statements.language import Sort, Statement, read_statement
+from hfield.proving.statements.printing import to_text
+from hfield.proving.statements.setting import Setting
+from hfield.proving.statements.trees import substitute, walk
 from hfield.rings import ring
 from hfield.syntax import Binary, Compare, Logic, Name, Node, Not, parse
 

@@ -13,7 +13,7 @@ from hfield.coq.cofactors import MismatchError
 from hfield.coq.judgement import COMPUTED, IN_RINGS, Proved
 from hfield.coq.rooms import room_of
 from hfield.coq.terms import NotCoveredError
-from hfield.proving.setting import Setting
+from hfield.proving.statements.setting import Setting
 from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse
 
 PLACES = ("re", "im", "jm", "km")

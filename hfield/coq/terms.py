@@ -13,7 +13,7 @@ from typing import Any
 from hfield.coq.numerators import Numerators
 from hfield.errors import HFieldError, TooLargeError
 from hfield.product import Constants, conjugate, multiply, norm, trace
-from hfield.proving.language import Sort
+from hfield.proving.statements.language import Sort
 from hfield.syntax import Binary, Call, Index, Name, Negate, Node, Number, Power, parse
 
 MAX_SIZE = 200_000  # leaves of a coordinate once everything is unfolded

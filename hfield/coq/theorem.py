@@ -9,7 +9,7 @@ from hfield.coq.judgement import Proved
 from hfield.coq.wholes import judge
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.notation import split_algebra
-from hfield.proving.setting import UNNAMED, read_setting
+from hfield.proving.statements.setting import UNNAMED, read_setting
 
 MAX_PROOF = 3_000_000
 KEYS = {"schema", "statement", "algebra", "field", "verdict", "method", "assumes", "evidence"}

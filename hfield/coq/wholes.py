@@ -10,7 +10,7 @@ from hfield.coq.judgement import Judgement, Proved
 from hfield.coq.presented import Presentation, is_presentation, presentation
 from hfield.coq.rooms import room_of
 from hfield.coq.terms import NotCoveredError
-from hfield.proving.setting import Setting
+from hfield.proving.statements.setting import Setting
 from hfield.rings import ring
 
 LOGIC = ("every", "implies", "iff", "not-everywhere", "over", "angles", "citing")

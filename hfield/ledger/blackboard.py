@@ -17,7 +17,7 @@ from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.proving.printing import to_latex
+from hfield.proving.statements.printing import to_latex
 from hfield.syntax import Logic, Node, parse
 
 _MOST = (

@@ -14,7 +14,7 @@ from hfield.errors import HFieldError, NotationError, shorten
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Proposition
 from hfield.ledger.columns import split_columns
 from hfield.ledger.propositions import Every, Statement
-from hfield.proving.setting import read_setting
+from hfield.proving.statements.setting import read_setting
 from hfield.rings import ring
 
 SCHEMA = "hfield-ledger/1"
@@ -230,7 +230,7 @@ class _Document:
 
     def _verify(self, claim: Claim, data: Mapping[str, Any]) -> None:
         """See that each statement can be read in one of the claim's columns at least."""
-        from hfield.proving.language import read_statement
+        from hfield.proving.statements.language import read_statement
 
         if claim.as_printed is None and ("corrected" in data or "spoilt" in data):
             self.fail(

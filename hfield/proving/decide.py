@@ -5,12 +5,13 @@ from functools import lru_cache
 from time import monotonic
 
 from hfield.errors import TooLargeError
-from hfield.proving import everywhere, existence, named
-from hfield.proving.apart import decide_apart, is_risky
 from hfield.proving.decision import NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
-from hfield.proving.defined import algebra_exists
-from hfield.proving.language import Statement, read_statement
-from hfield.proving.setting import Setting, read_setting
+from hfield.proving.existence import quantifiers
+from hfield.proving.methods import all_fields, one_ring
+from hfield.proving.statements.definedness import algebra_exists
+from hfield.proving.statements.language import Statement, read_statement
+from hfield.proving.statements.setting import Setting, read_setting
+from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
 
 TIMEOUT = 30.0
@@ -55,17 +56,17 @@ def read_and_decide(
 def decide_statement(statement: Statement, setting: Setting, timeout: float = TIMEOUT) -> Decision:
     """Decide a statement that has been read."""
     deadline = monotonic() + timeout
-    decide_one = everywhere.decide if setting.field is None else named.decide
+    decide_one = all_fields.decide if setting.field is None else one_ring.decide
     exists = algebra_exists(statement, setting, deadline)
     if exists is False:
         return _no_algebra(setting)
     try:
         if statement.exists:
-            decision = existence.decide(statement, setting, deadline, decide_one)
+            decision = quantifiers.decide(statement, setting, deadline, decide_one)
         else:
             decision = decide_one(statement, setting, deadline)
             if decision.verdict == PROVED and statement.hypotheses:
-                vacuous = existence.vacuous(statement, setting, deadline, decide_one)
+                vacuous = quantifiers.vacuous(statement, setting, deadline, decide_one)
                 decision = decision if vacuous is None else vacuous
     except TooLargeError as error:
         return Decision(UNDECIDED, "none", tried=(str(error),))

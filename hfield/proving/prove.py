@@ -14,9 +14,9 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
-from hfield.proving.language import Statement
-from hfield.proving.printing import to_latex, to_unicode
-from hfield.proving.setting import Setting
+from hfield.proving.statements.language import Statement
+from hfield.proving.statements.printing import to_latex, to_unicode
+from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
 MAX_STEPS = 12  # shown to people; the decision has them all
@@ -65,7 +65,12 @@ class Answer:
         from hfield.certificates.check import Rejected, check
 
         if self._evidence is None:
-            return f"what is {self.verdict} has none"
+            decided = self.verdict in (PROVED, REFUTED, VACUOUS)
+            return (
+                "no evidence is made for this way to prove it"
+                if decided
+                else f"this is {self.verdict}"
+            )
         try:
             check(self._evidence)
         except Rejected as error:
@@ -76,7 +81,7 @@ class Answer:
     def _evidence(self) -> dict[str, Any] | None:
         """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
-        if d.evidence is None:
+        if not _is_whole(d.evidence):
             return None
         return {
             "schema": "hfield-cert/1",
@@ -86,7 +91,7 @@ class Answer:
             "verdict": d.verdict,
             "method": d.method,
             "assumes": list(d.assumes),
-            "evidence": dict(d.evidence),
+            "evidence": dict(d.evidence or {}),
         }
 
     @property
@@ -145,6 +150,15 @@ class Answer:
 
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
+
+
+def _is_whole(evidence: Any) -> bool:
+    """Tell whether there is evidence, and for all that it builds on."""
+    if isinstance(evidence, Mapping):
+        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
+        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
+        return all(map(_is_whole, [*parts, *(cases if isinstance(cases, list) else ())]))
+    return evidence is not None
 
 
 def _value(texts: list[str]) -> str:

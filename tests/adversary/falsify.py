@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tests.adversary.meaning import Claim, World
-from tests.adversary.scalars import Exact, Places, Union
+from tests.adversary.scalars import Exact, Modular, Places, Union
 from tests.adversary.small_rings import Table
 
 ALL = 1 << 16  # places of one ring that are all tried
@@ -26,7 +26,7 @@ def width(unknowns: Widths) -> int:
     return sum(n for _, n in unknowns)
 
 
-def _assigned(unknowns: Widths, columns: np.ndarray) -> dict[str, Any]:
+def _assigned(unknowns: Widths, columns: Any) -> dict[str, Any]:
     out, at = {}, 0
     for name, n in unknowns:
         out[name] = columns[at] if n == 1 else tuple(columns[at : at + n])
@@ -37,7 +37,8 @@ def _assigned(unknowns: Widths, columns: np.ndarray) -> dict[str, Any]:
 def _every(table: Table, coordinates: int) -> np.ndarray:
     if not coordinates:
         return np.zeros((0, 1), np.int64)
-    return np.indices((table.order,) * coordinates).reshape(coordinates, -1)
+    kind = np.int16 if table.order < 180 else np.int64
+    return np.indices((table.order,) * coordinates, kind).reshape(coordinates, -1)
 
 
 def _some(tables: Sequence[Table], where: np.ndarray, unknowns: Widths, seed: int) -> np.ndarray:
@@ -61,7 +62,9 @@ def _some(tables: Sequence[Table], where: np.ndarray, unknowns: Widths, seed: in
     return found
 
 
-def _false(claim: Claim, scalars: Places, given: np.ndarray, bound: np.ndarray | None) -> Any:
+def _false(
+    claim: Claim, scalars: Places | Modular, given: np.ndarray, bound: np.ndarray | None = None
+) -> np.ndarray:
     """Return where hypotheses hold and the conclusion does not, the algebra being defined."""
     values = _assigned(claim.given, given)
     if bound is not None:
@@ -70,7 +73,7 @@ def _false(claim: Claim, scalars: Places, given: np.ndarray, bound: np.ndarray |
     right = world.truth(claim.conclusion)
     for h in claim.hypotheses:
         right = right | np.logical_not(world.truth(h))
-    return world.exists & np.logical_not(right), world
+    return np.broadcast_to(world.exists & np.logical_not(right), scalars.true.shape)
 
 
 def counterexample(
@@ -100,12 +103,11 @@ def counterexample(
 
 def _first(claim: Claim, union: Union, where: np.ndarray, local: np.ndarray) -> str | None:
     scalars = Places(union, where)
-    wrong, _ = _false(claim, scalars, local + union.start[where], None)
-    wrong = np.broadcast_to(wrong, where.shape)
+    wrong = _false(claim, scalars, local + union.start[where])
     if not wrong.any():
         return None
     at = int(np.argmax(wrong))
-    values = {n: v for n, v in _assigned(claim.given, local[:, at]).items()}
+    values = _assigned(claim.given, local[:, at].tolist())
     return f"false over {union.tables[where[at]].name} at {values}"
 
 
@@ -122,26 +124,32 @@ def _nothing_exists(claim: Claim, table: Table, rng: random.Random, places: int)
     return _exists_nothing_at(claim, table, given)
 
 
+def _scalars(table: Table, size: int) -> Places | Modular:
+    if table.order == table.characteristic:
+        return Modular(table, size)
+    return Places(union_of((table,)), np.zeros(size, np.int64))
+
+
 def _exists_nothing_at(claim: Claim, table: Table, given: np.ndarray) -> str | None:
     bound = _every(table, width(claim.bound))
     outer, inner = given.shape[1], bound.shape[1]
-    scalars = Places(union_of((table,)), np.zeros(outer * inner, np.int64))
+    scalars = _scalars(table, outer * inner)
     spread = np.repeat(given, inner, axis=1)
-    wrong, world = _false(claim, scalars, spread, np.tile(bound, outer))
-    wrong = np.broadcast_to(wrong, (outer * inner,)).reshape(outer, inner).all(axis=1)
+    wrong = _false(claim, scalars, spread, np.tile(bound, outer))
+    wrong = wrong.reshape(outer, inner).all(axis=1)
     if not wrong.any():
         return None
     return f"nothing exists over {table.name} at {given[:, int(np.argmax(wrong))].tolist()}"
 
 
-def is_true(claim: Claim, table: Table) -> bool | None:
-    """Tell whether a claim is true over a finite ring, by all places; None where these are many."""
-    if table.order ** (width(claim.given) + width(claim.bound)) > ALL:
+def is_true(claim: Claim, table: Table, most: int = ALL) -> bool | None:
+    """Tell whether a claim is true over a finite ring, by all places; None for more than ``most``."""
+    if table.order ** (width(claim.given) + width(claim.bound)) > most:
         return None
     given = _every(table, width(claim.given))
     if claim.bound:
         return _exists_nothing_at(claim, table, given) is None
-    return _first(claim, union_of((table,)), np.zeros(given.shape[1], np.int64), given) is None
+    return not _false(claim, _scalars(table, given.shape[1]), given).any()
 
 
 def somewhere_satisfied(claim: Claim, tables: Sequence[Table], rng: random.Random) -> str | None:

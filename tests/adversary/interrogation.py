@@ -32,11 +32,14 @@ def ask(case: Case, timeout: float, seed: int) -> tuple[str, list[str]]:
         answer.certificate, answer.verdict, answer.text, answer.field, found["algebra"]
     )
     wrong += own
+    verdict = answer.verdict
+    if answer.certificate is None and verdict in ("proved", "refuted", "vacuous"):
+        verdict = f"{verdict}, without a certificate"
     if scope not in (None, "field", found["scope"]) and answer.verdict != "refuted":
         again = {"verdict": answer.verdict, "scope": scope, "witness": None}
         said = judge(case.statement, case.field, found["algebra"], again, seed)
         wrong += [f"the checker: {text}" for text in said]
-    return answer.verdict, wrong
+    return verdict, wrong
 
 
 def interrogate(seed: int, count: int, timeout: float) -> Findings:

@@ -108,6 +108,7 @@ class World:
         self.s, self.values = scalars, values
         self.zero, self.one = scalars.zero, scalars.number(1)
         self.a = self.t = self.b = self.zero  # until they are known
+        self.plain = constants[1] == ("number", 0)  # t = 0, as it is most of the time
         (self.a, *_), da = self.term(constants[0])
         (self.t, *_), dt = self.term(constants[1])
         (self.b, *_), db = self.term(constants[2])
@@ -118,13 +119,13 @@ class World:
         s = self.s
         square = s.mul(x[1], y[1])
         crossed = s.add(s.mul(x[0], y[1]), s.mul(x[1], y[0]))
-        return (
-            s.add(s.mul(x[0], y[0]), s.mul(self.a, square)),
-            s.add(crossed, s.mul(self.t, square)),
-        )
+        if not self.plain:
+            crossed = s.add(crossed, s.mul(self.t, square))
+        return s.add(s.mul(x[0], y[0]), s.mul(self.a, square)), crossed
 
     def _k_bar(self, x: Any) -> Any:
-        return self.s.add(x[0], self.s.mul(self.t, x[1])), self.s.neg(x[1])
+        bar = self.s.neg(x[1])
+        return (x[0] if self.plain else self.s.add(x[0], self.s.mul(self.t, x[1]))), bar
 
     def _k_plus(self, x: Any, y: Any) -> Any:
         return self.s.add(x[0], y[0]), self.s.add(x[1], y[1])

@@ -331,6 +331,14 @@ def _constants(algebra: str | None) -> tuple[str, str, str]:
     return f"({parts[0]})", "1" if algebra[0] == "[" else "0", f"({parts[1]})"
 
 
+def plain_statements(seed: int, count: int) -> list[str]:
+    """Return random statements about H, which name no constants of a field."""
+    generator: Any = Generator(seed)
+    generator.divide = True
+    shapes = [generator.rng.choice(SHAPES) for _ in range(count)]
+    return [getattr(generator, f"_{shape}")()[0] for shape in shapes]
+
+
 def cases(seed: int, count: int) -> list[Case]:
     """Return random cases, the same for the same seed."""
     generator: Any = Generator(seed)

@@ -181,6 +181,29 @@ def test_fields_that_are_none() -> None:
         rejects(certified("1 == 1", name, "identity", IDENTITY), ".")
 
 
+def test_nothing_is_proved_over_floats() -> None:
+    words = list("eijk")
+    tuples = {"kind": "basis tuples", "tuples": [words]}
+    for statement, evidence, method in (
+        ("determined-by{all; 1}", tuples, "basis tuples"),
+        ("curried-linear{1}", {"kind": "identity"}, "identity"),
+        ("q == q", {"kind": "identity"}, "identity"),
+        ("basis{1; 1}", {"kind": "determinant"}, "determinant"),
+    ):
+        assert check(certified(statement, "QQ", method, evidence))
+        rejects(certified(statement, "RDF", method, evidence), "over floats")
+        rejects(certified(f"over{{RDF; {statement}}}", "QQ", method, evidence), "over floats")
+
+
+def test_nothing_is_refuted_over_floats_by_a_proof() -> None:
+    evidence = {"kind": "none exists", "proof": IDENTITY}
+    data = certified("exists s: s != s", "RDF", "identity", evidence)
+    rejects({**data, "verdict": "refuted"}, "over floats")
+    constant = certified("sqrt(2)**2 == 2", "RR", "identity", IDENTITY)
+    assert check(constant)
+    rejects({**constant, "statement": "sqrt(2) == 2"}, "does not hold")
+
+
 def test_names_that_collide() -> None:
     step = {"step": "contradiction", "cofactors": ["1"], "denominator": 1}
     item = {"characteristic": 0, "zero": [], "relations": [], "nonzero": ["s"], "steps": [step]}

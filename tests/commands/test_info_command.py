@@ -61,6 +61,8 @@ def test_factors_that_are_known_spare_the_factorisation(capsys):
     status, _, err = run(capsys, "info", "(-1,15|QQ)", "--factors", "3;5")
     assert status == 2
     assert "expected primes such as 3,5,1000003" in err
+    text = page(capsys, "info", f"({p * q},{-p * q}|QQ)")
+    assert "give its primes with --factors" in " ".join(text.split())
     assert "4 was given as a prime factor" in run(capsys, "info", "(-1,12|QQ)", "--factors", "4")[2]
 
 

@@ -3,9 +3,9 @@
 import pytest
 
 from hfield.proving.decide import decide
-from hfield.proving.interpret import RingInterpretation, bind
-from hfield.proving.language import Sort, read_statement
-from hfield.proving.setting import read_setting
+from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.statements.language import Sort, read_statement
+from hfield.proving.statements.setting import read_setting
 from tests.proving.statements import DEPENDS, FALSE, FIELD_NAMES, FIELDS, UNIVERSAL
 
 PANEL = [*FIELD_NAMES, "RR", "CC", "GF(5)", "GF(7)", "GF(8)", "GF(13)", "QQ(sqrt(2))", "QQ(x)"]

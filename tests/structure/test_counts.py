@@ -7,8 +7,8 @@ from structure_cases import cases, constants
 
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
 from hfield.rings import ring
-from hfield.structure.counts import count
-from hfield.structure.exhaust import confirm, tally
+from hfield.structure.counting.formulas_finite import count
+from hfield.structure.counting.tally import confirm, tally
 
 UP_TO_32 = [2, 3, 4, 5, 7, 8, 9, 11, 13, 16, 17, 19, 23, 25, 27, 29, 31, 32]
 
@@ -85,11 +85,11 @@ def test_residue_formulas_for_larger_moduli():
     assert count(square, hamilton, "norm", 1).value == (p**3 - p) * p**3
     # of the elements of norm 0 modulo p, those that are not 0 lift in p³ ways, and 0 in p⁴
     assert count(square, hamilton, "norm", 0).value == (p**3 + p**2 - p - 1) * p**3 + p**4
-    big = ring(f"ZZ/{2**200}")
+    big = ring(f"ZZ/{2**60}")
     found = count(big, constants(big.name, -1, 0, -1), "square roots", 1).value
     assert found == 32
     huge = ring(f"ZZ/{2**300}")
-    with pytest.raises(TooLargeError, match="exponents up to 256"):
+    with pytest.raises(TooLargeError, match="exponents up to 64"):
         count(huge, constants(huge.name, -1, 0, -1), "square roots", 1)
 
 

@@ -8,10 +8,15 @@ from structure_cases import constants
 from hfield.errors import UndecidedError
 from hfield.product import Constants, multiply, norm
 from hfield.rings import ring
-from hfield.structure.commutators import basis_of, centre
-from hfield.structure.elements import is_nilpotent
-from hfield.structure.invariants import derivations, is_central_simple, radical, to_opposite
-from hfield.structure.linear import apply
+from hfield.structure.linear_algebra.centre import basis_of, centre
+from hfield.structure.linear_algebra.kernels import apply
+from hfield.structure.linear_algebra.radical import (
+    derivations,
+    is_central_simple,
+    radical,
+    to_opposite,
+)
+from hfield.structure.single_elements.properties import is_nilpotent
 
 ALGEBRAS = [
     ("QQ", -1, 0, -1, 0, 3),

@@ -10,7 +10,7 @@ from hfield import H, QuaternionAlgebra
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.product import multiply
 from hfield.rings import ring
-from hfield.structure.torsion import multiplicative_order
+from hfield.structure.single_elements.torsion import multiplicative_order
 
 
 def order_of(algebra, text):

@@ -110,24 +110,24 @@ def _is_prime_number(n: int) -> bool:
     return n > 1 and all(n % m for m in range(2, n))
 
 
-def has_no_zero(field: Ring, a: Any, b: Any, c: Any) -> bool:
-    """Tell whether a·x² + b·xy + c·y² is 0 over a finite field for x = y = 0 only.
+def has_no_root(field: Ring, trace: Any, norm: Any) -> bool:
+    """Tell whether X² − trace·X + norm has no root in a finite field.
 
-    In odd characteristic that is so when b² − 4ac is no square (Euler), in characteristic 2 when b ≠ 0 and
-    z² + z = ac/b² has no solution, that is, when the trace of ac/b² down to GF(2) is 1.
+    In odd characteristic that is so when trace² − 4·norm is no square (Euler), in characteristic 2 when trace
+    is not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
     """
     q = field.order
     assert q is not None
     if field.characteristic != 2:
-        ac = field.mul(a, c)
-        discriminant = field.add(field.mul(b, b), field.mul(field.number(-4), ac))
+        four_norms = field.mul(field.number(4), norm)
+        discriminant = field.add(field.mul(trace, trace), field.neg(four_norms))
         return field.equal(field.power(discriminant, (q - 1) // 2), field.number(-1))
-    if field.is_zero(b):
+    if field.is_zero(trace):
         return False
-    below = field.inverse(b)
-    term = field.mul(field.mul(a, below), field.mul(c, below))
-    trace = term
+    below = field.inverse(trace)
+    term = field.mul(norm, field.mul(below, below))
+    total = term
     for _ in range(q.bit_length() - 2):
         term = field.mul(term, term)
-        trace = field.add(trace, term)
-    return field.equal(trace, field.one)
+        total = field.add(total, term)
+    return field.equal(total, field.one)

@@ -15,7 +15,9 @@ Fraction = tuple[Poly, Poly]
 
 
 class Polynomials(Ring):
-    """``base[names]``."""
+    """``base[names]``, the base being a domain."""
+
+    is_integral = True
 
     def __init__(self, base: Ring, names: tuple[str, ...], name: str) -> None:
         self.base, self.names, self.name = base, names, name

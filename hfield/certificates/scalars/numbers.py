@@ -27,6 +27,7 @@ class Rationals(Ring):
     """ℚ; or ℤ, of which nothing but integers can be named, and where only ±1 are units."""
 
     characteristic = 0
+    is_integral = True
 
     def __init__(self, is_field: bool) -> None:
         self.is_field, self.name = is_field, "QQ" if is_field else "ZZ"
@@ -62,7 +63,7 @@ class Floats(Rationals):
 
     def __init__(self) -> None:
         super().__init__(False)
-        self.name = "RDF"
+        self.name, self.is_integral = "RDF", False
 
     def number(self, n: int) -> Fraction:
         """Return n."""

@@ -18,6 +18,7 @@ class Ring(ABC):
     characteristic: int
     order: int | None = None
     is_field: bool = False
+    is_integral: bool = False  # known to have no zero divisors, though it may be no field
     zero: Any
     one: Any
 
@@ -40,6 +41,11 @@ class Ring(ABC):
     @abstractmethod
     def inverse(self, x: Any) -> Any:
         """Return 1/x, None for what is no unit."""
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is."""
+        return self.is_field or self.is_integral
 
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""

@@ -314,23 +314,30 @@ def steps(target: Target, rng: random.Random) -> list[Item]:
     return [indirect(goals, lie, zero=zeros)]
 
 
+UNIT_I, UNIT_J, HALF, ZERO = ["0", "1", "0", "0"], ["0", "0", "1", "0"], ["1/2"] * 4, ["0"] * 4
 FACTS: tuple[Any, ...] = (
     {"form": "norm", "by": "ordering"},
     {"form": "norm", "by": "level"},
-    {"form": "norm", "by": "ramified places", "places": ["2"]},
-    {"form": "norm", "by": "ramified places", "places": ["3", "5", "7", "inf"]},
-    {"form": "norm", "by": "ramified places", "places": []},
-    {"form": "norm", "by": "specialisation", "places": ["0"]},
+    *(
+        {"form": "norm", "by": "place", "place": p, "u": UNIT_I, "j": UNIT_J}
+        for p in ("3", "15", "t", "inf")
+    ),
+    *(
+        {"form": "norm", "by": "place", "place": p, "u": HALF, "j": ["1", "1", "0", "0"]}
+        for p in "24٣"
+    ),
     {
         "form": "norm",
-        "by": "ramified places",
-        "places": ["x", "t", "t+1", "x^2+1", "4", "٣", "1", "0", "-3"],
+        "by": "place",
+        "place": "(2, sqrt(-7)-1)",
+        "u": HALF,
+        "j": ["1", "1", "0", "0"],
     },
-    {
-        "form": "norm",
-        "by": "ramified places",
-        "places": ["(2, sqrt(-7)-1)", "(3, sqrt(-2)-1)", "(5,I-2)"],
-    },
+    {"form": "norm", "by": "place", "place": "2", "u": ZERO, "j": ZERO},
+    {"form": "norm", "by": "place", "place": "9", "u": UNIT_I, "j": ["3", "0", "0", "0"]},
+    {"form": "norm", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
+    {"form": "norm", "by": "place", "place": "2", "u": HALF, "j": UNIT_I, "algebra": "(-1,-1|QQ)"},
+    {"form": "norm", "by": "ordering", "algebra": "(-1,-1|RR)"},
     {"form": "squares", "by": "level", "most": 2, "positive": False},
     {"form": "squares", "by": "level", "most": 5, "positive": False},
     {"form": "squares", "by": "ordering", "most": None, "positive": True},

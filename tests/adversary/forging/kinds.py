@@ -81,6 +81,11 @@ def unknowns(statement: str) -> tuple[str, ...]:
     return tuple(sorted({w for w in text.split() if len(w) == 1 and w in "pqruvwstxyzab"}))
 
 
+def bound(target: Target) -> list[str]:
+    """Return the names that ``exists`` binds."""
+    return target.statement.partition("exists")[2].partition(":")[0].replace(",", " ").split()
+
+
 def _values(target: Target, rng: random.Random, odd: bool) -> dict[str, list[str]]:
     found = {}
     for name in unknowns(f"{target.statement} {(target.algebra or '').partition('|')[0]}"):
@@ -104,10 +109,7 @@ def witness(target: Target, rng: random.Random, pool: Pool) -> Any:
 
 def terms(target: Target, rng: random.Random, pool: Pool) -> Any:
     """Terms that are undefined, bound themselves, of the wrong sort, or proved by something else."""
-    names = [
-        n
-        for n in target.statement.partition("exists")[2].partition(":")[0].replace(",", " ").split()
-    ]
+    names = bound(target)
     texts = (
         "1/0",
         "inv(0*e)",
@@ -156,9 +158,7 @@ def none_exists(target: Target, rng: random.Random, pool: Pool) -> Any:
     )
     if rng.random() < 0.6:
         values = _values(target, rng, False)
-        for name in (
-            target.statement.partition("exists")[2].partition(":")[0].replace(",", " ").split()
-        ):
+        for name in bound(target):
             values.pop(name, None)
         inner = {"kind": "place", "values": values, "proof": inner}
     if target.field is None or rng.random() < 0.1:

@@ -3,6 +3,7 @@
 import random
 from typing import Any
 
+from tests.adversary.forging.cofactors import HALF, UNIT_I, UNIT_J, ZERO
 from tests.adversary.forging.targets import Certificate, Target
 
 FIELDS = (
@@ -82,22 +83,23 @@ ATOMS = (
         "s != s => s == 0",
     ),
 )
-CLOSED = (
-    "1 == 2",
-    "division",
-    "s == 0",
-    "p*q == q*p",
-    "formally-real",
-    "1 == 2 => s == 0",
-    "level-above{2}",
+
+
+PLAIN = (
+    *("identity", "level", "ordering", "closed", "count", "determinant", "unique roots"),
+    *("square roots", "pure subgroup"),
 )
+PAIRS = [a + b for a in "eijk" for b in "eijk"]
 
 
 def statement(rng: random.Random, depth: int = 0) -> str:
     """Return a statement of the vocabulary, or inside of one."""
     if depth > 1 or rng.random() < 0.55:
         return rng.choice(ATOMS)
-    part = lambda: statement(rng, depth + 1)  # noqa: E731
+
+    def part() -> str:
+        return statement(rng, depth + 1)
+
     return rng.choice(
         (
             f"every{{{part()}; {part()}}}",
@@ -115,27 +117,34 @@ def statement(rng: random.Random, depth: int = 0) -> str:
 
 def evidence(rng: random.Random, depth: int = 0) -> Any:
     """Return evidence of a kind that some word takes."""
-    four = lambda: [
-        rng.choice(("0", "1", "-1", "2", "1/2", "x", "sqrt(2)", "I", "t")) for _ in range(4)
-    ]
-    inner = lambda: evidence(rng, depth + 1) if depth < 3 else {"kind": "identity"}  # noqa: E731
-    judged = lambda: {"verdict": rng.choice(("proved", "refuted", "vacuous")), "evidence": inner()}  # noqa: E731
+
+    def four() -> list[str]:
+        numbers = ("0", "1", "-1", "2", "1/2", "x", "sqrt(2)", "I", "t")
+        return [rng.choice(numbers) for _ in range(4)]
+
+    def inner() -> Any:
+        return evidence(rng, depth + 1) if depth < 3 else {"kind": "identity"}
+
+    def judged() -> dict[str, Any]:
+        return {"verdict": rng.choice(("proved", "refuted", "vacuous")), "evidence": inner()}
+
     field = rng.choice(FIELDS)
     values = {n: four()[: 4 if n in "pq" else 1] for n in rng.choice(("", "s", "q", "pq", "ps"))}
     plain = [
-        {"kind": "identity"}, {"kind": "level"}, {"kind": "ordering"}, {"kind": "closed"}, {"kind": "count"},
-        {"kind": "unique roots"}, {"kind": "square roots"}, {"kind": "pure subgroup"}, {"kind": "determinant"},
+        *({"kind": kind} for kind in PLAIN),
         {"kind": "anisotropic", "by": rng.choice(("ordering", "level"))},
-        {"kind": "anisotropic", "by": rng.choice(("ramified places", "specialisation")),
-         "places": rng.choice((["2"], ["3", "inf"], ["x"], ["t", "inf"], ["(2, sqrt(-7)-1)"], []))},
+        {"kind": "anisotropic", "by": "place", "place": rng.choice(("2", "3", "t", "inf", "(2, sqrt(-7)-1)")),
+         "u": rng.choice((UNIT_I, HALF, ZERO)), "j": rng.choice((UNIT_J, ["1", "1", "0", "0"], ZERO))},
+        {"kind": "anisotropic", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
         {"kind": "zero norm", "value": four()}, {"kind": "squares", "values": four()[: rng.randint(1, 4)]},
         {"kind": "witness", "value": four(), "norm": rng.choice((1, -1, 4, 0, 2))},
         {"kind": "no root", "value": four()},
-        {"kind": "all choices", "elements": [four(), ["1", "0", "0", "0"]], "roots": ["1", rng.choice(("1", "-1", "0"))]},
+        {"kind": "all choices", "elements": [four(), ["1", "0", "0", "0"]],
+         "roots": ["1", rng.choice(("1", "-1", "0"))]},
         {"kind": "all choices", "elements": [["1", "0", "0", "0"]], "roots": ["1"]},
         {"kind": "minor", "rows": rng.sample(range(8), 3), "columns": rng.sample(range(4), 3)},
         {"kind": "left out", "tuple": "".join(rng.choices("eijk", k=rng.randint(1, 3)))},
-        {"kind": "basis tuples", "tuples": [list("eijk"), [a + b for a in "eijk" for b in "eijk"]][: rng.randint(0, 2)]},
+        {"kind": "basis tuples", "tuples": [list("eijk"), PAIRS][: rng.randint(0, 2)]},
         {"kind": "exhaustion", "cases": rng.choice((1, 2, 3, 4, 5, 9, 16, 81))},
         {"kind": "witness", "field": field, "values": values},
         {"kind": "implication", "facts": [], "items": []},

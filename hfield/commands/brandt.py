@@ -1,0 +1,128 @@
+"""``hfield brandt``: Brandt matrices, Hecke polynomials, and the graph of p-neighbours."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from math import cos, pi, sin
+from typing import TYPE_CHECKING, Any
+
+from hfield.commands.classes import algebra_of, level_of
+from hfield.commands.output import OutputError, open_output
+from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.errors import shorten
+
+if TYPE_CHECKING:
+    from hfield.lattices.classes import ClassSet
+
+HELP = (
+    "Print the Brandt matrix of a prime (or any n) for discriminant D and level N, with its characteristic "
+    "polynomial; or the edges of the graph, which networkx reads. For a prime D and level 1 that is the "
+    "supersingular isogeny graph."
+)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("algebra", metavar="D", help="a discriminant such as 11, or an algebra")
+    parser.add_argument("level", metavar="N", nargs="?", default="1", help="the level (default: 1)")
+    parser.add_argument("--prime", metavar="P", default="2", help="which matrix (default: 2)")
+    parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
+    add_format(parser, "plain", "json", "latex", "edges")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Compute the matrix, and print it."""
+    A, level = algebra_of(args.algebra), level_of(args.level)
+    if not (args.prime.isascii() and args.prime.isdecimal() and int(args.prime) > 0):
+        raise UsageError(f"--prime {shorten(args.prime)!r}: expected a prime such as 2")
+    n = int(args.prime)
+    with open_output(args.output) as out:
+        C = A.eichler_order(level).class_set()
+        matrix = C.brandt_matrix(n)
+        if args.plot:
+            _plot(matrix, args.plot)
+        if args.format == "json":
+            out.write_json(
+                {
+                    "schema": "hfield-brandt/1",
+                    "algebra": A.name,
+                    "discriminant": A.discriminant(),
+                    "level": level,
+                    "n": n,
+                    "classes": len(C),
+                    "units": C.unit_counts,
+                    "matrix": matrix,
+                    "characteristic_polynomial": C.hecke_polynomial(n),
+                }
+            )
+        elif args.format == "edges":
+            out.write(
+                "\n".join(
+                    f"{i} {j} {m}" for i, row in enumerate(matrix) for j, m in enumerate(row) if m
+                )
+            )
+        elif args.format == "latex":
+            rows = " \\\\\n".join(" & ".join(map(str, row)) for row in matrix)
+            out.write(f"\\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}")
+        else:
+            out.write("\n".join(_plain(C, matrix, n)))
+    return 0
+
+
+def _plain(C: ClassSet, matrix: list[list[int]], n: int) -> list[str]:
+    width = max(len(str(x)) for row in matrix for x in row)
+    lines = [
+        f"Brandt matrix of {n}, {len(C)} classes of {C.order.algebra}, level {C.order.level}",
+        "",
+    ]
+    lines += ["  " + " ".join(f"{x:>{width}}" for x in row) for row in matrix]
+    return [*lines, "", f"characteristic polynomial  {polynomial(C.hecke_polynomial(n))}"]
+
+
+def polynomial(coefficients: list[int]) -> str:
+    """Write a polynomial in x, the highest power first."""
+    text = ""
+    for e in range(len(coefficients) - 1, -1, -1):
+        c = coefficients[e]
+        if not c:
+            continue
+        power = "" if e == 0 else "x" if e == 1 else f"x^{e}"
+        size = str(abs(c)) if abs(c) != 1 or not e else ""
+        term = f"{size}*{power}" if size and power else size or power
+        sign = "-" if c < 0 else "+"
+        text += f" {sign} {term}" if text else f"{'-' if c < 0 else ''}{term}"
+    return text or "0"
+
+
+def _plot(matrix: list[list[int]], path: str) -> None:
+    """Draw the vertices on a circle, edges as wide as they are many, loops as rings."""
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib.figure import Figure
+
+    h = len(matrix)
+    points = [(cos(2 * pi * k / h), sin(2 * pi * k / h)) for k in range(h)]
+    figure = Figure(figsize=(6, 6))
+    axes: Any = figure.add_axes((0, 0, 1, 1))
+    for i, (x, y) in enumerate(points):
+        for j in range(i + 1, h):
+            m = max(matrix[i][j], matrix[j][i])
+            if m:
+                u, v = points[j]
+                axes.plot([x, u], [y, v], color="0.6", linewidth=0.6 * m, zorder=1)
+        if matrix[i][i]:
+            axes.scatter([1.08 * x], [1.08 * y], s=120, facecolors="none", edgecolors="0.6",
+                         linewidths=0.6 * matrix[i][i], zorder=1)  # fmt: skip
+        axes.scatter([x], [y], s=60, color="tab:blue", zorder=2)
+        axes.annotate(str(i), (1.2 * x, 1.2 * y), ha="center", va="center", fontsize=8)
+    axes.set_xlim(-1.35, 1.35)
+    axes.set_ylim(-1.35, 1.35)
+    axes.axis("off")
+    try:
+        figure.savefig(path)
+    except (OSError, ValueError) as error:
+        raise OutputError(
+            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+        ) from error

@@ -1,0 +1,114 @@
+"""``hfield order``: an order over the integers, maximal, Eichler or generated, and what it is."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING, Any
+
+from hfield.commands.classes import algebra_of, level_of
+from hfield.commands.output import open_output
+from hfield.commands.parser import UsageError, add_format, add_output
+
+if TYPE_CHECKING:
+    from hfield.lattices.order import Order
+
+HELP = (
+    "Show an order over ZZ in an algebra over QQ: its basis, discriminant, units, conductor, class number. "
+    "By default a maximal order; --level gives an Eichler order, --generators the ring that they generate."
+)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument(
+        "algebra",
+        metavar="ALGEBRA",
+        help="such as '(-1,-11|QQ)', or a discriminant such as 11 or 30",
+    )
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument("--level", metavar="N", help="an Eichler order of this level")
+    group.add_argument("--generators", metavar="X,Y,…", help="elements, such as 'i, 1/2 + 1/2*j'")
+    group.add_argument(
+        "--extremal", action="store_true", help="the p-extremal order where KLPT starts"
+    )
+    add_format(parser, "plain", "json", "latex")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Make the order, and print what it is."""
+    A = algebra_of(args.algebra)
+    if args.generators is not None:
+        words = [word for word in args.generators.split(",") if word.strip()]
+        if not words:
+            raise UsageError("--generators names no element; expected elements such as 'i, j'")
+        O = A.order([A(word) for word in words])
+    elif args.extremal:
+        O = A.extremal_order()
+    else:
+        O = A.eichler_order(level_of(args.level or "1"))
+    with open_output(args.output) as out:
+        if args.format == "json":
+            out.write_json(to_json(O))
+        elif args.format == "latex":
+            out.write(
+                r"\mathbb{Z}\left\langle "
+                + ", ".join(q.text("latex") for q in O.basis)
+                + r"\right\rangle"
+            )
+        else:
+            out.write("\n".join(f"{label:<22} {text}" for label, text in page(O)))
+    return 0
+
+
+def to_json(O: Order) -> dict[str, Any]:
+    """Return what programs read."""
+    den, rows = O.hnf
+    definite = "inf" in O.algebra.ramified_places()  # type: ignore[attr-defined]
+    return {
+        "schema": "hfield-order/1",
+        "kind": "order",
+        "algebra": str(O.algebra),
+        "den": den,
+        "rows": [list(row) for row in rows],
+        "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
+        "discriminant": O.discriminant(),
+        "level": O.level,
+        "maximal": O.is_maximal(),
+        "eichler": O.is_eichler(),
+        "conductor": O.conductor(),
+        "units": O.unit_count() if definite else None,
+        "unit_group": O.unit_group(),
+        "mass": str(O.mass()) if definite else None,
+    }
+
+
+def page(O: Order) -> list[tuple[str, str]]:
+    """Return the lines of the page."""
+    data = to_json(O)
+    kind = (
+        "maximal"
+        if data["maximal"]
+        else "an Eichler order"
+        if data["eichler"]
+        else "no Eichler order"
+    )
+    units = (
+        "infinitely many"
+        if data["units"] is None
+        else f"{data['units']}, the group {data['unit_group']}"
+    )
+    lines = [
+        ("algebra", data["algebra"]),
+        ("basis", ", ".join(str(q) for q in O.basis)),
+        ("reduced discriminant", f"{data['discriminant']}, of level {data['level']}: {kind}"),
+        ("conductor", str(data["conductor"])),
+        ("units", units),
+    ]
+    if data["mass"] is not None:
+        lines.append(("mass", data["mass"]))
+    if data["eichler"]:
+        number = O.algebra.class_number(O.level)  # type: ignore[attr-defined]
+        how = "Eichler's formula" if data["units"] else "strong approximation"
+        lines.append(("class number", f"{number}, by {how}"))
+    return lines

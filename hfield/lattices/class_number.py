@@ -1,0 +1,79 @@
+"""Masses and class numbers from closed formulas; nothing is enumerated.
+
+The mass is ``Σ 1/[O_L(I)^× : ±1]`` over the ideal classes (Voight, *Quaternion Algebras*, theorem 26.1.5),
+and Eichler's class number formula adds to it what orders with more units than ±1 take away (30.1.5).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from hfield.errors import IndefiniteError, LatticeError
+from hfield.factorisation import factorise
+from hfield.lattices.reduction import kronecker
+
+if TYPE_CHECKING:
+    from hfield.lattices.order import Order
+
+
+def eichler_mass(discriminant: int, level: int) -> Fraction:
+    """Return the mass of an Eichler order: φ(D)·ψ(N)/12."""
+    mass = Fraction(1, 12)
+    for p in factorise(discriminant):
+        mass *= p - 1
+    for p, e in factorise(level).items():
+        mass *= p ** (e - 1) * (p + 1)
+    return mass
+
+
+def mass(order: Order) -> Fraction:
+    """Return the mass of any order of a definite algebra, from its Eichler symbols."""
+    if not order._regular.definite:
+        raise IndefiniteError("the mass is defined for orders of definite algebras")
+    found = Fraction(order._discriminant, 12)
+    for p in factorise(order._discriminant):
+        symbol = order.eichler_symbol(p)
+        found *= {1: 1 + Fraction(1, p), -1: 1 - Fraction(1, p), 0: 1 - Fraction(1, p * p)}[
+            symbol or 0
+        ]
+    return found
+
+
+def class_number(discriminant: int, level: int) -> int:
+    """Return the number of right ideal classes of an Eichler order of a definite algebra.
+
+    Raises :class:`LatticeError` for a discriminant that is no product of an odd number of primes, or
+    a level that is not prime to it.
+    """
+    primes = factorise(discriminant)
+    powers = factorise(level)
+    if any(e > 1 for e in primes.values()) or len(primes) % 2 == 0:
+        raise LatticeError(
+            f"{discriminant} is not the discriminant of a definite algebra over QQ: expected a product of "
+            "an odd number of different primes"
+        )
+    for p in primes:
+        if p in powers:
+            raise LatticeError(
+                f"the level {level} and the discriminant {discriminant} have the factor {p} in common: "
+                "Eichler orders have a level prime to the discriminant"
+            )
+    total = eichler_mass(discriminant, level)
+    # elements of order 4 and of order 3 (or 6): the optimal embeddings of ℤ[i] and of ℤ[ω]
+    for d, weight in ((-4, Fraction(1, 4)), (-3, Fraction(1, 3))):
+        for p in primes:
+            weight *= 1 - kronecker(d, p)
+        for p, e in powers.items():
+            weight *= _roots(d, p, e)
+        total += weight
+    if total.denominator != 1:
+        raise AssertionError("Eichler's formula gives an integer")
+    return total.numerator
+
+
+def _roots(d: int, p: int, e: int) -> int:
+    """Return the number of local optimal embeddings of the maximal order of discriminant d at level pᵉ."""
+    if d % p:
+        return 1 + kronecker(d, p)
+    return 1 if e == 1 else 0

@@ -1,0 +1,283 @@
+"""The right ideal classes of an order in a definite algebra, and what acts on them.
+
+A class ``[I]`` is known by one lattice: of all ``x⁻¹·I``, for the x of least norm in I, the one whose Hermite
+form comes first. Equivalent ideals have the same such lattices, and the lattice lies in the class; so classes
+are looked up and not compared in pairs. As many of these x as the left order has units give the same lattice.
+
+Starting from O, neighbours at a prime are taken until the mass formula is used up: then no class is missing,
+and as all are different none comes twice (Kirschmer and Voight, 2010; Voight, *Quaternion Algebras*, 26.1.5).
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property
+from itertools import count
+from typing import Any
+
+from flint import fmpz_mat
+
+from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.factorisation import factorise, is_prime
+from hfield.lattices import enumeration, hermite
+from hfield.lattices.answers import rows_json
+from hfield.lattices.class_number import mass
+from hfield.lattices.ideal import Ideal
+from hfield.lattices.lattice import Lattice
+from hfield.lattices.order import Order, positive
+from hfield.lattices.subideals import of_prime_norm, right_subideals
+from hfield.lattices.twosided import generators
+
+Key = tuple[int, ...]
+MOST_CLASSES = 200_000
+"""More classes than this are counted by formula and not enumerated."""
+
+
+def canonical(lattice: Lattice) -> tuple[Key, int]:
+    """Return the lattice of a right ideal class as a key, and how many units the left order has."""
+    r = lattice._regular
+    rows, gram = lattice._reduced
+    least = min(gram[n][n] for n in range(4))
+    short: list[tuple[int, ...]] = []
+    for x, value in enumeration.short_vectors(gram, least):
+        if value < least:
+            short, least = [], value
+        if value == least:
+            short.append(x)
+    # N(x) = least/2·norm, and x is over the denominator of the lattice
+    bars = fmpz_mat(short) * rows * r.conjugation
+    norm = lattice._norm
+    up = 2 * norm.denominator
+    den = lattice._den * lattice._den * r.conjugate_scale * r.scale * norm.numerator * least
+    keys: Counter[Key] = Counter()
+    for bar in hermite.tuples(bars):
+        found = hermite.hermite(den, lattice._matrix * (r.left_matrix(bar) * up))
+        assert found is not None
+        d, m = found
+        keys[(d, *map(int, m.entries()))] += 1
+    key = min(keys)
+    return key, 2 * keys[key]
+
+
+class ClassSet:
+    """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
+    >>> len(C), C.mass, C.type_number
+    (2, Fraction(5, 6), 2)
+    >>> C.brandt_matrix(2)
+    [[1, 2], [3, 0]]
+    """
+
+    def __init__(self, order: Order) -> None:
+        order._definite("class_set()")
+        self.order = order
+        self.mass = mass(order)
+        if self.mass > MOST_CLASSES:
+            raise TooLargeError(
+                f"there are more than {MOST_CLASSES} classes; A.class_number(N) counts them by "
+                "Eichler's formula"
+            )
+        self.unit_counts: list[int] = []
+        """How many units the left orders of the classes have."""
+        self._keys: dict[Key, int] = {}
+        self._lattices: list[Lattice] = []
+        self._rows: dict[int, list[Counter[int]]] = {}
+        self._enumerate()
+
+    def _enumerate(self) -> None:
+        left = self.mass
+        left -= self._add(*canonical(self.order))
+        discriminant = self.order._discriminant
+        for p in count(2):
+            if not left:
+                return
+            if not is_prime(p) or discriminant % p == 0:
+                continue
+            # where local units do not have all norms, neighbours at one prime reach a part of the classes
+            done, rows = 0, []
+            while done < len(self._lattices):
+                row: Counter[int] = Counter()
+                for key, units in self._neighbours(self._lattices[done], p):
+                    if key not in self._keys:
+                        left -= self._add(key, units)
+                    row[self._keys[key]] += 1
+                rows.append(row)
+                done += 1
+            self._rows[p] = rows
+            if left < 0:
+                raise AssertionError("the classes found exceed the mass")
+
+    def _add(self, key: Key, units: int) -> Fraction:
+        self._keys[key] = len(self._lattices)
+        self._lattices.append(self._lattice(key))
+        self.unit_counts.append(units)
+        return Fraction(2, units)
+
+    def _lattice(self, key: Key) -> Lattice:
+        return Lattice(self.order.algebra, key[0], fmpz_mat(4, 4, key[1:]))
+
+    def _neighbours(self, lattice: Lattice, p: int) -> Iterator[tuple[Key, int]]:
+        for den, matrix in right_subideals(lattice, self.order, p):
+            yield canonical(Lattice(self.order.algebra, den, matrix))
+
+    # --- the classes -------------------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        return len(self._lattices)
+
+    def __getitem__(self, n: int) -> Ideal:
+        """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
+        found = Ideal.of(self._lattices[n], "right", self.order)
+        return (
+            (found * found.norm().q).primitive_part()[0]
+            if n
+            else Ideal.of(self.order, "right", self.order)
+        )
+
+    def __iter__(self) -> Iterator[Ideal]:
+        return (self[n] for n in range(len(self)))
+
+    def left_ideals(self) -> Iterator[Ideal]:
+        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
+        return (I.conjugate() for I in self)
+
+    def index(self, ideal: Any) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
+            ideal = Ideal.like(ideal, self.order, "right")
+        if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self.order:
+            raise LatticeError(
+                f"{shorten(repr(ideal))} is not a right ideal of {shorten(self.order)}"
+            )
+        if not ideal.is_invertible():
+            raise LatticeError(f"{shorten(ideal)} is not invertible, and belongs to no class")
+        return self._index(ideal)
+
+    def _index(self, lattice: Lattice) -> int:
+        return self._keys[canonical(lattice)[0]]
+
+    def left_orders(self) -> list[Order]:
+        """Return the left orders of the representatives, one a class."""
+        return [I.left_order() for I in self]
+
+    @cached_property
+    def types(self) -> list[int]:
+        """The number of the type of each class: which left orders are isomorphic.
+
+        For a maximal or an Eichler order they are the orbits of the two-sided ideals.
+        """
+        known = [-1] * len(self)
+        if not self._hereditary_or_eichler():
+            return self._types_by_isomorphism()
+        ideals = generators(self.order)
+        kinds = 0
+        for start in range(len(self)):
+            if known[start] >= 0:
+                continue
+            known[start], todo = kinds, [start]
+            while todo:
+                lattice = self._lattices[todo.pop()]
+                for ideal in ideals:
+                    n = self._index(lattice._product(ideal))
+                    if known[n] < 0:
+                        known[n] = kinds
+                        todo.append(n)
+            kinds += 1
+        return known
+
+    def _hereditary_or_eichler(self) -> bool:
+        order = self.order
+        return all(
+            e == 1 or (order._regular.discriminant % p and order.eichler_symbol(p) == 1)
+            for p, e in factorise(order._discriminant).items()
+        )
+
+    def _types_by_isomorphism(self) -> list[int]:
+        found: list[Order] = []
+        kinds: list[int] = []
+        for order in self.left_orders():
+            known = next((n for n, other in enumerate(found) if order.isomorphism(other)), None)
+            if known is None:
+                known = len(found)
+                found.append(order)
+            kinds.append(known)
+        return kinds
+
+    @property
+    def type_number(self) -> int:
+        """How many isomorphism classes of orders there are in the genus."""
+        return len(set(self.types))
+
+    # --- Brandt matrices -----------------------------------------------------------------------------
+
+    def neighbours(self, p: int) -> list[Counter[int]]:
+        """Return for each class how many right ideals of relative norm p in it belong to which class."""
+        if p not in self._rows:
+            order = self.order
+            if order._discriminant % p:
+                self._rows[p] = [
+                    Counter(self._keys[key] for key, _ in self._neighbours(lattice, p))
+                    for lattice in self._lattices
+                ]
+            else:
+                self._rows[p] = [
+                    Counter(
+                        self._index(J) for J in of_prime_norm(Ideal.of(L, "right", order), order, p)
+                    )
+                    for L in self._lattices
+                ]
+        return self._rows[p]
+
+    def brandt_matrix(self, n: int) -> list[list[int]]:
+        """Return the Brandt matrix: entry (i, j) counts the ideals of class j of relative norm n in I_i.
+
+        Each row sums to the number of integral ideals of norm n; and entry (i, j) times the units of j is
+        entry (j, i) times those of i (Pizer, 1980; Gross, 1987). Raises :class:`LatticeError`.
+        """
+        from hfield.lattices.brandt import brandt_matrix
+
+        return brandt_matrix(self, positive(n, "index"))
+
+    def hecke_polynomial(self, n: int) -> list[int]:
+        """Return the characteristic polynomial of the Brandt matrix, low degree first."""
+        return [int(c) for c in fmpz_mat(self.brandt_matrix(n)).charpoly().coeffs()]
+
+    def theta_series(self, i: int, j: int, n: int) -> list[int]:
+        """Return the theta series, up to q^n, of the lattice between two classes.
+
+        Its coefficient m, divided by the units of class j, is entry (i, j) of the Brandt matrix of m.
+        """
+        between = self._lattices[i]._product(self._lattices[j].conjugate())
+        return between.theta_series(n)
+
+    def edges(self, p: int) -> Iterator[tuple[int, int, dict[str, int]]]:
+        """Yield the edges of the graph of p-neighbours, ``networkx.from_edgelist`` reads them.
+
+        For a maximal order of prime discriminant it is the supersingular isogeny graph, up to Galois
+        conjugation of the vertices (Deuring).
+        """
+        for i, row in enumerate(self.neighbours(p)):
+            for j in sorted(row):
+                yield i, j, {"weight": row[j]}
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """What a program needs to check the class set: representatives, units, and the mass."""
+        return {
+            "kind": "class-set",
+            "algebra": str(self.order.algebra),
+            "order": rows_json(self.order),
+            "discriminant": self.order._discriminant,
+            "mass": str(self.mass),
+            "classes": [
+                {**rows_json(I), "units": units}
+                for I, units in zip(self, self.unit_counts, strict=True)
+            ],
+        }
+
+    def __repr__(self) -> str:
+        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"

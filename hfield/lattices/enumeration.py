@@ -1,0 +1,138 @@
+"""Vectors of bounded length in a positive definite integral form, exactly, after Fincke and Pohst.
+
+With the leading minors dᵢ of the Gram matrix (d₀ = 1) and the rows Lᵢ of Bareiss' elimination, integral
+linear forms, ``Q(x) = Σ Lᵢ(x)²/(dᵢ₋₁·dᵢ)``. What is left of a bound after the last coordinates are chosen
+is a fraction over dᵢ₋₁, so the whole search runs in integers and no vector is lost to rounding, however
+long the entries (Fincke and Pohst, *Math. Comp.* 44, 1985; Bareiss, 1968).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import exp, isqrt, log, pi
+
+Vector = tuple[int, ...]
+Gram = Sequence[Sequence[int]]
+
+
+def bareiss(gram: Gram) -> tuple[list[int], list[list[int]]]:
+    """Return the leading minors ``[1, d₁, …, dₙ]`` and the rows of the elimination without fractions."""
+    rows = [list(row) for row in gram]
+    n = len(rows)
+    minors = [1]
+    for k in range(n):
+        pivot, before = rows[k][k], minors[-1]
+        for i in range(k + 1, n):
+            head = rows[i][k]
+            row, top = rows[i], rows[k]
+            for j in range(k + 1, n):
+                row[j] = (row[j] * pivot - head * top[j]) // before
+        minors.append(pivot)
+    return minors, rows
+
+
+def short_vectors(gram: Gram, bound: int) -> Iterator[tuple[Vector, int]]:
+    """Yield one of ±x for every x ≠ 0 with ``x·gram·x ≤ bound``, and this value."""
+    minors, forms = bareiss(gram)
+    n = len(minors) - 1
+    if bound <= 0 or n == 0:
+        return
+    x = [0] * n
+    yield from _search(minors, forms, bound, n, minors[n] * bound, x, True)
+
+
+def _search(
+    minors: list[int],
+    forms: list[list[int]],
+    bound: int,
+    i: int,
+    left: int,
+    x: list[int],
+    zero: bool,
+) -> Iterator[tuple[Vector, int]]:
+    """Choose coordinate i − 1; ``left`` is minors[i] times what is left of the bound.
+
+    While all chosen ones are zero, only the half line from 0 on is run through.
+    """
+    n = len(x)
+    k = i - 1
+    form, low, high = forms[k], minors[k], minors[i]
+    shift = 0
+    for j in range(i, n):
+        shift += form[j] * x[j]
+    reach = low * left
+    radius = isqrt(reach)
+    first = 0 if zero else -((radius + shift) // high)
+    last = (radius - shift) // high
+    for value in range(first, last + 1):
+        line = high * value + shift
+        rest = (reach - line * line) // high
+        x[k] = value
+        if k == 0:
+            if value or not zero:
+                yield tuple(x), bound - rest
+        else:
+            yield from _search(minors, forms, bound, k, rest, x, zero and value == 0)
+    x[k] = 0
+
+
+def vectors_of_length(gram: Gram, length: int) -> Iterator[Vector]:
+    """Yield one of ±x for every x ≠ 0 with ``x·gram·x = length``; the last coordinate is solved for."""
+    minors, forms = bareiss(gram)
+    n = len(minors) - 1
+    if length <= 0:
+        return
+    if n == 1:
+        root = isqrt(length // gram[0][0])
+        if root * root * gram[0][0] == length:
+            yield (root,)
+        return
+    x = [0] * n
+    first, head = forms[0], minors[1]
+    for zero, left in _heads(minors, forms, n, minors[n] * length, x, True):
+        # (head·x₀ + shift)² = left
+        root = isqrt(left)
+        if root * root != left:
+            continue
+        shift = sum(first[j] * x[j] for j in range(1, n))
+        for line in {root, -root}:
+            value, odd = divmod(line - shift, head)
+            if not odd and not (zero and value <= 0):
+                yield (value, *x[1:])
+
+
+def _heads(
+    minors: list[int], forms: list[list[int]], i: int, left: int, x: list[int], zero: bool
+) -> Iterator[tuple[bool, int]]:
+    """Choose all coordinates but the first, in x; yield whether all are zero, and what is left."""
+    if i == 1:
+        yield zero, left
+        return
+    k = i - 1
+    form, low, high = forms[k], minors[k], minors[i]
+    shift = sum(form[j] * x[j] for j in range(i, len(x)))
+    reach = low * left
+    radius = isqrt(reach)
+    for value in range(0 if zero else -((radius + shift) // high), (radius - shift) // high + 1):
+        line = high * value + shift
+        x[k] = value
+        yield from _heads(minors, forms, k, (reach - line * line) // high, x, zero and value == 0)
+    x[k] = 0
+
+
+def volume(gram: Gram, bound: int, dimension: int) -> float:
+    """Return about how many integer points the ellipsoid has, or its projection to the last coordinates."""
+    minors, _ = bareiss(gram)
+    n = len(minors) - 1
+    ball = (2.0, pi, 4 * pi / 3, pi * pi / 2)[dimension - 1]
+    # logarithms, as the numbers may be too long for a float
+    size = dimension * log(max(bound, 1)) - log(minors[n]) + log(minors[n - dimension])
+    return ball * exp(min(size / 2, 700.0))
+
+
+def count_by_length(gram: Gram, bound: int) -> dict[int, int]:
+    """Return how many vectors have each value of the form, from 0 up to ``bound``."""
+    counts = {0: 1}
+    for _, value in short_vectors(gram, bound):
+        counts[value] = counts.get(value, 0) + 2
+    return counts

@@ -1,0 +1,113 @@
+"""Lattices of rank 4 as integer matrices over a denominator: the Hermite form, and what follows from it.
+
+A lattice is ``(den, rows)``: the rows of a row Hermite normal form over the least denominator. It is
+unique, so two lattices are equal exactly when these are (Cohen, *A Course in Computational Algebraic
+Number Theory*, section 2.4.2).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any
+
+from flint import fmpz_mat
+
+Rows = tuple[tuple[int, int, int, int], ...]
+
+
+def hermite(den: int, matrix: Any) -> tuple[int, Any] | None:
+    """Return the canonical form of what the rows of an integer matrix, over ``den``, generate.
+
+    None when the rank is below 4.
+    """
+    if matrix.nrows() < 4:
+        return None
+    h = matrix.hnf()
+    a, b, c, d = h[0, 0], h[1, 1], h[2, 2], h[3, 3]
+    if not (a and b and c and d):
+        return None
+    top = [a, h[0, 1], h[0, 2], h[0, 3], 0, b, h[1, 2], h[1, 3], 0, 0, c, h[2, 3], 0, 0, 0, d]
+    if den != 1:
+        g = den
+        for x in top:
+            if x:
+                g = math.gcd(g, int(x))
+                if g == 1:
+                    break
+        if g != 1:
+            den //= g
+            top = [x // g if x else 0 for x in top]
+    return den, fmpz_mat(4, 4, top)
+
+
+def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]]]:
+    """Return rational vectors as integer rows over their least common denominator."""
+    rows = [list(v) for v in vectors]
+    den = math.lcm(*(x.denominator for row in rows for x in row))
+    return den, [[x.numerator * (den // x.denominator) for x in row] for row in rows]
+
+
+def determinant(matrix: Any) -> int:
+    """Return the determinant of a triangular matrix, the product of the diagonal."""
+    return int(matrix[0, 0] * matrix[1, 1] * matrix[2, 2] * matrix[3, 3])
+
+
+def inverse(matrix: Any) -> tuple[Any, int]:
+    """Return ``(m, d)`` with m/d the inverse of an integer matrix."""
+    m, d = matrix.inv().numer_denom()
+    return m, int(d)
+
+
+def coordinates(matrix: Any, row: Sequence[int]) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+    """Return the coordinates of a row with respect to those of an upper triangular matrix."""
+    rest = [Fraction(x) for x in row]
+    found = []
+    for n in range(4):
+        c = rest[n] / int(matrix[n, n])
+        found.append(c)
+        if c:
+            for m in range(n + 1, 4):
+                rest[m] -= c * int(matrix[n, m])
+    return found[0], found[1], found[2], found[3]
+
+
+def in_coordinates(matrix: Any, other: Any) -> tuple[Any, int]:
+    """Return ``(m, d)``: the rows of ``other`` are those of m/d times the regular ``matrix``."""
+    inv, d = inverse(matrix)
+    return other * inv, d
+
+
+def contains(den: int, matrix: Any, row_den: int, row: Sequence[int]) -> bool:
+    """Tell whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
+    rest = []
+    for x in row:
+        q, r = divmod(x * den, row_den)
+        if r:
+            return False
+        rest.append(q)
+    for n in range(4):
+        c, r = divmod(rest[n], int(matrix[n, n]))
+        if r:
+            return False
+        if c:
+            for m in range(n + 1, 4):
+                rest[m] -= c * int(matrix[n, m])
+    return True
+
+
+def tuples(matrix: Any) -> Rows:
+    """Return the rows of a matrix with four columns as tuples of ints."""
+    e = [int(x) for x in matrix.entries()]
+    return tuple((e[n], e[n + 1], e[n + 2], e[n + 3]) for n in range(0, len(e), 4))
+
+
+def span(den: int, matrix: Any) -> tuple[int, Any]:
+    """Return the Hermite form of what the rows of an integer matrix, over ``den``, span, of any rank."""
+    h = matrix.hnf()
+    entries = h.entries()
+    rank = max((n // 4 + 1 for n, x in enumerate(entries) if x), default=0)
+    entries = entries[: 4 * rank]
+    g = math.gcd(den, *(int(x) for x in entries))
+    return den // g, fmpz_mat(rank, 4, [x // g for x in entries])

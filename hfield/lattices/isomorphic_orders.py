@@ -1,0 +1,163 @@
+"""When two orders are isomorphic, with the element, and ideals that connect two orders.
+
+Isomorphisms of orders are conjugations, hence isometries of the trace-0 parts of ``ℤ + 2O``; conversely such
+an isometry, times −1 if it turns the orientation, is a conjugation that maps one order onto the other
+(Voight, *Quaternion Algebras*, chapter 22). So in a definite algebra three short vectors of one lattice
+are sent to vectors of the other with the same inner products, in all ways, whatever the orders are.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import Any
+
+from flint import fmpz_mat
+
+from hfield.errors import LatticeError, UndecidedError
+from hfield.factorisation import factorise
+from hfield.lattices import enumeration, hermite
+from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
+from hfield.lattices.equivalence import element_of_norm, root
+from hfield.lattices.ideal import Ideal
+from hfield.lattices.lattice import Lattice
+from hfield.lattices.maximal import endpoints
+from hfield.lattices.order import Order
+
+
+def isomorphism(first: Order, second: Order) -> Answer:
+    """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
+
+    Raises :class:`UndecidedError` for orders of an indefinite algebra that are not Eichler orders, unless
+    they are equal or their discriminants differ.
+    """
+    first._same(second, "compare")
+    evidence: dict[str, Any] = {
+        "kind": "isomorphic-orders",
+        "algebra": str(first.algebra),
+        "first": rows_json(first),
+        "second": rows_json(second),
+    }
+
+    def yes(x: Any, reason: str) -> Answer:
+        evidence["element"] = element_json(x)
+        return Answer(True, reason, x, evidence=evidence)
+
+    if first == second:
+        return yes(first.algebra(1), "they are equal")
+    if first._discriminant != second._discriminant:
+        reason = f"their discriminants are {first._discriminant} and {second._discriminant}"
+        return Answer(False, reason, evidence=evidence)
+    if first._regular.definite:
+        row, reason = _conjugator(first, second)
+        if row is None:
+            return Answer(False, reason, evidence=evidence)
+        x = first._element(row, 1)
+        return yes(x, "the element conjugates one into the other")
+    if first.conductor() != second.conductor():
+        return Answer(False, "their conductors differ", evidence=evidence)
+    first, second = first.gorenstein_closure(), second.gorenstein_closure()
+    if not (first.is_eichler() and second.is_eichler()):
+        raise UndecidedError(
+            "whether two orders of an indefinite algebra are isomorphic is decided where their "
+            "Gorenstein closures are Eichler orders, and one of these is none"
+        )
+    bridge = connecting_ideal(first, second)
+    found, reason = element_of_norm(bridge, bridge._norm)
+    if found is not None:
+        return yes(found.inverse(), "the element conjugates one into the other")
+    return Answer(True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence)
+
+
+def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
+    """Return a primitive row x with ``x·first = second·x``, or None and why."""
+    den, rows, gram = first._reduced_ternary
+    other_den, other_rows, other_gram = second._reduced_ternary
+    order = sorted(range(3), key=lambda n: gram[n][n])
+    lengths = [gram[n][n] for n in order]
+    images: dict[int, list[tuple[int, ...]]] = {n: [] for n in lengths}
+    for v, value in enumeration.short_vectors(other_gram, lengths[-1]):
+        if value in images:
+            images[value] += [v, tuple(-x for x in v)]
+    for n in lengths:
+        if not images[n]:
+            return None, f"the trace-0 part of ℤ + 2O has elements of norm {n // 2} in one only"
+
+    def pair(u: tuple[int, ...], v: tuple[int, ...]) -> int:
+        return sum(u[i] * v[j] * other_gram[i][j] for i in range(3) for j in range(3))
+
+    a, b, c = order
+    for u in images[lengths[0]]:
+        for v in images[lengths[1]]:
+            if pair(u, v) != gram[a][b]:
+                continue
+            for w in images[lengths[2]]:
+                if pair(u, w) == gram[a][c] and pair(v, w) == gram[b][c]:
+                    targets = fmpz_mat([list(u), list(v), list(w)]) * other_rows
+                    sources = fmpz_mat([[int(rows[n, m]) for m in range(4)] for n in order])
+                    return _conjugating(first, sources * other_den, targets * den), ""
+    tried = len(images[lengths[0]]) * len(images[lengths[1]]) * len(images[lengths[2]])
+    return None, (
+        f"none of the {tried} ways to send three short elements of the trace-0 part of ℤ + 2O to elements of "
+        "the same norms keeps the inner products"
+    )
+
+
+def _conjugating(order: Order, sources: Any, targets: Any) -> list[int]:
+    """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
+    r = order._regular
+    s, t = hermite.tuples(sources), hermite.tuples(targets)
+    for sign in (1, -1):
+        columns = [r.right_matrix(u) - r.left_matrix(v) * sign for u, v in zip(s, t, strict=True)]
+        stacked = [x for m in columns for x in m.transpose().entries()]
+        kernel, rank = fmpz_mat(12, 4, stacked).nullspace()
+        if rank:
+            x = [int(kernel[n, 0]) for n in range(4)]
+            content = math.gcd(*x)
+            return [n // content for n in x]
+    raise AssertionError("an isometry, or its negative, is a conjugation")
+
+
+def _content(matrix: Any) -> int:
+    return math.gcd(*(int(x) for x in matrix.entries()))
+
+
+def connecting_ideal(first: Order, second: Order) -> Ideal:
+    """Return the primitive integral ideal with left order ``first`` and right order ``second``.
+
+    For maximal orders it is the only one up to two-sided ideals. Raises :class:`LatticeError` unless both
+    are Eichler orders of one level.
+    """
+    first._same(second, "connect")
+    if first._discriminant != second._discriminant or not (
+        first.is_eichler() and second.is_eichler()
+    ):
+        raise LatticeError(
+            "connecting ideals exist here between Eichler orders of one level, and these are none"
+        )
+    ideals = [x._product(y) for x, y in zip(_ends(first), _ends(second), strict=True)]
+    if first.level == 1:
+        found = ideals[0]
+    else:
+        # locally both are generated by one element, up to numbers
+        scale = root(ideals[0]._norm / ideals[1]._norm)
+        if scale is None:
+            raise AssertionError("the distances of the two ends have the same parity")
+        found = ideals[0] & ideals[1]._scaled(scale)
+    return _primitive(found, first)
+
+
+def _ends(order: Order) -> list[Lattice]:
+    """Return two maximal orders with the given one as their intersection."""
+    ends: list[Lattice] = [order, order]
+    for p, e in factorise(order.level).items():
+        # locally at p the sum is the end at p, as all other summands are the order there
+        ends = [x + y for x, y in zip(ends, endpoints(order, p, e), strict=True)]
+    return ends
+
+
+def _primitive(lattice: Lattice, order: Order) -> Ideal:
+    """Return the multiple of an ideal that is integral and divisible by no integer."""
+    rows, d = hermite.in_coordinates(order._matrix, lattice._matrix)
+    content = Fraction(_content(rows) * order._den, d * lattice._den)
+    return Ideal.of(lattice._scaled(1 / content), "left", order)

@@ -1,0 +1,201 @@
+"""Equivalent ideals whose norm is a power of a small prime: the algorithm of Kohel, Lauter, Petit and Tignol.
+
+It stands in "On the quaternion ℓ-isogeny path problem" (2014). Let I be a left ideal of a
+p-extremal order, of prime norm N. An element γ of norm N·ℓᵃ and a μ₀ = (C + D·s)·β with γ·μ₀ in I
+are found, and μ = λ·μ₀ + N·μ₁ of norm ℓᵇ: then γ·μ is in I and has the norm N·ℓᵃ⁺ᵇ. With the last
+coordinates of μ₁ the closest in a lattice, ℓᵇ is about p·N³ and the norm about p³.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator
+from itertools import count
+from typing import TYPE_CHECKING
+
+from flint import fmpz, fmpz_mat
+
+from hfield.errors import LatticeError, UndecidedError
+from hfield.factorisation import is_prime
+from hfield.lattices import hermite
+from hfield.lattices.quadratic_orders import Frame, frame, represent
+from hfield.lattices.reduction import kernel
+from hfield.lattices.represent import in_frame
+from hfield.lattices.small import by_norm
+from hfield.quaternion import Quaternion
+from hfield.structure.rationals.whole_numbers import sqrt_mod
+
+if TYPE_CHECKING:
+    from hfield.lattices.ideal import Ideal
+
+LARGEST = 1000
+"""The largest discriminant of the quadratic order for which the norms are likely to be represented."""
+ATTEMPTS = 60
+
+
+def equivalent_of_power_norm(
+    ideal: Ideal, prime: int, seed: int = 0
+) -> tuple[Ideal, Quaternion, int]:
+    """Return (J, c, e) with J = I·c of norm primeᵉ, for a left ideal of a p-extremal order.
+
+    Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
+    """
+    order = ideal.order
+    ideal._definite("equivalent_of_power_norm()")
+    f = frame(order)
+    p = order._discriminant
+    if ideal.side == "right" or not order.is_maximal() or f.norm != p or -f.discriminant > LARGEST:
+        raise LatticeError(
+            "KLPT starts from a left ideal of a p-extremal maximal order, such as A.extremal_order(): "
+            "connect another order to that with connecting_ideal"
+        )
+    rng = random.Random(seed)
+    tried = 0
+    for row, norm in by_norm(ideal):
+        if norm in (prime, p, 2) or not is_prime(norm):
+            continue
+        x = ideal._element(row)
+        first = x.conjugate() / ideal.norm()
+        start: Ideal = ideal * first
+        if (
+            start * f.alpha <= start
+        ):  # no γ leads to it: it is an ideal of the quadratic order, extended
+            continue
+        tried += 1
+        if tried > ATTEMPTS:
+            break
+        found = _from_prime(start, f, norm, prime, rng)
+        if found is not None:
+            beta, e = found
+            second = beta.conjugate() / norm
+            c = first * second
+            return ideal * c, c, e
+    raise UndecidedError(
+        f"no equivalent ideal of norm a power of {prime} was found in {tried} attempts"
+    )
+
+
+def _from_prime(
+    ideal: Ideal, f: Frame, norm: int, prime: int, rng: random.Random
+) -> tuple[Quaternion, int] | None:
+    """Return an element of norm N·primeᵉ in a left ideal of prime norm N, and e."""
+    p = f.norm
+    s = 2 * f.alpha - f.t
+    a = max(
+        1,
+        math.ceil(
+            (math.log2(p) - math.log2(norm) + 8 + math.log2(math.log2(p))) / math.log2(prime)
+        ),
+    )
+    for _ in range(6):
+        gamma = in_frame(f, norm * prime**a, rng, 3000)
+        if gamma is None:
+            a += 1
+            continue
+        ratio = _ratio(ideal, gamma * f.beta, gamma * s * f.beta, norm)
+        if ratio is None:
+            continue
+        found = _strong_approximation(f, norm, prime, ratio, rng)
+        if found is not None:
+            mu, b = found
+            return gamma * mu, a + b
+    return None
+
+
+def _ratio(ideal: Ideal, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
+    """Return (C, D) ≠ 0 modulo N with C·u + D·v in the ideal, which contains N·O."""
+    order = ideal.order
+    m, d = hermite.inverse(ideal._matrix)
+    rows = []
+    for q in (u, v):
+        den, row = ideal._row(q)
+        scale = d * den
+        # coordinates over the ideal have the denominator N
+        rows.append([int(x) * ideal._den * norm // scale for x in (fmpz_mat([row]) * m).entries()])
+    found = kernel(list(zip(*rows, strict=True)), 2, norm)
+    if len(found) != 1 or order is None:
+        return None
+    return found[0][0], found[0][1]
+
+
+def _strong_approximation(
+    f: Frame, norm: int, prime: int, ratio: tuple[int, int], rng: random.Random
+) -> tuple[Quaternion, int] | None:
+    """Return μ ≡ λ·(C + D·s)·β modulo N of norm primeᵇ, and b."""
+    n, p, d = norm, f.norm, -f.discriminant
+    c0, d0 = ratio
+    size = c0 * c0 + d * d0 * d0
+    if size % n == 0:
+        return None
+    b = math.ceil((math.log2(p) + 3 * math.log2(n) + math.log2(d) + 6) / math.log2(prime))
+    inverse = pow(p * size, -1, n)
+    for _ in range(12):
+        target = prime**b
+        square = target * inverse % n
+        if fmpz(square).jacobi(n) == 1:
+            root = sqrt_mod(square, n)
+            for x in (root, n - root):
+                found = _lift(f, n, target, x * c0 % n, x * d0 % n)
+                if found is not None:
+                    return found, b
+        elif fmpz(prime).jacobi(n) == 1 and b % 2:
+            return None  # no power is a square times it: another γ
+        b += 1
+    return None
+
+
+def _lift(f: Frame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
+    """Return ``N·(x + y·s) + (c₀ + N·c + (d₀ + N·e)·s)·β`` of norm ``target``.
+
+    Modulo N² that is one linear condition on (c, e); they are taken close to −(c₀, d₀)/N.
+    """
+    p, d = f.norm, -f.discriminant
+    rest = (target - p * (c0 * c0 + d * d0 * d0)) // n
+    # 2p·(c₀·c + d·d₀·e) ≡ rest modulo N
+    first, second = 2 * p * c0 % n, 2 * p * d * d0 % n
+    if not first:
+        return None
+    inverse = pow(first, -1, n)
+    slope, offset = -second * inverse % n, rest * inverse % n
+    tried = 0
+    s = 2 * f.alpha - f.t
+    for c, e in _close(slope, offset, n, c0, d0, d):
+        tried += 1
+        if tried > 4000:
+            return None
+        z, w = c0 + n * c, d0 + n * e
+        m = target - p * (z * z + d * w * w)
+        if m <= 0:
+            if tried > 40:
+                return None
+            continue
+        m //= n * n
+        found = represent(-4 * d, m)  # x² + d·y²
+        if found is not None:
+            x, y = found
+            return n * (x + y * s) + (z + w * s) * f.beta
+    return None
+
+
+def _close(slope: int, offset: int, n: int, c0: int, d0: int, d: int) -> Iterator[tuple[int, int]]:
+    """Yield (c, e) with c ≡ slope·e + offset modulo N, from those that make (c₀ + N·c, d₀ + N·e) small."""
+    basis = fmpz_mat([[n, 0], [slope, 1]])
+    weight = fmpz_mat([[1, 0], [0, d]])
+    _, steps = (basis * weight * basis.transpose()).lll(transform=True, rep="gram")
+    (a, b), (u, v) = ([int(x) for x in row] for row in (steps * basis).tolist())
+    # the point to come close to, −(c₀, d₀)/N less a solution (offset, 0), in coordinates of the basis
+    det = a * v - b * u
+    px, py = -c0 - n * offset, -d0
+    r = _nearest(px * v - py * u, det * n)
+    t = _nearest(a * py - b * px, det * n)
+    for radius in count(0):
+        for i in range(-radius, radius + 1):
+            sides = (-radius, radius) if abs(i) < radius else range(-radius, radius + 1)
+            for j in sides:
+                if radius or not j:
+                    yield offset + (r + i) * a + (t + j) * u, (r + i) * b + (t + j) * v
+
+
+def _nearest(x: int, y: int) -> int:
+    return (2 * x + y) // (2 * y)

@@ -1,0 +1,81 @@
+"""The orders of an algebra that have names: maximal, Eichler, Lipschitz and Hurwitz."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+from flint import fmpz_mat
+
+from hfield.errors import CoercionError, LatticeError
+from hfield.lattices import class_number as class_numbers
+from hfield.lattices import hermite
+from hfield.lattices.euclidean import HurwitzOrder
+from hfield.lattices.maximal import eichler_suborder
+from hfield.lattices.order import Order, positive
+from hfield.lattices.regular import regular
+from hfield.quaternion import Parent
+from hfield.structure.clifford import maximal_basis
+
+
+def maximal_order(algebra: Parent) -> Order:
+    """Return a maximal order, by minimising a ternary form; the same for the same algebra.
+
+    Raises :class:`UndecidedError` when the constants are too hard to factor.
+    """
+    constants = regular(algebra).constants
+    den, rows = hermite.integral(maximal_basis(constants))
+    found = hermite.hermite(den, fmpz_mat(rows))
+    if found is None:
+        raise AssertionError("the even Clifford algebra has rank 4")
+    return Order(algebra, *found)
+
+
+def eichler_order(algebra: Parent, level: Any) -> Order:
+    """Return an Eichler order of the given level inside the maximal order.
+
+    Raises :class:`LatticeError` unless the level is a positive integer prime to the discriminant.
+    """
+    n = positive(level, "level")
+    known: Any = algebra
+    order = _maximal(known)
+    return order if n == 1 else eichler_suborder(order, n)
+
+
+def lipschitz_order(algebra: Parent) -> Order:
+    """Return the integer combinations of e, i, j, k.
+
+    Raises :class:`CoercionError` unless a, t and b are integers.
+    """
+    constants = regular(algebra).constants
+    if any(x.denominator != 1 for x in constants):
+        raise CoercionError(
+            "e, i, j, k span an order over the integers only if a, t and b are integers"
+        )
+    return Order(algebra, 1, fmpz_mat([[int(m == n) for n in range(4)] for m in range(4)]))
+
+
+def hurwitz_order(algebra: Parent) -> HurwitzOrder:
+    """Return the Hurwitz order. Raises :class:`CoercionError` except for (−1,−1|ℚ)."""
+    regular(algebra)
+    return HurwitzOrder.of(algebra)
+
+
+def class_number(algebra: Parent, level: Any) -> int:
+    """Return the number of ideal classes of an Eichler order of the given level."""
+    n = positive(level, "level")
+    r = regular(algebra)
+    if r.definite:
+        return class_numbers.class_number(r.discriminant, n)
+    if math.gcd(n, r.discriminant) > 1:
+        raise LatticeError(f"the level {n} is not prime to the discriminant {r.discriminant}")
+    return 1  # strong approximation
+
+
+@lru_cache(maxsize=64)
+def _maximal(algebra: Any) -> Order:
+    return maximal_order(algebra)
+
+
+__all__ = ["class_number", "eichler_order", "hurwitz_order", "lipschitz_order", "maximal_order"]

@@ -1,0 +1,138 @@
+"""The regular representations of an algebra over ℚ as integer matrices: what lattices multiply with.
+
+An element is a row of four integers over a denominator; ``q ↦ e·q`` and ``q ↦ q·e`` for the four basis
+elements are matrices that act on such rows from the right. They are found with the one formula of
+:mod:`hfield.product`, so any constants (a, t, b) serve, fractions too.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from flint import fmpz_mat
+
+from hfield.errors import RingError
+from hfield.lattices.hermite import integral
+from hfield.product import Constants, conjugate, multiply, trace
+from hfield.structure.forms import discriminant
+from hfield.structure.rationals.hilbert_rationals import INFINITE, ramified_places_q
+from hfield.structure.rationals.whole_numbers import fraction
+
+UNITS: list[Any] = [tuple(Fraction(int(m == n)) for n in range(4)) for m in range(4)]
+
+
+class Regular:
+    """Multiplication, conjugation and trace form of ``i² = a + t·i, j² = b`` on integer rows.
+
+    Products are returned ``scale`` times too large, so that they are integral; so is ``form``, the
+    matrix of ``tr(x·conj(y))``. ``conjugation`` is ``conjugate_scale`` times too large.
+    """
+
+    def __init__(self, constants: Constants) -> None:
+        self.constants = c = constants
+        left = [[multiply(c, u, v) for v in UNITS] for u in UNITS]
+        form = [[trace(c, multiply(c, u, conjugate(c, v))) for v in UNITS] for u in UNITS]
+        self.scale = math.lcm(
+            *(x.denominator for row in left for q in row for x in q),
+            *(x.denominator for row in form for x in row),
+        )
+        s = self.scale
+        self.left = [fmpz_mat([[int(x * s) for x in q] for q in row]) for row in left]
+        self.right = [
+            fmpz_mat([[int(x * s) for x in left[m][n]] for m in range(4)]) for n in range(4)
+        ]
+        # row n: the four products e_m·e_n one after the other
+        self._wide = fmpz_mat(
+            [[int(x * s) for m in range(4) for x in left[m][n]] for n in range(4)]
+        )
+        self.form = fmpz_mat([[int(x * s) for x in row] for row in form])
+        bar = [conjugate(c, u) for u in UNITS]
+        self.conjugate_scale = d = math.lcm(*(x.denominator for q in bar for x in q))
+        self.conjugation = fmpz_mat([[int(x * d) for x in q] for q in bar])
+        self.square = c.a + c.t * c.t / 4
+        """The square of i − t/2, which anticommutes with j."""
+        self.definite = self.square < 0 and c.b < 0
+        self.majorant = self.form if self.definite else self._majorant()
+
+    def _majorant(self) -> Any:
+        """Return a positive definite integral form that the norm does not exceed, up to a scale."""
+        h, s, b = self.constants.t / 2, abs(self.square), abs(self.constants.b)
+        # over 1, i − t/2, j and their product the norm is diagonal
+        lines = [(1, (1, h, 0, 0)), (s, (0, 1, 0, 0)), (b, (0, 0, 1, h)), (s * b, (0, 0, 0, 1))]
+        form = [
+            [sum((n * u[r] * u[c] for n, u in lines), Fraction(0)) for c in range(4)]
+            for r in range(4)
+        ]
+        return fmpz_mat(integral(form)[1])
+
+    def products(self, rows: Any, others: Any) -> Any:
+        """Return the products of all rows with all others, one a row, ``scale`` times too large."""
+        n = others.nrows()
+        wide = (others * self._wide).entries()
+        tall = [
+            x for m in range(4) for r in range(n) for x in wide[16 * r + 4 * m : 16 * r + 4 * m + 4]
+        ]
+        return fmpz_mat(rows.nrows() * n, 4, (rows * fmpz_mat(4, 4 * n, tall)).entries())
+
+    def left_matrix(self, row: tuple[int, ...]) -> Any:
+        """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
+        return sum(
+            (m * x for m, x in zip(self.left[1:], row[1:], strict=True)), self.left[0] * row[0]
+        )
+
+    def right_matrix(self, row: tuple[int, ...]) -> Any:
+        """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
+        return sum(
+            (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
+        )
+
+    def gram(self, rows: Any) -> Any:
+        """Return the matrix of ``tr(x·conj(y))`` on the rows, ``scale`` times too large."""
+        return rows * self.form * rows.transpose()
+
+    @property
+    def discriminant(self) -> int:
+        """The reduced discriminant of the algebra, the product of the primes where it ramifies."""
+        return math.prod(self.ramified)
+
+    @property
+    def ramified(self) -> tuple[int, ...]:
+        """The primes where the algebra ramifies; the constants are factored for them."""
+        return _ramified(self.constants)
+
+
+@lru_cache(maxsize=256)
+def _ramified(c: Constants) -> tuple[int, ...]:
+    return tuple(int(p) for p in ramified_places_q(c.a + c.t * c.t / 4, c.b) if p != INFINITE)
+
+
+@lru_cache(maxsize=256)
+def _regular(a: Fraction, t: Fraction, b: Fraction) -> Regular:
+    return Regular(Constants(a, t, b))
+
+
+def regular(algebra: Any) -> Regular:
+    """Return the representation of an algebra over ℚ.
+
+    Raises :class:`RingError` for an algebra over another ring, or for a degenerate one.
+    """
+    found: Regular | None = vars(algebra).get("_regular")  # every lattice asks for it
+    if found is None:
+        found = vars(algebra)["_regular"] = _checked(algebra)
+    return found
+
+
+def _checked(algebra: Any) -> Regular:
+    if algebra.ring.name != "QQ":
+        raise RingError(
+            f"lattices and orders over ℤ belong to algebras over QQ, and {algebra} is over {algebra.ring}"
+        )
+    a, t, b = (fraction(x) for x in algebra.constants)
+    if not discriminant(Constants(a, t, b)):
+        raise RingError(
+            f"{algebra} is a degenerate algebra, (t² + 4a)·b = 0: it is not simple, and has no orders here"
+        )
+    return _regular(a, t, b)

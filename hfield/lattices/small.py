@@ -1,0 +1,39 @@
+"""Equivalent ideals of small norm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from hfield.errors import UndecidedError
+from hfield.factorisation import is_prime
+from hfield.lattices.ideal import Ideal
+from hfield.quaternion import Quaternion
+
+DOUBLINGS = 12
+
+
+def equivalent_of_prime_norm(ideal: Ideal, avoid: frozenset[int]) -> tuple[Ideal, Quaternion]:
+    """Return an equivalent ideal of the least prime norm not in ``avoid``, and the element.
+
+    Raises :class:`IndefiniteError`, and :class:`UndecidedError` when no such norm was found.
+    """
+    ideal._definite("equivalent_of_prime_norm()")
+    for row, m in by_norm(ideal):
+        if m not in avoid and is_prime(m):
+            x = ideal._element(row)
+            c = x.conjugate() / ideal.norm()
+            found = ideal * c if ideal.side != "right" else c * ideal
+            return Ideal.of(found, ideal.side, ideal.order), c
+    raise UndecidedError(
+        f"no equivalent ideal of prime norm was found among the short elements, in {DOUBLINGS} doublings"
+    )
+
+
+def by_norm(ideal: Ideal) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Yield elements as rows, and their norms as multiples of the norm of the ideal, by ascending norm."""
+    low, high = 0, 2 * ideal._least()
+    for _ in range(DOUBLINGS):
+        found = sorted((m, row) for row, m in ideal._short(high) if m > low)
+        for m, row in found:
+            yield row, m
+        low, high = high, 2 * high

@@ -1,0 +1,184 @@
+"""Ideals of given norm inside an ideal: all of them, or one at random.
+
+Where O is M₂(ℤₚ) the p + 1 ideals of norm p correspond to the lines of a plane over ℤ/p, through an element
+of O that is idempotent modulo p. Nothing is special about p = 2, or about p that divides a constant.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from functools import lru_cache
+from itertools import product
+from typing import Any
+
+from flint import fmpz_mat
+
+from hfield.errors import LatticeError, TooLargeError
+from hfield.factorisation import factorise
+from hfield.lattices import hermite
+from hfield.lattices.ideal import Ideal
+from hfield.lattices.lattice import Lattice
+from hfield.lattices.maximal import above, endpoints, zero_divisor
+from hfield.lattices.order import Order
+from hfield.lattices.reduction import echelon, roots, simple_root
+
+MOST = 10**5
+"""No more ideals of one norm than this are listed."""
+
+
+class Units:
+    """Elements e and f of an order with e² ≡ e, f ≡ e·f·(1 − e) ≢ 0 modulo p, as matrices from the right."""
+
+    def __init__(self, order: Order, p: int) -> None:
+        for v in product(range(min(p, 3)), repeat=4):
+            t, n = order._trace_and_norm(v)
+            found = roots(t, n, p)
+            if len(found) == 2:
+                break
+        else:
+            raise AssertionError("2 × 2 matrices over a field have elements with two eigenvalues")
+        table = order._table
+        inverse = pow(found[0] - found[1], -1, p)
+        e = [(x - found[1] * y) * inverse % p for x, y in zip(v, order._one, strict=True)]
+        rest = [(y - x) % p for x, y in zip(e, order._one, strict=True)]
+
+        def times(x: list[int], y: list[int]) -> list[int]:
+            return [
+                sum(x[i] * y[j] * table[i][j][n] for i in range(4) for j in range(4)) % p
+                for n in range(4)
+            ]
+
+        basis = [[int(i == j) for j in range(4)] for i in range(4)]
+        f = next(x for b in basis if any(x := times(times(e, b), rest)))
+        r = order._regular
+        self.divisor = order._den * r.scale
+        self.e, self.f = (r.right_matrix(tuple(order._from_coordinates(x))) for x in (e, f))
+
+
+@lru_cache(maxsize=64)
+def _units(order: Order, p: int) -> Units:
+    return Units(order, p)
+
+
+def right_subideals(ideal: Lattice, order: Order, p: int) -> Iterator[tuple[int, Any]]:
+    """Yield the p + 1 right ideals of relative norm p in a right ideal; the order is M₂(ℤₚ) at p.
+
+    They are matrices over denominators, in Hermite form.
+    """
+    units = _units(order, p)
+    rows = ideal._matrix
+    image = _divided(rows * units.e, units.divisor)
+    coordinates, d = hermite.in_coordinates(rows, image)
+    pivots = echelon([[int(x) // d for x in row] for row in coordinates.tolist()], p)
+    lines = [fmpz_mat([v]) * rows for v in pivots.values()]
+    first, second = lines
+    # an element of the lattice that is ≡ y·e modulo p times it
+    first, second = (_divided(y * units.e, units.divisor) for y in (first, second))
+    tail = (rows * p).entries()
+    along = _divided(first * units.f, units.divisor), _divided(second * units.f, units.divisor)
+    for c in range(p):
+        y, z = first + second * c, along[0] + along[1] * c
+        yield _of(ideal, y, z, tail)
+    yield _of(ideal, second, along[1], tail)
+
+
+def _of(ideal: Lattice, y: Any, z: Any, tail: list[Any]) -> tuple[int, Any]:
+    found = hermite.hermite(ideal._den, fmpz_mat(6, 4, y.entries() + z.entries() + tail))
+    if found is None:
+        raise AssertionError("p times a lattice has rank 4")
+    return found
+
+
+def _divided(matrix: Any, n: int) -> Any:
+    """Return an integer matrix divided by an integer that divides all entries."""
+    if n == 1:
+        return matrix
+    return fmpz_mat(matrix.nrows(), 4, [x // n for x in matrix.entries()])
+
+
+def ideals_of_norm(order: Order, n: int, side: str) -> list[Ideal]:
+    """Return all invertible integral ideals of an order of norm n, in a fixed order.
+
+    Raises :class:`LatticeError` at a prime where the order is neither maximal nor an Eichler order, and
+    :class:`TooLargeError` for more than 10⁵.
+    """
+    whole = Ideal.of(order, "right", order)
+    layer: dict[Any, Ideal] = {whole.hnf: whole}
+    for p, e in sorted(factorise(n).items()):
+        if len(layer) * (p + 1) ** e > MOST:
+            raise TooLargeError(f"there are too many ideals of norm {n} to list them")
+        for _ in range(e):
+            layer = {J.hnf: J for K in layer.values() for J in of_prime_norm(K, order, p)}
+    found = [layer[key] for key in sorted(layer)]
+    return found if side == "right" else [J.conjugate() for J in found]
+
+
+def of_prime_norm(ideal: Ideal, order: Order, p: int) -> Iterator[Ideal]:
+    """Yield the invertible right ideals of an order in a right ideal, of relative norm p."""
+    if order._discriminant % p:
+        for den, matrix in right_subideals(ideal, order, p):
+            yield Ideal(order.algebra, den, matrix, "right", order)
+    elif order._regular.discriminant % p == 0:
+        from hfield.lattices.twosided import two_sided_prime
+
+        yield Ideal.of(ideal._product(two_sided_prime(order, p)), "right", order)
+    else:
+        yield from _at_the_level(ideal, order, p)
+
+
+def _at_the_level(ideal: Ideal, order: Order, p: int) -> Iterator[Ideal]:
+    """Yield those at a prime of the level: intersections of ideals of the two maximal orders at the ends."""
+    e = factorise(order.level)[p]
+    if order.eichler_symbol(p) != 1:
+        raise LatticeError(
+            f"the order is no Eichler order at {p}: its ideals of norm {p} are not listed"
+        )
+    ends = endpoints(order, p, e)
+    parts = []
+    for end in ends:
+        larger = ideal._product(end)
+        parts.append([Lattice(order.algebra, *x) for x in right_subideals(larger, end, p)])
+    for first in parts[0]:
+        for second in parts[1]:
+            both = first & second
+            if ideal._volume_ratio(both) == p * p and both._norm == p * ideal._norm:
+                yield Ideal.of(both, "right", order)
+
+
+def random_ideal(order: Order, n: int, side: str, rng: random.Random) -> Ideal:
+    """Return an ideal ``O·x + n·O`` of norm n, prime to the discriminant, for a random x; O/I is cyclic."""
+    primes = factorise(n)
+    x, modulus = [0] * 4, 1
+    for p, e in sorted(primes.items()):
+        if order._discriminant % p == 0:
+            raise LatticeError(
+                f"random ideals have a norm prime to the discriminant, and {p} divides both"
+            )
+        q = p**e
+        y = _random_zero_divisor(order, p, e, rng)
+        step = pow(modulus, -1, q)
+        x = [a + modulus * ((b - a) * step % q) for a, b in zip(x, y, strict=True)]
+        modulus *= q
+    table = order._table
+    rows = []
+    for i in range(4):
+        b = [sum(x[j] * table[i][j][m] for j in range(4)) for m in range(4)]
+        rows.append(order._from_coordinates(b))
+    found = Ideal.of(above(order, rows, n), "left", order)
+    return found if side == "left" else found.conjugate()
+
+
+def _random_zero_divisor(order: Order, p: int, e: int, rng: random.Random) -> list[int]:
+    gram = order._integral_gram
+    for _ in range(200):
+        n = rng.randrange(4)
+        v = [rng.randrange(p**e) for _ in range(4)]
+        v[n] = 0
+        b = sum(gram[n][m] * v[m] for m in range(4))
+        found = simple_root(gram[n][n] // 2, b, order._trace_and_norm(v)[1], p, e)
+        if found is not None:
+            v[n] = found
+            if any(x % p for x in v):
+                return v
+    return zero_divisor(order, p, e)

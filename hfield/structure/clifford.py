@@ -1,0 +1,44 @@
+"""A maximal order of an algebra over ℚ, as the even Clifford algebra of a ternary lattice.
+
+A ternary lattice with an integral form gives an order, its even Clifford algebra, whose reduced
+discriminant is the half-discriminant of the form (Voight, *Quaternion Algebras*, chapter 22); so a maximal
+order comes from a form minimised at every prime.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from hfield.factorisation import factorise
+from hfield.product import Constants, Coordinates, multiply
+from hfield.structure.minimise import Conic, Lattice, half_discriminant, minimise
+from hfield.structure.rationals.prime_numbers import PrimePlace
+
+
+def maximal_basis(c: Constants) -> list[Coordinates]:
+    """Return a basis of a maximal order, over e, i, j, k, of an algebra that is not degenerate.
+
+    The constants are Fractions. Raises :class:`UndecidedError` when they are too hard to factor.
+    """
+    a, t, b = c
+    square = a + t * t / 4
+    zero, one = Fraction(0), Fraction(1)
+    # the norm on the elements of trace 0, over i − t/2, j and their product
+    conic = Conic((-square, -b, square * b, zero, zero, zero), zero, one)
+    lattice = Lattice(conic.start().basis, one)
+    half = half_discriminant(conic.form)
+    primes: set[int] = {2}
+    for x in (square, b, half):
+        primes |= set(factorise(x.numerator)) | set(factorise(x.denominator))
+    for p in sorted(primes):
+        minimise(conic, lattice, PrimePlace(p))
+    u, v, w = (_pure(t, vector) for vector in lattice.basis)
+    s = -lattice.scale
+    products = (multiply(c, p, q) for p, q in ((v, w), (w, u), (u, v)))
+    scaled = [(s * q[0], s * q[1], s * q[2], s * q[3]) for q in products]
+    return [(one, zero, zero, zero), *scaled]
+
+
+def _pure(t: Fraction, v: Sequence[Fraction]) -> Coordinates:
+    """Return coordinates over e, i, j, k from those over i − t/2, j and (i − t/2)j."""
+    x, y, z = v
+    return -t / 2 * x, x, y - t / 2 * z, z

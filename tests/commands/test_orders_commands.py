@@ -1,0 +1,163 @@
+"""``hfield order``, ``classes``, ``brandt`` and ``survey``."""
+
+import json
+from fractions import Fraction
+
+import pytest
+
+from hfield import QuaternionAlgebra, census
+from hfield.cli import main
+from hfield.commands.brandt import polynomial
+from hfield.commands.survey import numbers
+
+
+def run(capsys, *words):
+    status = main(words)
+    out, err = capsys.readouterr()
+    assert "Traceback" not in err
+    return status, out, err
+
+
+def page(capsys, *words):
+    status, out, err = run(capsys, *words)
+    assert (status, err) == (0, "")
+    return out
+
+
+@pytest.mark.parametrize(
+    ("words", "lines"),
+    [
+        (["order", "(-1,-11|QQ)"], ["reduced discriminant 11", "maximal", "4, the group C4"]),
+        (["order", "30", "--level", "7"], ["210, of level 7: an Eichler order", "class number 8"]),
+        (["order", "(2,3|QQ)"], ["infinitely many", "1, by strong approximation"]),
+        (["order", "(-1,-1|QQ)", "--generators", "i, j"], ["basis 1, i, j, k", "no Eichler order", "Q8"]),
+        (["order", "17", "--extremal"], ["reduced discriminant 17"]),
+        (["order", "5", "--format", "latex"], [r"\mathbb{Z}\left\langle"]),
+        (["classes", "(-1,-11|QQ)", "--level", "3"], ["4, by Eichler's", "mass 10/3", "type number 3"]),
+        (["classes", "1000003", "--formula"], ["class number 83334, by Eichler's formula"]),
+        (["classes", "11", "--format", "latex"], [r"\begin{tabular}", r"1 & 2 & 6 & $\mathrm{C6}$ & 1 \\"]),
+        (["classes", "1019"], ["more; --format json lists all"]),
+        (["brandt", "37", "--prime", "2"], ["1 1 1 1 0 2 1 2 0", "x^3 - x^2 - 6*x"]),
+        (["brandt", "11", "3", "--prime", "5", "--format", "edges"], ["0 0 2 0 1 1"]),
+        (["brandt", "11", "--format", "latex"], [r"1 & 2 \\ 3 & 0"]),
+    ],
+)  # fmt: skip
+def test_pages(capsys, words, lines):
+    out = " ".join(page(capsys, *words).split())
+    for line in lines:
+        assert line in out
+
+
+def test_json(capsys):
+    data = json.loads(page(capsys, "order", "(-1,-11|QQ)", "--format", "json"))
+    O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
+    assert (data["den"], data["rows"]) == (O.hnf[0], [list(row) for row in O.hnf[1]])
+    assert data["schema"] == "hfield-order/1"
+    data = json.loads(page(capsys, "classes", "30", "--level", "7", "--format", "json"))
+    assert data["class_number"] == len(data["classes"]) == 8
+    assert Fraction(data["mass"]) == sum(Fraction(2, c["units"]) for c in data["classes"])
+    data = json.loads(page(capsys, "brandt", "37", "--prime", "3", "--format", "json"))
+    assert [sum(row) for row in data["matrix"]] == [4, 4, 4]
+    assert len(data["characteristic_polynomial"]) == 4
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (["order", "(-1,-11|GF(7))"], "over QQ"),
+        (["order", "6"], "odd number of different primes"),
+        (["order", "11", "--level", "22"], "in common"),
+        (["order", "11", "--level", "x"], "positive integer"),
+        (["order", "11", "--generators", "i"], "rank 2"),
+        (["order", "11", "--generators", ","], "no element"),
+        (["order", "11", "--generators", "i/2, j"], "generate no order"),
+        (["order", "(2,3|QQ)", "--extremal"], "prime discriminant"),
+        (["classes", "(2,3|QQ)"], "definite"),
+        (["classes", str(2**61 - 1)], "Eichler's formula"),
+        (["brandt", "37", "--prime", "x"], "expected a prime"),
+        (["brandt", "37", "0"], "positive integer"),
+        (["survey", "4"], "no pair"),
+        (["survey", "5..2"], "ascending"),
+        (["survey", "2..x"], "2..100"),
+        (["survey", "2..9", "-o", "/nonexistent/folder/x.jsonl"], "cannot write"),
+    ],
+)
+def test_bad_input(capsys, words, hint):
+    status, out, err = run(capsys, *words)
+    assert (status, out) == (2, ""), err
+    assert hint in err
+    assert err.startswith("hfield: error: ")
+    assert err.count("\n") == 1
+
+
+def test_a_plot(capsys, tmp_path):
+    path = tmp_path / "graph.svg"
+    page(capsys, "brandt", "37", "--plot", str(path))
+    assert b"<svg" in path.read_bytes()
+    assert run(capsys, "brandt", "37", "--plot", str(tmp_path / "graph.xyz"))[0] == 2
+
+
+def test_a_survey(capsys):
+    rows = [
+        json.loads(line)
+        for line in page(capsys, "survey", "2..31", "--levels", "1..3").splitlines()
+    ]
+    pairs = census.definite_pairs(range(2, 32), range(1, 4))
+    assert sorted((r["discriminant"], r["level"]) for r in rows) == sorted(pairs)
+    assert (30, 1) in pairs
+    assert (6, 1) not in pairs
+    assert (2, 2) not in pairs
+    for row in rows:
+        A = QuaternionAlgebra.from_text(row["algebra"])
+        C = A.eichler_order(row["level"]).class_set()
+        assert (row["class_number"], row["type_number"]) == (len(C), C.type_number)
+        assert sum(Fraction(2 * m, int(u)) for u, m in row["units"].items()) == Fraction(
+            row["mass"]
+        )
+
+
+def test_a_survey_goes_on_where_it_was_killed(capsys, tmp_path):
+    path = tmp_path / "rows.jsonl"
+    page(capsys, "survey", "2..60", "-o", str(path))
+    whole = path.read_bytes()
+    lines = whole.splitlines(keepends=True)
+    for kept in (0, 1, 7, len(lines) - 1):
+        for torn in (b"", lines[kept][:20]):  # as a kill in the middle of a write leaves it
+            path.write_bytes(b"".join(lines[:kept]) + torn)
+            page(capsys, "survey", "2..60", "-o", str(path), "--jobs", "1")
+            found = path.read_bytes().splitlines(keepends=True)
+            assert found[:kept] == lines[:kept]
+            assert sorted(found) == sorted(lines)
+    page(capsys, "survey", "2..60", "-o", str(path))
+    assert sorted(path.read_bytes().splitlines(keepends=True)) == sorted(lines)
+    path.write_text("no survey\n")
+    status, _, err = run(capsys, "survey", "2..60", "-o", str(path))
+    assert status == 2
+    assert "not a survey" in err
+    assert path.read_text() == "no survey\n"
+
+
+def test_a_survey_in_processes(capsys, tmp_path):
+    path = tmp_path / "rows.jsonl"
+    page(capsys, "survey", "2..40", "-o", str(path), "--jobs", "2", "--most", "1")
+    rows = [json.loads(line) for line in path.read_text().splitlines()]
+    assert all((row["type_number"] is None) == (row["class_number"] > 1) for row in rows)
+    assert len(rows) == len(census.definite_pairs(range(2, 41), [1]))
+
+
+def test_parquet(capsys, tmp_path):
+    path = tmp_path / "rows.parquet"
+    parquet = pytest.importorskip("pyarrow.parquet")
+    page(capsys, "survey", "2..40", "-o", str(path))
+    table = parquet.read_table(path).to_pylist()
+    assert [row["discriminant"] for row in table] == [
+        d for d, _ in census.definite_pairs(range(2, 41), [1])
+    ]
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_ranges_and_polynomials():
+    assert numbers("2..5,9", "D") == [2, 3, 4, 5, 9]
+    assert polynomial([0, -6, -1, 1]) == "x^3 - x^2 - 6*x"
+    assert polynomial([-1, 1]) == "x - 1"
+    assert polynomial([1]) == "1"
