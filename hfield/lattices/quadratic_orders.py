@@ -7,7 +7,9 @@ embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, 
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -108,9 +110,27 @@ class Frame:
 @lru_cache(maxsize=64)
 def frame(order: Order) -> Frame:
     """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
-    den, rows, gram = order._reduced_ternary
-    bound = min(gram[n][n] for n in range(3))
-    _, x = min((value, v) for v, value in enumeration.short_vectors(gram, bound))
+    return next(frames(order))
+
+
+@lru_cache(maxsize=64)
+def extremal_frame(order: Order, largest: int) -> Frame | None:
+    """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
+    p = order._discriminant
+    found = itertools.takewhile(lambda f: -f.discriminant <= largest, frames(order))
+    return next((f for f in found if f.norm == p), None)
+
+
+def frames(order: Order) -> Iterator[Frame]:
+    """Yield the frames for the short elements of a reduced basis and shorter, the shortest first."""
+    _, _, gram = order._reduced_ternary
+    bound = max(gram[n][n] for n in range(3))
+    for _, x in sorted((value, v) for v, value in enumeration.short_vectors(gram, bound)):
+        yield _frame(order, x)
+
+
+def _frame(order: Order, x: tuple[int, ...]) -> Frame:
+    den, rows, _ = order._reduced_ternary
     s = [int(c) for c in (fmpz_mat([list(x)]) * rows).entries()]
     element = order._element(s, den)
     d = -int(str(element.norm()))
