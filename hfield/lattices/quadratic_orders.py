@@ -7,7 +7,6 @@ embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, 
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -110,23 +109,22 @@ class Frame:
 @lru_cache(maxsize=64)
 def frame(order: Order) -> Frame:
     """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
-    return next(frames(order))
+    _, _, gram = order._reduced_ternary
+    return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
 
 
 @lru_cache(maxsize=64)
 def extremal_frame(order: Order, largest: int) -> Frame | None:
     """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
     p = order._discriminant
-    found = itertools.takewhile(lambda f: -f.discriminant <= largest, frames(order))
-    return next((f for f in found if f.norm == p), None)
+    return next((f for f in frames(order, largest) if f.norm == p), None)
 
 
-def frames(order: Order) -> Iterator[Frame]:
-    """Yield the frames for the short elements of a reduced basis and shorter, the shortest first."""
+def frames(order: Order, largest: int) -> Iterator[Frame]:
+    """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
     _, _, gram = order._reduced_ternary
-    bound = max(gram[n][n] for n in range(3))
-    for _, x in sorted((value, v) for v, value in enumeration.short_vectors(gram, bound)):
-        yield _frame(order, x)
+    short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
+    yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)
 
 
 def _frame(order: Order, x: tuple[int, ...]) -> Frame:
