@@ -42,7 +42,7 @@ class Top:
         """Write a film, in the format of the suffix. Raises :class:`~anim.errors.AnimationError`."""
         from anim.output import Film
         from anim.picture import Look
-        from anim.render import Scene, render
+        from anim.rendering import Scene, render
 
         chosen = Look() if look is None else look
         film = Film(chosen.size, self.motion.frames, self.motion.fps)

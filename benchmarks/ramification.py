@@ -16,7 +16,7 @@ import time
 from random import Random
 
 from hfield import QQ, QuaternionAlgebra
-from hfield.structure.hilbert import ramified_places_q
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 
 LIMIT = 10**6
 ROUNDS = 5

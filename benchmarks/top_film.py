@@ -20,7 +20,7 @@ from anim.model import Model
 from anim.output.encoder import BT709, TO_BT709, ffmpeg
 from anim.picture import Look
 from anim.pipelines import kinematic
-from anim.render import Scene, frames
+from anim.rendering import Scene, frames
 
 ROUNDS = 3
 

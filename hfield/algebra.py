@@ -16,6 +16,8 @@ from hfield.quaternion import Quaternion, is_array
 from hfield.rings import ring as read_ring
 from hfield.rings.base import Ring
 
+LISTED = 10_000
+
 
 class QuaternionAlgebra(Invariants):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
@@ -182,13 +184,15 @@ class QuaternionAlgebra(Invariants):
         """Run through all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
         if self.ring.order is None:
             raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
-        scalars = list(self.ring.elements())
+        F = self.ring
+        # a few are kept, many made anew again and again
+        few = list(F.elements()) if int(F.order or 0) <= LISTED else None
         return (
             Quaternion(self, (w, x, y, z))
-            for w in scalars
-            for x in scalars
-            for y in scalars
-            for z in scalars
+            for w in few or F.elements()
+            for x in few or F.elements()
+            for y in few or F.elements()
+            for z in few or F.elements()
         )
 
     def random_element(self, seed: int | None = None) -> Quaternion:
@@ -253,7 +257,8 @@ class QuaternionAlgebra(Invariants):
         return f"${self.table_text('latex')}$"
 
     def __reduce__(self) -> Any:
-        return QuaternionAlgebra.from_text, (self.name,)
+        a, t, b = map(self.ring.state, self.constants)
+        return QuaternionAlgebra, (self.ring, a, b, t)
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

@@ -17,8 +17,8 @@ from typing import Any
 
 from hfield.algebra import QuaternionAlgebra
 from hfield.executors import unordered
+from hfield.factorisation import factorise
 from hfield.lattices import class_number
-from hfield.structure.integers import factorise
 
 Pair = tuple[int, int]
 PIECE = 8

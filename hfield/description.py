@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
 from hfield import structure
 from hfield.algebra import QuaternionAlgebra
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.factorisation import Factors, known_primes
 from hfield.lattices.order import Order
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text
@@ -120,23 +121,29 @@ def place_json(place: Any) -> object:
     return place if isinstance(place, int) else str(place)
 
 
-def describe(A: QuaternionAlgebra, factors: Sequence[int] | None = None) -> Description:
+def describe(A: QuaternionAlgebra, factors: Factors | None = None) -> Description:
     """Ask all that is asked of an algebra. Nothing raises where something is merely undecided.
 
     ``factors`` may name primes of a and b, which spares their factorisation where it is too hard.
     """
+    with known_primes(factors):
+        return _describe(A)
+
+
+def _describe(A: QuaternionAlgebra) -> Description:
     F, c = A.ring, A.constants
     d = Description(A, relations(A))
     d.commutative = A.is_commutative()
     d.center = d.ask("center", A.center)
-    if F.is_field and F.is_exact:
+    if F.is_exact:
         d.radical = d.ask("radical", A.radical)
+    if F.is_field and F.is_exact:
         d.central_simple = A.is_central_simple()
     d.normal_form, d.substitution = _normal_form(A)
     derivations = d.ask("derivations", A.derivations)
     d.derivations = None if derivations is None else len(derivations)
     if d.central_simple:
-        _ramify(d, factors)
+        _ramify(d)
         _divide_or_split(d)
     else:
         d.division = d.ask("division", A.is_division_algebra)
@@ -184,14 +191,14 @@ def _known_division(d: Description) -> bool | None:
     return d.ask("division", d.algebra.is_division_algebra)  # type: ignore[no-any-return]
 
 
-def _ramify(d: Description, factors: Sequence[int] | None) -> None:
+def _ramify(d: Description) -> None:
     A, F = d.algebra, d.algebra.ring
     if F.order is not None or F.closure is not None:  # no places there
         return
-    d.ramified = d.ask("ramified_places", lambda: A.ramified_places(factors))
+    d.ramified = d.ask("ramified_places", A.ramified_places)
     if d.ramified is None:
         return
-    d.discriminant = A.discriminant(factors)
+    d.discriminant = A.discriminant()
     if F.name == "QQ":
         d.order = d.ask("maximal_order", A.maximal_order)
         if d.order is not None and "inf" in d.ramified:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
-from itertools import product as tuples
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from hfield import product, structure
-from hfield.errors import CoercionError, MixedParentsError, shorten
+from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
 from hfield.product import Coordinates
 
 Q = TypeVar("Q")
@@ -22,6 +22,10 @@ class Conjugacy(NamedTuple):
     def __bool__(self) -> bool:
         """Tell whether there is one."""
         return self.element is not None
+
+
+class _TooManyError(NotFiniteError, OverflowError):
+    """More than ``len`` can tell: a TypeError to ``list``, which then goes on without the length."""
 
 
 class SquareRoots(Generic[Q]):
@@ -63,25 +67,26 @@ class SquareRoots(Generic[Q]):
 
     def _quadric(self) -> Iterator[Q]:
         """Run through the elements of trace 0 and norm −s over a finite field."""
-        A, s = self.element.algebra, self.element.scalar_part
-        F, c = A.ring, A.constants
-        scalars = list(F.elements())
-        for x, y, z in tuples(scalars, repeat=3):
-            # trace 0 is 2w = −t·x: one w where 2 ≠ 0, else t·x = 0 and any w
-            if F.characteristic != 2:
-                choices = [F.divide(F.zero - c.t * x, F(2))]
-            else:
-                choices = scalars if F.is_zero(c.t * x) else []
-            for w in choices:
-                q = (w, x, y, z)
-                if F.is_zero(product.norm(c, q) + s) and A(*q) not in self.isolated:
-                    yield A(*q)
+        A = self.element.algebra
+        return (A(*x) for x in structure.quadric(A.ring, A.constants, self.element.scalar_part))
 
     def __len__(self) -> int:
-        """Return how many there are. Raises OverflowError when they are infinitely many."""
+        """Return how many there are.
+
+        Raises :class:`NotFiniteError`, also an OverflowError, where they are infinitely many, or more than
+        ``len`` can tell; ``A.count(square=s)`` tells all numbers over finite fields.
+        """
         if not self.is_finite:
-            raise OverflowError(f"{self.element} has infinitely many square roots")
-        return sum(1 for _ in self)
+            raise _TooManyError(f"{shorten(self.element)} has infinitely many square roots")
+        if self.quadric is None:
+            return len(self.isolated)
+        n: int = self.element.algebra.count(square=self.element.scalar_part)
+        if n > sys.maxsize:
+            raise _TooManyError(
+                f"{shorten(self.element)} has {n} square roots, more than len can tell: ask "
+                "A.count(square=…)"
+            )
+        return n
 
     def __repr__(self) -> str:
         shown = ", ".join(str(x) for _, x in zip(range(6), self, strict=False))
@@ -134,8 +139,13 @@ class ElementFacts:
     def order(self) -> int | None:
         """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
 
-        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is
-        not known (over RR and CC only orders up to 120 are recognised).
+        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is not
+        known: for some transcendental numbers, over infinite rings of one's own, over RDF, and where a
+        factorisation is out of reach.
+
+        >>> from hfield import H
+        >>> H("RR").parse("cos(2*pi/7) + sin(2*pi/7)*k").order(), H("RR")(1, 1, 1, 1).order()
+        (7, None)
         """
         return structure.multiplicative_order(*self._single())
 

@@ -7,7 +7,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import structure
-from hfield.errors import CoercionError, MixedParentsError, shorten
+from hfield.errors import CoercionError, MixedParentsError, UndecidedError, shorten
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
@@ -46,7 +47,17 @@ class Invariants(Parent):
     # --- linear algebra ------------------------------------------------------------------------
 
     def center(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the centre, found by linear algebra in the base ring (thesis 1.1.2)."""
+        """Return a basis of the centre, e first, found by linear algebra in the base ring (thesis 1.1.2).
+
+        Over a ring over which it is not free these are generators, none superfluous: every central element
+        is a combination of them, with coefficients that are not unique. Over ℤ/n the centre is the direct
+        sum of what each of them generates. Raises :class:`UndecidedError` over infinite rings that are not
+        domains, and over rings of one's own, where elimination meets no units.
+
+        >>> from hfield import H
+        >>> H("QQ").center(), H("ZZ/4").center()
+        ((1,), (1, 2i, 2j, 2k))
+        """
         return tuple(self(*c) for c in structure.centre(*self._here()))
 
     def is_commutative(self) -> bool:
@@ -54,7 +65,16 @@ class Invariants(Parent):
         return structure.is_commutative(*self._here())
 
     def radical(self) -> tuple[Quaternion, ...]:
-        """Return a basis of the Jacobson radical, over a field: () where the algebra is semisimple."""
+        """Return a basis of the Jacobson radical: () where it is 0, as over a field for a semisimple algebra.
+
+        Over a ring over which it is not free these are generators, as in :meth:`center`. Raises
+        :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings, over finite
+        ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
+
+        >>> from hfield import H
+        >>> H("GF(2)").radical(), H("ZZ/9").radical()
+        ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
+        """
         return tuple(self(*c) for c in structure.radical(*self._here()))
 
     def is_central_simple(self) -> bool:
@@ -64,7 +84,8 @@ class Invariants(Parent):
     def derivations(self) -> tuple[LinearMap, ...]:
         """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
 
-        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3.
+        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3. Over a ring
+        over which they are not free these are generators, as in :meth:`center`.
         """
         from hfield.maps import LinearMap
 
@@ -90,35 +111,45 @@ class Invariants(Parent):
 
     # --- division or splitting -----------------------------------------------------------------
 
-    def zero_norm_element(self) -> Quaternion | None:
+    # ``factors`` may name primes of the constants (over ℚ) or of their norms, where these are too hard to
+    # factor; each is proved prime, or :class:`RingError` is raised.
+
+    def zero_norm_element(self, factors: Factors | None = None) -> Quaternion | None:
         """Return a nonzero element of norm 0, or None if it is proved that there is none.
 
         Raises :class:`UndecidedError` where neither is known; the message says what was tried.
         """
-        found = structure.zero_norm(*self._here()).element
+        with known_primes(factors):
+            found = structure.zero_norm(*self._here()).element
         return None if found is None else self(*found)
 
-    def is_division_algebra(self) -> bool:
+    def is_division_algebra(self, factors: Factors | None = None) -> bool:
         """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
-        return structure.is_division(*self._here())
+        with known_primes(factors):
+            return structure.is_division(*self._here())
 
-    def division_or_splitting(self) -> Splitting | Division:
+    def division_or_splitting(self, factors: Factors | None = None) -> Splitting | Division:
         """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
 
         The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
         algebra, which is neither, and :class:`UndecidedError`.
         """
-        return self._split_or_not
+        with known_primes(factors):
+            return self._split_or_not
 
     @cached_property
     def _split_or_not(self) -> Splitting | Division:
         from hfield.maps import Division, Splitting
-        from hfield.structure.splitting import Splitting as Found
+        from hfield.structure.isomorphisms.splitting import Splitting as Found
 
+        if not self.ring.is_exact:
+            raise UndecidedError(
+                f"{self.ring} is inexact, so splitting is not decided there: ask over RR"
+            )
         answer = structure.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
 
-    def split(self) -> Splitting | None:
+    def split(self, factors: Factors | None = None) -> Splitting | None:
         """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
 
         >>> from hfield import H
@@ -126,7 +157,7 @@ class Invariants(Parent):
         """
         from hfield.maps import Splitting
 
-        answer = self._split_or_not
+        answer = self.division_or_splitting(factors)
         return answer if isinstance(answer, Splitting) else None
 
     def _splitting(self) -> Splitting:
@@ -148,15 +179,14 @@ class Invariants(Parent):
 
     # --- ramification --------------------------------------------------------------------------
 
-    def ramified_places(self, factors: Any = None) -> tuple[Any, ...]:
+    def ramified_places(self, factors: Factors | None = None) -> tuple[Any, ...]:
         """Return the places where the algebra stays a division algebra, finite ones first.
 
-        ``factors`` may name primes of a and b (over ℚ) or of their norms, to spare a factorisation.
         Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
         """
         return structure.ramified_places(self.ring, self.constants, factors)
 
-    def discriminant(self, factors: Any = None) -> Any:
+    def discriminant(self, factors: Factors | None = None) -> Any:
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
         Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
@@ -178,21 +208,23 @@ class Invariants(Parent):
             )
         return other.constants
 
-    def is_isomorphic(self, other: Any) -> bool:
+    def is_isomorphic(self, other: Any, factors: Factors | None = None) -> bool:
         """Tell whether two algebras over one field are isomorphic.
 
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
         """
-        return structure.is_isomorphic(*self._here(), self._comparable(other))
+        with known_primes(factors):
+            return structure.is_isomorphic(*self._here(), self._comparable(other))
 
-    def isomorphism(self, other: Any) -> Isomorphism | None:
+    def isomorphism(self, other: Any, factors: Factors | None = None) -> Isomorphism | None:
         """Return an isomorphism onto ``other``, a callable, or None if there is none.
 
         The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.
         """
         from hfield.maps import Isomorphism
 
-        found = structure.isomorphism(*self._here(), self._comparable(other))
+        with known_primes(factors):
+            found = structure.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
     # --- finite fields ---------------------------------------------------------------------------
@@ -201,13 +233,17 @@ class Invariants(Parent):
         """Return how many elements there are, over a finite ring.
 
         ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
-        of norm n, ``square=s`` for those with square s. Closed formulas answer over a field (see
-        :func:`hfield.structure.confirm` for their confirmation), exhaustion over ℤ/n.
-        Raises :class:`NotFiniteError`, and :class:`CoercionError` for a kind that does not exist.
+        of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
+        (:func:`hfield.structure.confirm` confirms them), exhaustion over other finite rings.
+        Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
+        :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
+        there is too much to go through.
 
         >>> from hfield import H
         >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
         (801, 92, 92)
+        >>> H("ZZ/1000").count(norm=0)
+        299600000
         """
         if sum((kind != "elements", norm is not None, square is not None)) > 1:
             raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
@@ -218,7 +254,7 @@ class Invariants(Parent):
         elif kind in ("norm", "square roots"):
             raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
         kind = _KINDS.get(kind, kind)
-        if ring.order is not None and not ring.is_field:
+        if ring.order is not None and not structure.has_formulas(ring):
             found = structure.tally(ring, c)
             tables = {"norm": found.norms, "square roots": found.roots}
             if kind in tables:
@@ -256,20 +292,22 @@ class Invariants(Parent):
 
         return Order.from_basis(self, elements)
 
-    def maximal_order(self) -> Order:
+    def maximal_order(self, factors: Factors | None = None) -> Order:
         """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate: always the same."""
         from hfield.lattices.named import maximal_order
 
-        return maximal_order(self)
+        with known_primes(factors):
+            return maximal_order(self)
 
-    def eichler_order(self, level: int) -> Order:
+    def eichler_order(self, level: int, factors: Factors | None = None) -> Order:
         """Return an Eichler order of the given level, the same for the same algebra and level.
 
         Raises :class:`LatticeError` for a level that is not prime to the discriminant.
         """
         from hfield.lattices.named import eichler_order
 
-        return eichler_order(self, level)
+        with known_primes(factors):
+            return eichler_order(self, level)
 
     def extremal_order(self) -> Order:
         """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.

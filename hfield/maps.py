@@ -9,7 +9,7 @@ from typing import Any
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.product import Coordinates
 from hfield.quaternion import Parent, Quaternion
-from hfield.structure import splitting
+from hfield.structure.isomorphisms import splitting
 
 Matrix = splitting.Matrix
 

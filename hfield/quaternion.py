@@ -91,8 +91,8 @@ class Quaternion(ElementFacts):
     def _new(self, w: Any, x: Any, y: Any, z: Any) -> Quaternion:
         return Quaternion(self.algebra, (w, x, y, z))
 
-    def _join(self, other: Any, operation: str) -> tuple[Quaternion, Quaternion]:
-        """Bring the two operands into one algebra and one kind (single or array)."""
+    def _operand(self, other: Any, operation: str) -> Quaternion:
+        """Bring the other operand into this algebra."""
         if isinstance(other, str):
             raise CoercionError(
                 f"cannot {operation} a quaternion and a text; read it first: A({other!r})"
@@ -103,8 +103,15 @@ class Quaternion(ElementFacts):
                 f"cannot {operation} an element of {self.algebra} and one of {q.algebra}: different "
                 f"algebras never mix; if one ring contains the other, use q.change_ring(L) first"
             )
-        if self.is_batch == q.is_batch:
+        return q
+
+    def _join(self, other: Any, operation: str) -> tuple[Quaternion, Quaternion]:
+        """Bring the two operands into one algebra and one kind (single or array)."""
+        q = self._operand(other, operation)
+        if not self.is_batch and not q.is_batch:
             return self, q
+        if self.shape != q.shape and self.shape and q.shape:
+            _check_shapes(self.shape, q.shape, operation)
         return self._as_batch(), q._as_batch()
 
     def _as_batch(self) -> Quaternion:
@@ -145,11 +152,10 @@ class Quaternion(ElementFacts):
 
     def __truediv__(self, other: Any) -> Quaternion:
         """Return ``self · other⁻¹``."""
-        p, q = self._join(other, "divide")
-        return p * q.inverse()
+        return self * self._operand(other, "divide").inverse()
 
     def __rtruediv__(self, other: Any) -> Quaternion:
-        return self._join(other, "divide")[1] * self.inverse()
+        return self._operand(other, "divide") * self.inverse()
 
     def __pow__(self, n: int) -> Quaternion:
         if not isinstance(n, int):
@@ -229,10 +235,15 @@ class Quaternion(ElementFacts):
         """
         n = self.norm()
         if self.is_batch:
+            import numpy as np
+
             units = self.ring.array_units(n)
             if not units.all():
-                where = tuple(int(index[0]) for index in (~units).nonzero())
-                raise NotInvertibleError(f"at index {where} of the array: {self[where]._failure()}")
+                where = tuple(map(int, np.argwhere(~units)[0]))
+                parts = (self.ring.scalar(c[where]) for c in self.coordinates)
+                raise NotInvertibleError(
+                    f"at index {where} of the array: {self._new(*parts)._failure()}"
+                )
             return self.conjugate() * self.algebra.scalar(self.ring.array_inverse(n))
         if not self.ring.is_unit(n):
             raise NotInvertibleError(self._failure())
@@ -253,8 +264,10 @@ class Quaternion(ElementFacts):
             f"{shorten(self.ring.text(n))}, and q·y = 0 for y = {shorten(y)}"
         )
 
-    def is_zero(self) -> bool:
-        """Tell whether a single quaternion is 0."""
+    def is_zero(self) -> Any:
+        """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
+        if self.is_batch:
+            return self == 0
         return all(self.ring.is_zero(x) for x in self.coordinates)
 
     def matrix(self) -> tuple[tuple[Any, ...], ...]:
@@ -289,9 +302,31 @@ class Quaternion(ElementFacts):
         return f"${self.text('latex')}$" if not self.is_batch else ""
 
     def __reduce__(self) -> Any:
-        if self.is_batch:
+        state = self.ring.state
+        if not self.is_batch:
+            return self.algebra, tuple(map(state, self.coordinates))
+        if self.coordinates[0].dtype != object:  # numpy's and galois's arrays pickle as they are
             return Quaternion, (self.algebra, self.coordinates)
-        return self.algebra, tuple(self.ring.text(x) for x in self.coordinates)
+        rows = tuple([state(x) for x in c.ravel().tolist()] for c in self.coordinates)
+        return _unpickled, (self.algebra, self.shape, rows)
+
+
+def _check_shapes(left: tuple[int, ...], right: tuple[int, ...], operation: str) -> None:
+    import numpy as np
+
+    try:
+        np.broadcast_shapes(left, right)
+    except ValueError:
+        raise CoercionError(
+            f"cannot {operation} arrays of quaternions of the shapes {left} and {right}: expected one shape "
+            "for both, or shapes that broadcast as numpy's do"
+        ) from None
+
+
+def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]) -> Quaternion:
+    """Make an array of quaternions again from what stood for its entries."""
+    w, x, y, z = (algebra.ring.array(row).reshape(shape) for row in rows)
+    return Quaternion(algebra, (w, x, y, z))
 
 
 def is_array(x: object) -> bool:

@@ -54,7 +54,7 @@ def namespace(A: QuaternionAlgebra) -> dict[str, Any]:
     """Return the names of a session: the public ones, ``A``, ``F``, its generators, ``e i j k``."""
     from fractions import Fraction
 
-    names = {name: getattr(hfield, name) for name in hfield.__all__}
+    names = {name: getattr(hfield, name) for name in dir(hfield)}
     names |= {"Fraction": Fraction, "explain": explain, "verify": verify}
     names["export_session"] = export_session
     names |= {name: x for name, x in A.ring.names().items() if name not in names}

@@ -18,7 +18,7 @@ from random import Random
 from typing import Any
 
 from hfield import QuaternionAlgebra
-from hfield.structure.integers import fraction
+from hfield.structure.rationals.whole_numbers import fraction
 
 Vector = list[Fraction]
 

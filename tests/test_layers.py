@@ -9,7 +9,7 @@ ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
     {"hfield.errors", "hfield.product", "hfield.certificates"},
-    {"hfield.syntax", "hfield.executors"},
+    {"hfield.syntax", "hfield.executors", "hfield.atomic", "hfield.factorisation"},
     {"hfield.rings"},
     {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},
@@ -44,7 +44,7 @@ FLOORS = [
     {"anim.checks"},
     {"anim.model", "anim.film", "anim.timeline"},
     {"anim.motion", "anim.picture", "anim.output"},
-    {"anim.pipelines", "anim.bands", "anim.physics", "anim.render", "anim.viewer"},
+    {"anim.pipelines", "anim.bands", "anim.physics", "anim.rendering", "anim.viewer"},
     {"anim.top"},
     {"anim.ledger"},
     {"anim.commands"},

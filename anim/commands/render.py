@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from anim.motion import Motion
     from anim.output import Film
     from anim.picture import Look
-    from anim.render import Scene
+    from anim.rendering import Scene
 
 SUMMARY = "draw the spinning top: a film, pictures, or a web page in which it turns"
 HELP = (
@@ -70,7 +70,7 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
     from anim.bands import apparent_spin
     from anim.commands.choices import framed
-    from anim.render import Scene
+    from anim.rendering import Scene
 
     scene = Scene(model, motion, framed(look, motion), args.motion_blur)
     if motion.frames > 1 and not scene.blur:
@@ -81,7 +81,7 @@ def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
 
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
-    from anim.render import render
+    from anim.rendering import render
     from hfield.executors import open_executor
 
     start = shown = monotonic()
@@ -119,7 +119,7 @@ def _sheet(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.commands.choices import look_of, motions_of
     from anim.output.pictures import save_png
     from anim.output.place import file_place, refuse_early
-    from anim.render import contact_sheet
+    from anim.rendering import contact_sheet
 
     if path.suffix.lower() != ".png":
         raise UsageError(

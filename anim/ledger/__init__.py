@@ -10,13 +10,19 @@ from anim.ledger import (
     summaries,
 )
 from hfield.ledger.claim import Claim
+from hfield.ledger.document import load
 
 CLAIMS: tuple[Claim, ...] = (
-    *shape.CLAIMS,
-    *samples.CLAIMS,
-    *precession.CLAIMS,
-    *optimised.CLAIMS,
-    *euler_angles.CLAIMS,
-    *quaternion_matrix.CLAIMS,
-    *summaries.CLAIMS,
+    *load(
+        __name__,
+        "chapter3_top.toml",
+        shape.COMPUTED
+        | samples.COMPUTED
+        | precession.COMPUTED
+        | optimised.COMPUTED
+        | euler_angles.COMPUTED
+        | quaternion_matrix.COMPUTED
+        | summaries.COMPUTED,
+    ),
+    *load(__name__, "chapter4.toml", summaries.CONCLUSION),
 )

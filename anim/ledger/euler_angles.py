@@ -2,12 +2,11 @@
 
 from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.claim import Claim
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Over, Statement
 from hfield.ledger.real import Angles
 from rotation.ledger.entries import Vector, apply, equal, product, times
 from rotation.ledger.matrix_functions import EULER
-from rotation.ledger.programs import claim
 from rotation.ledger.symbols import Symbol, code, coordinates
 from rotation.ledger.symbols import equal as same_lists
 
@@ -76,72 +75,20 @@ def matrix_of(axes: str, *given: str) -> Statement:
     return Statement(same_lists(turn(matrix, v), stepwise), given, words)
 
 
-CLAIMS = (
-    Claim(
-        "C3.4.3-a",
-        "euler-angle-of-a-frame",
-        "formula",
-        "Euler angle (0, r sin x, r cos x), x∈[0,32π], r∈[0,1/2]",
-        "(0, r sin x, r cos x)",
-        leaning("zyx"),
-        spoilt=leaning("zyz"),
-        note="Decided at the quarters of a turn: the top leans by r, so by half a radian in the end, and in "
-        "a direction that turns with x. In between cos r is replaced by cos(r·sin x)·cos(r·cos x). With "
-        "axes z, y, z (the twin) it does not even lean for x = 0.",
-    ),
-    claim(
-        "C3.4.3-b",
-        "identical-animation",
-        "claim",
-        "“identical animation” to the quaternion one",
-        "identyczną animację",
-        ALIKE,
-        spoilt=APART,
-        corrected=APART,
-        note="Whatever the constant angle about u: the quaternions of the last frame lean the top by at most "
-        "29.0° and the Euler angle by 28.6°, but to other sides. Over the film with the angle π/2 the axes "
-        "are up to 19.5° apart and the attitudes up to 90.0° (`anim.compare`).",
-    ),
-    claim(
-        "C3.4.3-c",
-        "three-element-list",
-        "spec",
-        "euler_angle=[0,1/4] three-element list",
-        "euler_angle = [0, 1/4]",
-        listed(("0", "1/4"), 3, "euler_angle"),
+COMPUTED = {
+    "C3.4.3-a": Propositions(as_printed=leaning("zyx"), spoilt=leaning("zyz")),
+    "C3.4.3-b": Propositions(as_printed=ALIKE, spoilt=APART, corrected=APART),
+    "C3.4.3-c": Propositions(
+        as_printed=listed(("0", "1/4"), 3, "euler_angle"),
         spoilt=listed(("0", "r sin x", "r cos x"), 3, "euler_angle"),
         corrected=listed(("0", "r sin x", "r cos x"), 3, "euler_angle"),
-        note="[0, 1/4] is the interval of radius in 3.4.1, and has two entries.",
     ),
-    claim(
-        "C3.4.3-d",
-        "axes-of-the-euler-angle",
-        "spec",
-        "first element = angle about z, second about y, last about z",
-        "ostatni … względem osi z",
-        matrix_of("zyz", *CIRCLES),
-        spoilt=matrix_of("zyx"),
-        corrected=matrix_of("zyx"),
-        note="The last is about x, as 2.2.3 defines Euler angles and rotationMatrixZYX has them.",
+    "C3.4.3-d": Propositions(
+        as_printed=matrix_of("zyz", *CIRCLES), spoilt=matrix_of("zyx"), corrected=matrix_of("zyx")
     ),
-    claim(
-        "C3.4.3-e",
-        "spin3dmatrixrotation-variables",
-        "number",
-        "three arguments (speed, euler_angle, time)",
-        "trzy zmienne",
-        listed(("speed", "euler_angle", "time"), 3, "the list of variables"),
+    "C3.4.3-e": Propositions(
+        as_printed=listed(("speed", "euler_angle", "time"), 3, "the list of variables"),
         spoilt=listed(("speed", "angle", "axis_rotation", "time"), 3, "the list of variables"),
-        note="The list is counted: the thesis does not show the function.",
     ),
-    claim(
-        "C3.4.3-f",
-        "frames-of-figure-3.4",
-        "number",
-        "500 frames at 50 fps; 10 frames shown 0..449",
-        "500, 50",
-        film_shows(SHOWN),
-        spoilt=film_shows((*SHOWN[1:], 499)),
-        note="As in figure 3.3. The last of the 500 frames, number 499, is not shown.",
-    ),
-)
+    "C3.4.3-f": Propositions(as_printed=film_shows(SHOWN), spoilt=film_shows((*SHOWN[1:], 499))),
+}

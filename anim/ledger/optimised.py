@@ -8,10 +8,9 @@ from dataclasses import replace
 from typing import Any
 
 from anim.ledger.counting import RING, takes
-from hfield.ledger.claim import Claim
 from hfield.ledger.computed import Computed, Finding
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from rotation.ledger.programs import claim
 from rotation.ledger.symbols import Symbol, Vector, code, coordinates, point, quaternion, scalar
 
 BOTH = ("norm(p) != 0", "norm(q) != 0")
@@ -116,92 +115,29 @@ def saves(factor: int) -> Computed:
     return Computed(f"spin3dOptimized takes {factor} times fewer multiplications than spin3d", look)
 
 
-CLAIMS = (
-    Claim(
-        "C3.4.2-a",
-        "order-of-the-rotations",
-        "formula",
-        "x_Δ=q1q2 x q2^{-1}q1^{-1} with q1 = z rotation, q2 = axis; described: first z, then axis",
-        "x_Δ = q1 q2 x q2^{-1} q1^{-1}",
-        first_about_z(AS_PRINTED, "q1·q2·x·q2⁻¹·q1⁻¹"),
+COMPUTED = {
+    "C3.4.2-a": Propositions(
+        as_printed=first_about_z(AS_PRINTED, "q1·q2·x·q2⁻¹·q1⁻¹"),
         spoilt=first_about_z(EXCHANGED, "q2·q1·x·q1⁻¹·q2⁻¹"),
         corrected=first_about_z(EXCHANGED, "q2·q1·x·q1⁻¹·q2⁻¹"),
-        note="The formula turns by q2 first, about the axis. What is described, first about z and then "
-        "about the axis, is q2·q1·x·q1⁻¹·q2⁻¹ (`hfield render --order` has both).",
     ),
-    Claim(
-        "C3.4.2-b",
-        "combined-rotation",
-        "formula",
-        "x_Δ=qxq^{-1}, q=q1q2",
-        "(as stated)",
-        Statement(f"{FORMULA} == (p*q)*v*inv(p*q)", BOTH),
+    "C3.4.2-b": Propositions(
+        as_printed=Statement(f"{FORMULA} == (p*q)*v*inv(p*q)", BOTH),
         spoilt=Statement(f"{FORMULA} == (q*p)*v*inv(q*p)", BOTH),
-        note="Of the formula for x_Δ as printed.",
     ),
-    Claim(
-        "C3.4.2-c",
-        "theorem-7",
-        "theorem 7",
-        "(q1q2)^{-1}=q2^{-1}q1^{-1}",
-        "(q1q2)^{-1}=q2^{-1}q1^{-1}, q∈H_n(F)",
-        Statement(THEOREM_7, BOTH),
-        spoilt=Statement(THEOREM_7),
-        note="H_n(F), a sign that the thesis uses nowhere else, is read as H(F). Without inverses (the "
-        "twin) there is nothing to compare.",
-        headline=True,
-    ),
-    Claim(
-        "C3.4.2-d",
-        "theorem-7-proof",
-        "proof",
-        "conj(q1q2)/N(q1q2)=q̄2q̄1/(N(q2)N(q1))",
-        "(as stated)",
-        Statement(PROOF, BOTH),
+    "C3.4.2-c": Propositions(as_printed=Statement(THEOREM_7, BOTH), spoilt=Statement(THEOREM_7)),
+    "C3.4.2-d": Propositions(
+        as_printed=Statement(PROOF, BOTH),
         spoilt=Statement(PROOF.replace("conj(q)*conj(p)", "conj(p)*conj(q)"), BOTH),
     ),
-    claim(
-        "C3.4.2-e",
-        "spin3d-optimized",
-        "spec",
-        "spin3dOptimized multiplies the two quaternions once and rotates with the product",
-        "(as stated)",
-        once(Q1, Q2, "q2·q1"),
-        spoilt=once(Q2, Q1, "q1·q2"),
-        note="In the order in which spin3d turns, so by q2·q1; q1·q2, as the formula has it, is another "
-        "rotation (C3.4.2-a).",
-    ),
-    claim(
-        "C3.4.2-f",
-        "rotationquaternionchaged-variables",
-        "number",
-        "rotationquaternionChaged takes four variables: list shows scalar, rotation_axis, element",
-        "cztery zmienne",
-        takes("rotationquaternionChaged", 4),
+    "C3.4.2-e": Propositions(as_printed=once(Q1, Q2, "q2·q1"), spoilt=once(Q2, Q1, "q1·q2")),
+    "C3.4.2-f": Propositions(
+        as_printed=takes("rotationquaternionChaged", 4),
         spoilt=takes("rotationquaternionChaged", 3),
         corrected=takes("rotationquaternionChaged", 3),
-        note="Three are listed, and three it takes: a scalar, a vector and the point.",
     ),
-    claim(
-        "C3.4.2-g",
-        "vector-part-as-axis",
-        "spec",
-        "“rotation_axis” receives the vector part of the product; inverse via conjugate",
-        "część wektorową przypisujemy",
-        INVERSE,
-        spoilt=replace(INVERSE, given=("norm(p) == 1",), words=""),
-        note="The vector part need not have length 1: it is the product that has, and so its conjugate is "
-        "its inverse.",
+    "C3.4.2-g": Propositions(
+        as_printed=INVERSE, spoilt=replace(INVERSE, given=("norm(p) == 1",), words="")
     ),
-    claim(
-        "C3.4.2-h",
-        "half-the-rotations",
-        "claim",
-        "2× fewer rotations; should be significantly faster",
-        "2 razy mniej",
-        saves(2),
-        spoilt=saves(3),
-        note="Counted in multiplications for the points of one frame. How fast it is on a machine is "
-        "a timing, and not decided.",
-    ),
-)
+    "C3.4.2-h": Propositions(as_printed=saves(2), spoilt=saves(3)),
+}

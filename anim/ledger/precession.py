@@ -7,13 +7,12 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.claim import Claim
 from hfield.ledger.computed import Computed, Finding
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Over, Statement
 from hfield.ledger.real import Angles
 from rotation.ledger.entries import Vector, apply, both, equal
 from rotation.ledger.order import Less, between
-from rotation.ledger.programs import claim
 from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, rodrigues
 from rotation.ledger.symbols import Symbol, code, read_as
 from rotation.ledger.symbols import equal as same_lists
@@ -151,141 +150,33 @@ def unit(vector: Vector) -> Angles:
 
 FILM = both("500*20 == 10*1000", "1000/20 == 50")
 
-CLAIMS = (
-    Claim(
-        "C3.4.1-a",
-        "axes-of-length-1",
-        "formula",
-        "axes [r cos x_i, r sin x_i, √(1−r²)], r=1/2, x_i=π/2·i, i=1..4",
-        "(as stated)",
-        unit(U),
-        spoilt=unit((U[0], U[1], "y")),
-        note="They have length 1, as the axis of a rotation must; for every r and x.",
+COMPUTED = {
+    "C3.4.1-a": Propositions(as_printed=unit(U), spoilt=unit((U[0], U[1], "y"))),
+    "C3.4.1-b": Propositions(
+        as_printed=precession("p[0]", "p[1]"), spoilt=precession("p[0]", "-p[1]")
     ),
-    Claim(
-        "C3.4.1-b",
-        "precession",
-        "claim",
-        "rotating by the constant angle π/2 about these gives precession",
-        "ruch precesyjny",
-        precession("p[0]", "p[1]"),
-        spoilt=precession("p[0]", "-p[1]"),
-        note="What the rotation makes of the top's axis turns about the vertical as the axis u does, "
-        "for every r.",
+    "C3.4.1-c": Propositions(
+        as_printed=tilted_without_spin("(1 + z*k)"), spoilt=tilted_without_spin("(1 - z*k)")
     ),
-    Claim(
-        "C3.4.1-c",
-        "no-spin-of-its-own",
-        "claim",
-        "the (tilted) top does not rotate about its own axis",
-        "nie obraca się wokół własnej osi",
-        tilted_without_spin("(1 + z*k)"),
-        spoilt=tilted_without_spin("(1 - z*k)"),
-        note="Read: from one x to the next only the direction of the tilt changes. (By angular velocity "
-        "there is a component along the axis, −r² times that of the precession, as always when a tilt "
-        "goes round; after each round the top stands as before.)",
-    ),
-    Claim(
-        "C3.4.1-d",
-        "falling",
-        "claim",
-        "r should grow from 0 so that the top falls",
-        "r z 0 zwiększać",
-        height("1 - y**2"),
-        spoilt=height("1 + y**2"),
-        note="The apex is at 3·(1 − r²): the larger r, the lower. r = 1/4, where the film ends, makes a tilt "
-        "of 20.4°; the rim of this top would touch the ground at 45°, so it does not fall.",
-    ),
-    claim(
-        "C3.4.1-e",
-        "spin3d-variables",
-        "number",
-        "spin3d takes 4 variables (speed, angle, axis_rotation, time)",
-        "4 zmienne",
-        listed(("speed", "angle", "axis_rotation", "time"), 4, "the list of variables"),
+    "C3.4.1-d": Propositions(as_printed=height("1 - y**2"), spoilt=height("1 + y**2")),
+    "C3.4.1-e": Propositions(
+        as_printed=listed(("speed", "angle", "axis_rotation", "time"), 4, "the list of variables"),
         spoilt=listed(("speed", "axis_rotation", "time"), 4, "the list of variables"),
-        note="The list is counted: the thesis does not show the function.",
     ),
-    claim(
-        "C3.4.1-f",
-        "spin3d-angles",
-        "spec",
-        "speed, angle: angles of rotation about z and axis_rotation",
-        "speed oraz angle",
-        spin_about("z"),
-        spoilt=spin_about("y"),
-        note="With the functions of 3.1.1; s and t are the cosine and sine of half the angle.",
-    ),
-    claim(
-        "C3.4.1-g",
-        "value-of-angle",
-        "spec",
-        "value supplied for `angle`",
-        "angle ∈ axisAngle",
-        note="The text does not say it: axisAngle, of which it calls an element “angle”, is the angle x in "
-        "the axis. Read as the constant π/2 of figure 3.2 in the film; `anim.Timeline` has π and the "
-        "element of axisAngle too, with which the top would stand upright again after every turn.",
-    ),
-    claim(
-        "C3.4.1-h",
-        "ten-seconds-of-film",
-        "number",
-        "500 frames × 20 ms = 10 s, 50 fps",
-        "500, 20 ms, 10 s, 50 kl/s",
-        Over("QQ", Statement(FILM)),
+    "C3.4.1-f": Propositions(as_printed=spin_about("z"), spoilt=spin_about("y")),
+    "C3.4.1-h": Propositions(
+        as_printed=Over("QQ", Statement(FILM)),
         spoilt=Over("QQ", Statement(FILM.replace("20", "25"))),
     ),
-    claim(
-        "C3.4.1-i",
-        "values-of-the-film",
-        "number",
-        "axisAngle=[0,32π], radius=[0,1/4], speedValue=[π/8,16π]; 500 each, speedValue decreasing",
-        "(ranges)",
-        drawn(falling=True),
-        spoilt=drawn(falling=False),
-        note="That our film takes these values is decided.",
-    ),
-    claim(
-        "C3.4.1-j",
-        "angle-as-speed",
-        "claim",
-        "larger rotation angle means larger speed; speedValue decreasing ⇒ top slows",
-        "Im większą prędkość … tym większy kąt",
-        Over("QQ", Every((LARGER, SLOWER))),
+    "C3.4.1-i": Propositions(as_printed=drawn(falling=True), spoilt=drawn(falling=False)),
+    "C3.4.1-j": Propositions(
+        as_printed=Over("QQ", Every((LARGER, SLOWER))),
         spoilt=Over("QQ", Every((LARGER, CONSTANT))),
         corrected=Over("QQ", Every((LARGER, CONSTANT))),
-        note="`speed` is the angle in the frame, not the turn since the frame before. It falls by the same "
-        "amount from each frame to the next (5.7°, at 50 frames a second 5 rad/s): the top turns backwards "
-        "at a constant speed, and does not slow down. `hfield render --spin accumulated` adds up the "
-        "angles instead.",
     ),
-    claim(
-        "C3.4.1-k",
-        "precession-step",
-        "number",
-        "precession step: axisAngle step 32π/499 rad/frame (11.54°), 16 turns",
-        "32π",
-        azimuth_steps(499),
-        spoilt=azimuth_steps(500),
-        note="500 values with both ends have 499 steps.",
+    "C3.4.1-k": Propositions(as_printed=azimuth_steps(499), spoilt=azimuth_steps(500)),
+    "C3.4.1-l": Propositions(as_printed=loop(499), spoilt=loop(500)),
+    "C3.4.1-m": Propositions(
+        as_printed=film_shows(SHOWN), spoilt=film_shows((0, *range(50, 500, 50)))
     ),
-    claim(
-        "C3.4.1-l",
-        "film-loop",
-        "number",
-        "while time<500 with increment 1 → 500 frames",
-        "time < 500",
-        loop(499),
-        spoilt=loop(500),
-    ),
-    claim(
-        "C3.4.1-m",
-        "frames-of-figure-3.3",
-        "number",
-        "10 frames shown: 0,49,99,149,…,449",
-        "10 klatek",
-        film_shows(SHOWN),
-        spoilt=film_shows((0, *range(50, 500, 50))),
-        note="The first frame, and the last one of each tenth of the film but the last.",
-    ),
-)
+}

@@ -4,10 +4,9 @@ q = a + bi + cj + dk, and v a point. The function is run on symbols.
 """
 
 from anim.ledger.counting import takes
-from hfield.ledger.claim import Claim
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from rotation.ledger.entries import Matrix, matrix, orthogonal, transpose
-from rotation.ledger.programs import claim
 from rotation.ledger.symbols import Symbol, code, coordinates, point, read_as
 
 LETTERS = {ord(letter): f"q[{n}]" for n, letter in enumerate("abcd")}
@@ -98,72 +97,21 @@ OF_ANGLE = made_of(
     *("norm(p) == 1", "s == p[0]", "t == y"),
 )
 
-CLAIMS = (
-    Claim(
-        "C3.4.4-a",
-        "matrix-of-a-quaternion",
-        "matrix",
-        "Rotation matrix of the unit quaternion a+bi+cj+dk",
-        "[[a²+b²−c²−d²,2(bc−ad),2(bd+ac)],[2(bc+ad),a²−b²+c²−d²,2(cd+ab)],"
-        "[2(bd−ac),2(cd+ab),a²−b²−c²+d²]]",
-        above_all(turns(PRINTED, "2(cd + ab)")),
+COMPUTED = {
+    "C3.4.4-a": Propositions(
+        as_printed=above_all(turns(PRINTED, "2(cd + ab)")),
         spoilt=turns(MENDED, "2(cd − ab)"),
         corrected=turns(MENDED, "2(cd − ab)"),
-        note="The entry of the second row and third column is 2(cd−ab). (In characteristic 2 the sign "
-        "does not matter.)",
-        headline=True,
     ),
-    Claim(
-        "C3.4.4-a2",
-        "matrix-of-a-quaternion-orthogonal",
-        "claim",
-        "the printed matrix is orthogonal (“Macierz ortogonalna”)",
-        "Macierz ortogonalna …",
-        above_all(is_orthogonal(PRINTED, "2(cd + ab)")),
+    "C3.4.4-a2": Propositions(
+        as_printed=above_all(is_orthogonal(PRINTED, "2(cd + ab)")),
         spoilt=is_orthogonal(MENDED, "2(cd − ab)"),
         corrected=is_orthogonal(MENDED, "2(cd − ab)"),
-        note="Not with the misprint of C3.4.4-a.",
     ),
-    claim(
-        "C3.4.4-b",
-        "rotationmatrixfromquaternion-variables",
-        "number",
-        "rotationMatrixFromQuaternion takes 2 arguments: angle float, rotation_axis list",
-        "dwa argumenty",
-        takes("rotationMatrixFromQuaternion", 2),
+    "C3.4.4-b": Propositions(
+        as_printed=takes("rotationMatrixFromQuaternion", 2),
         spoilt=takes("rotationMatrixFromQuaternion", 3),
     ),
-    claim(
-        "C3.4.4-c",
-        "normalises-the-axis",
-        "spec",
-        "normalises rotation_axis, computes quaternion coefficients, returns matrix",
-        "(as stated)",
-        NORMALISED,
-        spoilt=UNNORMALISED,
-        note="With the matrix as corrected, for an axis that is not 0.",
-    ),
-    claim(
-        "C3.4.4-d",
-        "product-as-angle-and-axis",
-        "spec",
-        "spin3dMatrixRotationFromQuaternion uses the PRODUCT quaternion to generate the matrix via "
-        "rotationMatrixFromQuaternion",
-        "(as stated)",
-        AS_ANGLE,
-        spoilt=OF_ANGLE,
-        corrected=OF_ANGLE,
-        note="The function asks for an angle and an axis, and a product has a scalar part and a vector part. "
-        "Read as handing these over as they are, as 3.4.2 does: the half turn about p, with the scalar "
-        "part 0, becomes the turn by the angle 0. The angle is 2·arccos of the scalar part. (A product ±1 "
-        "has no axis, and the function fails.)",
-    ),
-    claim(
-        "C3.4.4-e",
-        "readability",
-        "claim",
-        "matrix model: axis arises from rotations about main axes, harder to read",
-        "(as stated)",
-        note="A matter of taste.",
-    ),
-)
+    "C3.4.4-c": Propositions(as_printed=NORMALISED, spoilt=UNNORMALISED),
+    "C3.4.4-d": Propositions(as_printed=AS_ANGLE, spoilt=OF_ANGLE, corrected=OF_ANGLE),
+}

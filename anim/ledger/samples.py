@@ -6,7 +6,7 @@ from inspect import Parameter, signature
 
 from anim.ledger.counting import RING
 from hfield.ledger.computed import Computed, Finding
-from rotation.ledger.programs import claim
+from hfield.ledger.document import Propositions
 
 # The calls of sections 3.4 and 3.4.1, as start, stop and num; angles in units of π.
 CALLS = ((0, 2, 1000), (0, 32, 500), (16, Fraction(1, 8), 500), (0, Fraction(1, 4), 500))
@@ -93,54 +93,13 @@ def circle_points(different: bool) -> Computed:
     return Computed(f"linspace(0, 2π, {RING}) gives {RING} {which} on each of P1 and P2", look)
 
 
-CLAIMS = (
-    claim(
-        "C3.4-a",
-        "linspace-arguments",
-        "fact",
-        "linspace takes 7 parameters, 3 needed, 4 optional",
-        "7 zmiennych … 3 … 4 opcjonalne",
-        parameters(7, 3),
-        spoilt=parameters(8, 3),
-        note="By position; since version 2 numpy has an eighth by name, device. Of the three the last, "
-        "num, is optional too.",
-    ),
-    claim(
-        "C3.4-b",
-        "linspace-spacing",
-        "spec",
-        "linspace returns num equally spaced points of [start, stop]",
-        "[start, stop]",
-        spaced(lambda num: num - 1, "[start, stop]"),
+COMPUTED = {
+    "C3.4-a": Propositions(as_printed=parameters(7, 3), spoilt=parameters(8, 3)),
+    "C3.4-b": Propositions(
+        as_printed=spaced(lambda num: num - 1, "[start, stop]"),
         spoilt=spaced(lambda num: num, "[start, stop)"),
-        note="Both ends are among them, so that the step is (stop − start)/(num − 1). What is returned is "
-        "an array, not a list.",
     ),
-    claim(
-        "C3.4-c",
-        "thousand-angles",
-        "number",
-        "1000 equally spaced points of [0,2π] → two lists on P1 and P2",
-        "1000",
-        circle_points(different=False),
-        spoilt=circle_points(different=True),
-        note="The angles 0 and 2π give the same point: of the 1000 in each list 999 are different, and "
-        "the polygons between the last point and the first are empty.",
+    "C3.4-c": Propositions(
+        as_printed=circle_points(different=False), spoilt=circle_points(different=True)
     ),
-    claim(
-        "C3.4-d",
-        "yellow-and-black",
-        "spec",
-        "color_change_frequency int, colours yellow and black",
-        "żółty oraz czarny",
-        note="What a program is to do, neither true nor false. `anim.Model` has these colours.",
-    ),
-    claim(
-        "C3.4-e",
-        "poly3dcollection",
-        "function",
-        "Poly3DCollection from the same package",
-        "z tego samego pakietu",
-        note="A fact about another program: matplotlib brings it, as mpl_toolkits.mplot3d.art3d.",
-    ),
-)
+}

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from anim.ledger.counting import model_has
-from hfield.certificates.ledger import CIRCLE
-from hfield.ledger.claim import Claim, Proposition
+from hfield.certificates.theorems import CIRCLE
+from hfield.ledger.claim import Proposition
 from hfield.ledger.computed import Computed, Finding
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL
 from hfield.proving.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring
-from rotation.ledger.programs import claim
 
 
 def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -> Every:
@@ -85,10 +85,6 @@ def nearer(sign: str) -> Only:
     return Only(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
 
 
-TURNED = "q*(w[1]*p + w[2]*r + w[3]*v)*conj(q)"
-CORNERS = "w[1]*(q*p*conj(q)) + w[2]*(q*r*conj(q))"
-
-
 def closed(band: bool) -> Computed:
     """Say that the two cones, with or without the band that joins them, make one closed surface.
 
@@ -127,122 +123,22 @@ def corners(allowed: tuple[int, ...]) -> Computed:
     return Computed(f"the polygons have {' and '.join(map(str, allowed))} corners", look)
 
 
-CLAIMS = (
-    Claim(
-        "C3.3-a",
-        "first-cone",
-        "definition",
-        "Cone 1: apex (0,0,0), base P1={x²+y²=1, z=1}",
-        "P1",
-        cone("0", "1", "1", name="P1"),
-        spoilt=cone("0", "1", "1", base="2"),
-        note="A definition. That the lines from the apex to P1 make a cone about the z axis, "
-        "x² + y² = z², is decided.",
+COMPUTED = {
+    "C3.3-b": Propositions(as_printed=second_cone(), spoilt=second_cone("(1/3)**2")),
+    "C3.3-c": Propositions(as_printed=nearer("-"), spoilt=nearer("")),
+    "C3.3-d": Propositions(as_printed=closed(band=True), spoilt=closed(band=False)),
+    "C3.3-e": Propositions(
+        as_printed=model_has(30, "polygons", ring=10), spoilt=model_has(30, "polygons", ring=5)
     ),
-    Claim(
-        "C3.3-b",
-        "second-cone",
-        "definition",
-        "Cone 2: apex (0,0,3), base P2={x²+y²=(1/3)³, z=11/10}",
-        "(1/3)^3",
-        second_cone(),
-        spoilt=second_cone("(1/3)**2"),
-        note="A definition, decided as for P1. As it stands the radius of P2 is (1/3)√(1/3) ≈ 0.192, "
-        "about a fifth of that of P1; perhaps (1/3)² was meant, with the radius 1/3 (the twin). "
-        "`hfield render --p2` has both.",
-    ),
-    Claim(
-        "C3.3-c",
-        "more-points-more-accurate",
-        "claim",
-        "bases are uncountable; more points = more accurate",
-        "nieprzeliczalne",
-        nearer("-"),
-        spoilt=nearer(""),
-        note="Read: with twice as many points the sides of the polygon come nearer to the circle: "
-        "cos(π/2n) > cos(π/n). That a circle is uncountable is Cantor's theorem, and not checked.",
-    ),
-    claim(
-        "C3.3-d",
-        "cones-joined",
-        "claim",
-        "two cones glued at bases (bases joined pointwise)",
-        "po połączeniu podstaw",
-        closed(band=True),
-        spoilt=closed(band=False),
-        note="The bases are different circles, so that it is not the cones that touch: a band between "
-        "P1 and P2, part of a third cone, closes the surface.",
-    ),
-    claim(
-        "C3.3-e",
-        "thirty-polygons",
-        "number",
-        "10 points from P1 and P2: model has 30 polygons",
-        "30 wielokątów",
-        model_has(30, "polygons", ring=10),
-        spoilt=model_has(30, "polygons", ring=5),
-        note="Read: 10 points from each; the twin takes 10 from both together.",
-    ),
-    claim(
-        "C3.3-f",
-        "plot3d",
-        "fact",
-        "plot3d from matplotlib",
-        "plot3d",
-        note="A fact about another program. In matplotlib the method is called plot, or plot3D, of axes "
-        "in three dimensions.",
-    ),
-    claim(
-        "C3.3-g",
-        "triangles-and-quadrilaterals",
-        "claim",
-        "model consists of triangles and quads",
-        "trójkątów oraz czworokątów",
-        corners((3, 4)),
-        spoilt=corners((3,)),
-    ),
-    Claim(
-        "C3.3-h",
-        "rotating-corners",
-        "claim",
-        "rotate polygons by rotating their vertices",
-        "obrócić punkty",
-        Statement(f"{TURNED} == {CORNERS} + w[3]*(q*v*conj(q))"),
-        spoilt=Statement(f"{TURNED} == {CORNERS} + w[3]*(conj(q)*v*q)"),
-        note="A point of a polygon is w1·p + w2·r + w3·v with three of its corners, and turns with the "
-        "same w; all corners by the same q (the twin turns one of them the other way).",
-    ),
-    Claim(
-        "C3.3-i",
-        "fixed-tip",
-        "claim",
-        "(0,0,0) does not change under rotation",
-        "nie zmieni się",
-        Statement("norm(q) != 0 => q*(0*i + 0*j + 0*k)*inv(q) == 0*i + 0*j + 0*k"),
-        spoilt=Statement("norm(q) != 0 => q*(0*i + 0*j + 1*k)*inv(q) == 0*i + 0*j + 1*k"),
-    ),
-    claim(
-        "C3.3-j",
-        "points-of-the-top",
-        "number",
-        "final model: “1000 elements together from P1 and P2” + apexes = 2002 points",
-        "łącznie 1000 … 2002 punktów",
-        model_has(2002, "points", ring=500),
+    "C3.3-g": Propositions(as_printed=corners((3, 4)), spoilt=corners((3,))),
+    "C3.3-j": Propositions(
+        as_printed=model_has(2002, "points", ring=500),
         spoilt=model_has(2002, "points"),
         corrected=model_has(2002, "points"),
-        note="1000 together and the two apexes are 1002. 2002 points take 1000 from each of P1 and P2. "
-        "(They come from linspace with both ends, so that two of the 2002 stand twice: C3.4-c.)",
     ),
-    claim(
-        "C3.3-k",
-        "six-thousand-polygons",
-        "number",
-        "model has 6 thousand polygons",
-        "6 tys.",
-        model_has(6000, "polygons"),
+    "C3.3-k": Propositions(
+        as_printed=model_has(6000, "polygons"),
         spoilt=model_has(3000, "polygons"),
         corrected=model_has(3000, "polygons"),
-        note="Three for each of the 1000 points of a circle, as the 30 for 10 have it; even with the "
-        "quadrilaterals cut in two there are only 4000 triangles.",
     ),
-)
+}

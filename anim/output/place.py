@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from anim.errors import AnimationError
+from hfield.atomic import sweep, whole_file, whole_folder
 from hfield.errors import shorten
-
-PART = "part"
-STEM = 40  # letters of the name that a neighbour's name begins with
 
 
 def refuse_early(path: Path, force: bool) -> None:
@@ -56,42 +53,26 @@ def _is_frame(path: Path) -> bool:
 def file_place(path: Path) -> Iterator[Path]:
     """Yield a hidden name beside ``path``; what is written there takes its place in the end.
 
-    A link stays a link: what it points to is replaced. Raises :class:`AnimationError`.
+    What a run that was killed left there is removed first. Raises :class:`AnimationError`.
     """
     with _in_one_line(path):
-        target = _target(path)
-        _sweep(target)
-    part = _neighbour(target)
-    try:
-        yield part
-        with _in_one_line(path):
-            part.replace(target)
-    finally:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
+        sweep(_target(path))
+        with whole_file(path) as part:
+            yield part
 
 
 @contextmanager
 def folder_place(path: Path) -> Iterator[Path]:
-    """Yield a hidden new folder beside ``path``; it takes its place in the end."""
+    """Yield a hidden new folder beside ``path``; it takes the place of an empty one, or of old frames."""
     with _in_one_line(path):
-        target = _target(path)
-        _sweep(target)
-        part = _neighbour(target)
-        part.mkdir()
-    try:
-        yield part
-        with _in_one_line(path):
-            if target.exists():
-                shutil.rmtree(target)  # empty, or old frames that are to be replaced
-            part.rename(target)
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
+        sweep(_target(path))
+        with whole_folder(path) as part:
+            yield part
 
 
 def write_text(path: Path, text: str) -> None:
     """Write a text, whole or not at all. Raises :class:`AnimationError` when the disk does not take it."""
-    with file_place(path) as part, _in_one_line(path):
+    with file_place(path) as part:
         part.write_text(text, encoding="utf-8")
 
 
@@ -111,36 +92,3 @@ def _target(path: Path) -> Path:
         return path.resolve()
     except RuntimeError:  # what Python says of links in a circle
         raise AnimationError(f"{shorten(path)!r} is a link to itself; choose another") from None
-
-
-def _prefix(target: Path) -> str:
-    return f".{target.stem[:STEM]}."
-
-
-def _neighbour(target: Path) -> Path:
-    return target.with_name(f"{_prefix(target)}{os.getpid()}.{PART}{target.suffix}")
-
-
-def _sweep(target: Path) -> None:
-    """Remove what runs left behind that were killed while they wrote ``target``."""
-    start = _prefix(target)
-    for old in target.parent.iterdir():
-        number, _, rest = old.name.removeprefix(start).partition(".")
-        if not (old.name.startswith(start) and rest.split(".")[0] == PART):
-            continue
-        # In containers the same numbers come again: our own is that of a dead run.
-        if number.isdecimal() and (int(number) == os.getpid() or not _alive(int(number))):
-            if old.is_dir():
-                shutil.rmtree(old, ignore_errors=True)
-            else:
-                old.unlink(missing_ok=True)
-
-
-def _alive(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except (ProcessLookupError, OverflowError):
-        return False
-    except OSError:
-        return True
-    return True

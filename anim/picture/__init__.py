@@ -7,33 +7,7 @@
 (48, 64, 3)
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+import lazy_loader
 
-if TYPE_CHECKING:
-    from anim.picture.look import STYLES, Camera, Look
-    from anim.picture.painting import Painter, painter
-    from anim.picture.thesis import figures
-
-_HOME_OF = {
-    "STYLES": "look",
-    "Camera": "look",
-    "Look": "look",
-    "Painter": "painting",
-    "figures": "thesis",
-    "painter": "painting",
-}
-
-__all__ = ["STYLES", "Camera", "Look", "Painter", "figures", "painter"]
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOME_OF:
-        raise AttributeError(f"module 'anim.picture' has no attribute {name!r}")
-    value = getattr(import_module(f"anim.picture.{_HOME_OF[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+# The public names are said once, in the stub beside this file, and imported on first use.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

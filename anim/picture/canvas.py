@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.picture.look import RGB
-from anim.picture.quiet import import_matplotlib
+from rotation.figures.backend import import_matplotlib
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]

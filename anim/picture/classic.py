@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.look import RGB, Look
 from anim.picture.projection import View, fitting, reached
-from anim.picture.quiet import import_matplotlib
+from rotation.figures.backend import import_matplotlib
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]

@@ -6,7 +6,7 @@ from typing import Any
 
 from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
-from anim.picture.quiet import import_matplotlib
+from rotation.figures.backend import import_matplotlib
 
 RGB = tuple[int, int, int]
 

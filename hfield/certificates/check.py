@@ -4,43 +4,39 @@ The target is derived from ``statement``, ``algebra`` and ``field``; the evidenc
 docs/certificates.md describes the format.
 """
 
-import json
-import re
 from dataclasses import dataclass
-from typing import Any, NoReturn
+from typing import Any
 
-from hfield.certificates.fields import read_field
-from hfield.certificates.ledger import establish_any, meaning
+from hfield.certificates.finding import FIELD
+from hfield.certificates.json_text import read_json
+from hfield.certificates.pin import Pin
 from hfield.certificates.rejection import (
-    MAX_DIGITS,
     Rejected,
     a_text,
     an_object,
+    one_line,
     reject,
     shown,
     texts,
 )
 from hfield.certificates.statement import read_setting
+from hfield.certificates.theorems import is_theorem
+from hfield.certificates.vocabulary.logic import establish_any, meaning
 from hfield.certificates.work import bounded
 
 SCHEMA = "hfield-cert/1"
 KEYS = "schema statement algebra field verdict method assumes evidence"
 VERDICTS = ("proved", "refuted", "vacuous")
-METHODS = {
-    *("identity", "implication", "counterexample", "exhaustion", "witness", "multilinear"),
-    *("presentation", "algebra", "linear algebra", "Smith form", "basis tuples", "determinant"),
-    *("count", "anisotropic norm", "zero norm", "level", "sum of squares", "ordering"),
-    *("closed field", "all choices of roots", "unique roots", "choice of roots"),
-    "floats, exact on small integers",
-}
-MAX_BYTES = 8_000_000
-MAX_NESTING = 120
 MAX_ASSUMES = 20
 
 
 @dataclass(frozen=True)
 class Established:
-    """What a certificate establishes; ``scope`` is ``commutative rings``, ``fields`` or ``field``."""
+    """What a certificate establishes; ``scope`` is ``commutative rings``, ``fields`` or ``field``.
+
+    ``assumes`` are the general ``theorems`` that it cites, and ``assumptions``: whatever else it takes for
+    granted. ``vacuous`` lists the parts of an ``every{…}`` that hold because their hypotheses never do.
+    """
 
     statement: str
     algebra: str
@@ -48,54 +44,46 @@ class Established:
     verdict: str
     scope: str
     assumes: tuple[str, ...]
+    vacuous: tuple[str, ...] = ()
+
+    @property
+    def theorems(self) -> tuple[str, ...]:
+        """What is cited of the theorems that are listed."""
+        return tuple(text for text in self.assumes if is_theorem(text))
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What is cited and is no theorem that is listed."""
+        return tuple(text for text in self.assumes if not is_theorem(text))
+
+    @property
+    def where(self) -> str:
+        """How far the verdict reaches, in words."""
+        if self.field is not None:
+            return f"over {one_line(self.field)}"
+        if self.scope == FIELD:
+            return "as a statement on all fields" if self.verdict == "refuted" else "as it stands"
+        return f"over all {self.scope}"
+
+    def lines(self) -> list[str]:
+        """Return everything in lines, each of one thing, none cut."""
+        return [
+            f"{self.verdict} {self.where}",
+            f"statement: {one_line(self.statement)}",
+            f"field: {one_line(self.field or 'all')}",
+            f"algebra: {one_line(self.algebra)}",
+            *(f"vacuous part: {one_line(part)}" for part in self.vacuous),
+            *(f"cites the theorem: {one_line(text)}" for text in self.theorems),
+            *(f"assumes, unproved: {one_line(text)}" for text in self.assumptions),
+        ]
 
     def __str__(self) -> str:
-        where = f"over {self.field}"
-        if self.scope == "field" and self.field is None:
-            where = "as it stands"
-        elif self.field is None and self.verdict == "proved":
-            where = f"over all {self.scope}"
-        elif self.field is None:
-            where = "over all fields at once"
-        given = f", given that {'; '.join(self.assumes)}" if self.assumes else ""
-        return f"{self.verdict} {where}, in {self.algebra}: {shown(self.statement, 200)}{given}"
-
-
-@dataclass(frozen=True)
-class Pin:
-    """What a certificate has to be about. ``field`` None is all fields; ``any_field`` any at all.
-
-    Statements are compared as trees, algebras as constants; ``statements`` are alternatives.
-    """
-
-    statements: tuple[str, ...]
-    field: str | None = None
-    algebra: str | None = None
-    any_field: bool = False
-
-    def readable(self) -> "Pin":
-        """Return the pin itself. Raises :class:`Rejected` for a statement that cannot be read."""
-        for statement in self.statements:
-            meaning(statement)
-        return self
+        return "\n".join(self.lines())
 
 
 def check_text(text: str, pin: Pin | None = None) -> Established:
     """Check a certificate from its JSON text. Raises :class:`Rejected`."""
-    if len(text) > MAX_BYTES:
-        reject(f"the file has more than {MAX_BYTES} characters")
-    _check_nesting(text)
-    try:
-        data = json.loads(
-            text,
-            object_pairs_hook=_object,
-            parse_float=_float,
-            parse_int=_int,
-            parse_constant=_float,
-        )
-    except ValueError as error:
-        reject(f"this is no JSON: {shown(str(error))}")
-    return check(data, pin)
+    return check(read_json(text), pin)
 
 
 def check(data: object, pin: Pin | None = None) -> Established:
@@ -123,18 +111,28 @@ def _check(data: object, pin: Pin | None) -> Established:
         reject("the statement is empty")
     setting = read_setting(algebra, field)
     if pin is not None:
-        check_pin(pin, statement, algebra, field)
-    for method in a_text(c["method"], "method", 400).split("; "):
-        if method not in METHODS:
-            reject(f"there is no method {shown(method)!r}")
-    scope, cites = establish_any(statement, setting, c["verdict"], c["evidence"])
+        pin.check(statement, algebra, field)
+    found = establish_any(statement, setting, c["verdict"], c["evidence"])
+    methods = a_text(c["method"], "method", 400).split("; ")
+    for method in methods:
+        if method not in found.methods:
+            reject(
+                f"the method {shown(method)!r} is not that of the evidence: "
+                + " or ".join(sorted(found.methods))
+            )
     assumes = texts(c["assumes"], "assumes")
-    if len(assumes) > MAX_ASSUMES or set(assumes) != set(cites) or len(set(assumes)) < len(assumes):
+    if (
+        len(assumes) > MAX_ASSUMES
+        or set(assumes) != set(found.cites)
+        or len(set(assumes)) < len(assumes)
+    ):
         reject(
             "'assumes' does not list exactly what the evidence cites: "
-            + ("; ".join(cites) or "nothing")
+            + ("; ".join(found.cites) or "nothing")
         )
-    return Established(statement, algebra, field, c["verdict"], scope, tuple(assumes))
+    return Established(
+        statement, algebra, field, c["verdict"], found.scope, tuple(assumes), found.vacuous
+    )
 
 
 def cited(data: dict[str, Any]) -> list[str]:
@@ -145,47 +143,7 @@ def cited(data: dict[str, Any]) -> list[str]:
     with bounded():
         setting = read_setting(data["algebra"], data["field"])
         found = establish_any(data["statement"], setting, data["verdict"], data["evidence"])
-    return list(found[1])
-
-
-def check_pin(pin: Pin, statement: str, algebra: str, field: str | None) -> None:
-    """Reject a certificate about anything else than the pin says."""
-    if not any(meaning(statement) == meaning(s) for s in pin.statements):
-        reject(f"this is about another statement: {shown(statement, 120)}")
-    if not pin.any_field:
-        here = None if field is None else read_field(field).name
-        wanted = None if pin.field is None else read_field(pin.field).name
-        if here != wanted:
-            reject(f"this is about {here or 'all fields'}, not about {wanted or 'all fields'}")
-    wanted_algebra = pin.algebra or f"(-1,-1|{'F' if field is None else field})"
-    if read_setting(wanted_algebra, field).constants != read_setting(algebra, field).constants:
-        reject(f"this is about the algebra {shown(algebra)}")
-
-
-def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    out = dict(pairs)
-    if len(out) < len(pairs):
-        reject("an object has the same key twice")
-    return out
-
-
-def _float(text: str) -> NoReturn:
-    reject(f"the number {shown(text)} is no integer")
-
-
-def _int(text: str) -> int:
-    if len(text) > MAX_DIGITS + 1:
-        reject(f"a number has more than {MAX_DIGITS} digits")
-    return int(text)
-
-
-def _check_nesting(text: str) -> None:
-    depth = 0
-    for mark in re.finditer(r'"(?:[^"\\]|\\.)*"|[\[\]{}]', text):
-        char = mark[0]
-        depth += (char in "[{") - (char in "]}")
-        if depth > MAX_NESTING:
-            reject(f"the file nests deeper than {MAX_NESTING} levels")
+    return list(found.cites)
 
 
 __all__ = ["Established", "Pin", "Rejected", "check", "check_text", "meaning"]

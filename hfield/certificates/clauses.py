@@ -12,6 +12,7 @@ from typing import Any
 from hfield.certificates.evaluate import Conditions, Evaluator, Quaternion
 from hfield.certificates.language import Tree
 from hfield.certificates.polynomials import (
+    Monomial,
     Names,
     Poly,
     add,
@@ -26,7 +27,7 @@ from hfield.certificates.work import charge
 MAX_CLAUSES = 1_024
 
 Formula = tuple[Any, ...]
-Frozen = frozenset[tuple[int, int]]  # a polynomial that can be compared and hashed
+Frozen = frozenset[tuple[Monomial, int]]  # a polynomial that can be compared and hashed
 Pieces = tuple[tuple[int, int], ...]  # factors of a denominator with their multiplicities
 
 
@@ -47,13 +48,15 @@ class Clause:
 class Expansion:
     """A statement as clauses; the first ``unknowns`` variables are no constants of the field.
 
-    ``factors`` are the polynomials that were divided by.
+    ``factors`` are the polynomials that were divided by, ``conditions`` those of them, and others, that
+    may not be 0 for the algebra to exist.
     """
 
     names: Names
     unknowns: int
     clauses: tuple[Clause, ...]
     factors: tuple[Poly, ...]
+    conditions: tuple[Poly, ...]
     evaluator: Evaluator
 
 
@@ -63,7 +66,7 @@ class Fractions:
     def __init__(self) -> None:
         self.factors = list[Poly]()
         self.zero: Any = ({}, ())
-        self.one: Any = self.polynomial({0: 1})
+        self.one: Any = self.polynomial(constant(1))
 
     @staticmethod
     def polynomial(f: Poly) -> Any:
@@ -110,7 +113,7 @@ class Fractions:
         for piece, n in x[1]:
             for _ in range(n):
                 below = multiply(below, self.factors[piece])
-        if top == {0: 1}:
+        if top == constant(1):
             return self.polynomial(below), ()
         if top not in self.factors:
             self.factors.append(top)
@@ -178,9 +181,11 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
     evaluator = Evaluator(scalars, setting.constants, values)
     formula = evaluator.truth(statement.matrix)
     # The algebra exists only where its structure constants are defined.
-    undefined = [_literal([c[0]], True) for c in evaluator.conditions]
+    conditions = tuple(c[0] for c in evaluator.conditions)
+    undefined = [_literal([f], True) for f in conditions]
     clauses = tuple(_clause(c) for c in _conjunction(("or", (*undefined, formula))))
-    return Expansion(names, len(variables), clauses, tuple(scalars.factors), evaluator)
+    factors = tuple(scalars.factors)
+    return Expansion(names, len(variables), clauses, factors, conditions, evaluator)
 
 
 def _conjunction(f: Formula) -> list[frozenset[Formula]]:
@@ -215,7 +220,7 @@ def _clause(literals: frozenset[Formula]) -> Clause:
 def without_factors(f: Poly, known: list[Poly]) -> Poly:
     """Divide by factors that are known not to be 0, as often as they divide."""
     for factor in known:
-        while f and factor not in ({0: 1}, {0: -1}):
+        while f and factor not in (constant(1), constant(-1)):
             quotient = divide(f, factor)
             if quotient is None:
                 break

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject
-from hfield.certificates.ring import MAX_EXPONENT, Ring
+from hfield.certificates.scalars.ring import MAX_EXPONENT, Ring
 from hfield.certificates.work import charge
 
 Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined

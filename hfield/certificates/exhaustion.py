@@ -7,9 +7,9 @@ from hfield.certificates.clauses import Expansion, expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
-from hfield.certificates.polynomials import BITS, MASK
+from hfield.certificates.polynomials import ONE, Monomial, variables
 from hfield.certificates.rejection import reject
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
 
@@ -17,18 +17,22 @@ FEW = 5_000
 COST = 200  # what evaluating a statement once is charged
 MAX_ORDER = 5_000
 
-Coefficients = dict[int, Any]
+Coefficients = dict[Monomial, Any]
 Case = tuple[list[Coefficients], list[list[Coefficients]]]
 
 
 def evaluator_at(ring: Ring, setting: Setting, statement: Statement, values: Any) -> Evaluator:
-    """Return the evaluator with values for unknowns; the structure constants must be defined."""
+    """Return the evaluator with values for unknowns."""
     known: dict[Tree, Any] = {tree: ring.constant(tree) for tree in statement.constants}
     known.update((("name", name), value) for name, value in values.items())
-    evaluator = Evaluator(RingScalars(ring), setting.constants, known)
-    if evaluator.conditions:
-        reject("a structure constant of the algebra is not defined there")
-    return evaluator
+    return Evaluator(RingScalars(ring), setting.constants, known)
+
+
+def truth_at(ring: Ring, setting: Setting, statement: Statement, values: Any) -> bool | None:
+    """Tell whether the statement is true there; None where the algebra does not exist."""
+    charge(COST)
+    evaluator = evaluator_at(ring, setting, statement, values)
+    return None if evaluator.conditions else bool(evaluator.truth(statement.matrix))
 
 
 def width(unknowns: tuple[tuple[str, str], ...]) -> int:
@@ -40,18 +44,25 @@ def check_all(statement: Statement, setting: Setting, cases: int) -> None:
     """Check a statement without quantifiers for all values of its unknowns."""
     ring = _finite(setting)
     assert ring.order is not None
-    total = ring.order ** width(statement.unknowns)
-    if total <= FEW:
-        _one_by_one(statement, setting)
-        if cases > total or total % cases:
-            reject("the number of cases is wrong")
-        return
-    if statement.divides and not ring.is_field:
-        reject("over a ring that is no field, only few cases are tried for statements that divide")
-    expansion = expand(statement, setting)
-    count = _Tree(expansion, ring).check()
-    if cases not in (ring.order**count, total):
+    total, by_clauses = (
+        ring.order ** width(statement.unknowns),
+        ring.is_field or not statement.divides,
+    )
+    tree = None
+    if by_clauses and (total > FEW or cases != total):
+        tree = _Tree(expand(statement, setting), ring)
+    if cases != total and (tree is None or cases != ring.order ** len(tree.used)):
         reject("the number of cases is wrong")
+    if tree is not None and total > FEW:
+        tree.check()
+        return
+    truths = {
+        truth_at(ring, setting, statement, values) for values in places(ring, statement.unknowns)
+    }
+    if False in truths:
+        reject("the statement is false in one of the cases")
+    if True not in truths:
+        reject("the structure constants of the algebra are defined nowhere")
 
 
 def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
@@ -61,13 +72,17 @@ def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
     if cases != ring.order ** width(statement.given):
         reject("the number of cases is wrong")
     bound = tuple((name, sort) for name, sort in statement.unknowns if name in statement.exists)
+    defined = False
     for values in places(ring, statement.given):
         for more in places(ring, bound):
-            charge(COST)
-            if _true(statement, setting, ring, {**values, **more}):
+            truth = truth_at(ring, setting, statement, {**values, **more})
+            if truth is not False:  # true; or there is no algebra for these letters
+                defined |= truth is True
                 break
         else:
             reject("for some values nothing exists")
+    if not defined:
+        reject("the structure constants of the algebra are defined nowhere")
 
 
 def _finite(setting: Setting) -> Ring:
@@ -89,55 +104,42 @@ def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Any:
         yield out
 
 
-def _true(statement: Statement, setting: Setting, ring: Ring, values: Any) -> bool:
-    return bool(evaluator_at(ring, setting, statement, values).truth(statement.matrix))
-
-
-def _one_by_one(statement: Statement, setting: Setting) -> None:
-    ring = _finite(setting)
-    for values in places(ring, statement.unknowns):
-        charge(COST)
-        if not _true(statement, setting, ring, values):
-            reject("the statement is false in one of the cases")
-
-
 class _Tree:
     """All values of one coordinate after the other, as long as a clause is not settled."""
 
     def __init__(self, expansion: Expansion, ring: Ring) -> None:
         self.ring = ring
         place = Place(expansion, ring)
+        place.need_algebra()
         self.elements = list(ring.elements())
         self.cases: list[Case] = []
         used: set[int] = set()
         for clause in expansion.clauses:
             polynomials = [*clause.zeros, *(g for goal in clause.goals for g in goal)]
             for f in polynomials:
-                for m, _ in f:
-                    used.update(n for n in range(expansion.unknowns) if (m >> (BITS * n)) & MASK)
+                used |= {v for v in variables(dict(f)) if v < expansion.unknowns}
             zeros = [place.coefficients(dict(f), True) for f in clause.zeros]
             goals = [[place.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
             self.cases.append((zeros, goals))
         self.used = sorted(used)
         self.powers: dict[tuple[Any, int], Any] = {}
 
-    def check(self) -> int:
-        """Try everything; return the number of coordinates."""
+    def check(self) -> None:
+        """Try everything."""
         self._try(0, [case for case in self.cases if not self._settled(case)])
-        return len(self.used)
 
     def _try(self, depth: int, cases: list[Case]) -> None:
         if not cases:
             return
         if depth == len(self.used):
             reject("the statement is false in one of the cases")
-        shift = BITS * self.used[depth]
+        variable = self.used[depth]
         for value in self.elements:
             rest = []
             for zeros, goals in cases:
                 case = (
-                    [self._put(f, shift, value) for f in zeros],
-                    [[self._put(f, shift, value) for f in goal] for goal in goals],
+                    [self._put(f, variable, value) for f in zeros],
+                    [[self._put(f, variable, value) for f in goal] for goal in goals],
                 )
                 if not self._settled(case):
                     rest.append(case)
@@ -146,17 +148,17 @@ class _Tree:
     def _settled(self, case: Case) -> bool:
         """Tell whether a clause is true whatever the other coordinates are."""
         zeros, goals = case
-        return any(len(z) == 1 and 0 in z for z in zeros) or any(not any(goal) for goal in goals)
+        return any(set(z) == {ONE} for z in zeros) or any(not any(goal) for goal in goals)
 
-    def _put(self, f: Coefficients, shift: int, value: Any) -> Coefficients:
+    def _put(self, f: Coefficients, variable: int, value: Any) -> Coefficients:
         ring = self.ring
         charge(len(f) + 1)
         out: Coefficients = {}
         for m, c in f.items():
-            e = (m >> shift) & MASK
+            e = dict(m).get(variable, 0)
             if e:
                 c = ring.mul(c, self._power(value, e))
-                m -= e << shift
+                m = tuple(pair for pair in m if pair[0] != variable)
             out[m] = ring.add(out[m], c) if m in out else c
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
 

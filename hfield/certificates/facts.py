@@ -9,11 +9,11 @@ from itertools import product
 from math import isqrt
 from typing import Any
 
-from hfield.certificates.finite import is_prime
-from hfield.certificates.functions import Functions
-from hfield.certificates.numbers import Rationals, Surds
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.functions import MAX_DEGREE, Functions
+from hfield.certificates.scalars.numbers import Rationals, Surds
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 
@@ -25,9 +25,8 @@ def is_ordered(field: Ring) -> bool:
 def level_above(field: Ring, bound: int) -> bool:
     """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing.
 
-    In ℚ(√d) with d ≡ 1 modulo 8 the prime 2 splits, and modulo the third power of a prime above it the
-    integers there are those modulo 8. A sum of four squares that is 0 could be divided until one of its
-    terms is not in that prime; but then it is not 0 modulo 8.
+    ℚ(√d) with d ≡ 1 modulo 8 lies in ℚ₂. A sum of four squares that is 0 there could be divided until one
+    of its terms is odd; but then it is not 0 modulo 8.
     """
     if bound < 1 or is_ordered(field):
         return True
@@ -101,6 +100,9 @@ def _is_square_function(field: Functions, x: Any) -> bool:
     base, polynomials = field.base, field.polynomials
     f = dict(polynomials.mul(*x))
     degree = max(f)[0]
+    if degree > MAX_DEGREE:
+        reject(f"squares are not told above the degree {MAX_DEGREE}")
+    charge(5 * degree**2)
     lead = f[(degree,)]
     if degree % 2 or not is_square(base, lead):
         return False

@@ -5,37 +5,29 @@ from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
 from hfield.certificates.context import Context
-from hfield.certificates.finite import is_prime
+from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
 from hfield.certificates.items import Item
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import is_constant
 from hfield.certificates.rejection import a_list, reject
+from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
 
 MAX_CHOICES = 512
 
 
-def check_implication(
-    expansion: Expansion, setting: Setting, data: Any
-) -> tuple[str, tuple[str, ...]]:
-    """Check the items and that they cover the clauses; return the scope and the theorems used."""
+def check_implication(expansion: Expansion, setting: Setting, data: Any) -> Finding:
+    """Check the items, and that they cover the clauses."""
     context = Context(expansion, setting, data["facts"])
     items = [Item(raw, context) for raw in a_list(data["items"], "items")]
     ring = setting.field
     if ring is None:
-        return _everywhere(expansion, items), ()
-    usable = items
-    if not ring.is_field:
-        usable = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
-        if ring.name == "ZZ" and not _divides(expansion):
-            usable = items  # what holds for all elements of ℚ holds for those of ℤ
-    _cover(expansion, Place(expansion, ring), usable)
-    return "field", tuple(context.assumes)
-
-
-def _divides(expansion: Expansion) -> bool:
-    return bool(expansion.factors)
+        return finding(_everywhere(expansion, items), "implication")
+    if not ring.is_field and (expansion.factors or not ring.is_domain):
+        items = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
+    _cover(expansion, Place(expansion, ring), items)
+    return finding(FIELD, "implication").citing(*context.rules.cites)
 
 
 def _everywhere(expansion: Expansion, items: list[Item]) -> str:
@@ -58,7 +50,7 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
         if d != 1:
             reject("a proof over all fields divides by a number that may be 0")
     direct = all(item.is_direct for item in items) and divided <= {1}
-    return "commutative rings" if direct else "fields"
+    return RINGS if direct else FIELDS
 
 
 def _plain_primes(expansion: Expansion, d: int, primes: set[int], general: list[Item]) -> list[int]:
@@ -95,7 +87,7 @@ def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item
     goals = [[same(g) for g in goal if not place.vanishes(g)] for goal in clause.goals]
     if any(all(g in proved for g in goal) for goal in goals):
         return True
-    if place.ring is not None and not place.ring.is_field and place.ring.name != "ZZ":
+    if place.ring is not None and not place.ring.is_domain:
         return False
     excluded = [{same(g) for g in item.nonzero} for item in usable if item.member is None]
     excluded += [{f} for f in proved]

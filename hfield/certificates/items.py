@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from hfield.certificates.context import Context
-from hfield.certificates.finite import is_prime
 from hfield.certificates.polynomials import (
     Names,
     Poly,
@@ -12,8 +11,11 @@ from hfield.certificates.polynomials import (
     constant,
     modulo,
     multiply,
+    power,
 )
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
+from hfield.certificates.rules import FORMS
+from hfield.certificates.scalars.finite import is_prime
 
 MAX_DEPTH = 8
 
@@ -73,7 +75,7 @@ class Item:
         self._divided_by(denominator)
 
     def _divided_by(self, denominator: int) -> None:
-        p = self.p or (self.context.ring.characteristic if self.context.ring else 0)
+        p = self.p or self.context.characteristic
         if (denominator % p if p else denominator) == 0:
             reject("a denominator is 0 in the field")
         self.denominators.add(denominator)
@@ -94,51 +96,28 @@ class Item:
             reject("case distinctions nest too deeply")
         for number, raw in enumerate(steps, 1):
             kind = str(raw.get("step")) if isinstance(raw, dict) else ""
-            step = an_object(raw, f"step cofactors denominator {_KEYS.get(kind, '')}", "a step")
-            ends = kind in ("contradiction", "no root", "cases")
-            if ends != (number == len(steps)):
+            own, optional = FORMS.get(kind, (_ENDS.get(kind, ""), ""))
+            step = an_object(raw, f"step cofactors denominator {own}", "a step", optional)
+            if kind not in FORMS and kind not in _ENDS:
+                reject("a step is of no known kind")
+            if (kind in _ENDS) != (number == len(steps)):
                 reject("the steps do not end in a contradiction, or go on after it")
             if kind == "contradiction":
                 self._verify(step, known, names, constant(1))
-            elif kind in ("norm", "squares"):
-                self.uses_field = True
-                terms = [names.read(t, "a term") for t in texts(step["terms"], "terms", 1)]
-                self._form(kind, step, terms, known, names)
-                known = [*known, *terms]
-            elif kind == "no root":
-                self.uses_field = True
-                f = names.read(a_text(step["polynomial"], "polynomial"), "a polynomial")
-                self.context.check_rootless(f, names)
-                self._verify(step, known, names, f)
             elif kind == "cases":
                 self._cases(step, known, names, depth)
+            elif kind == "no root":
+                f = names.read(a_text(step["polynomial"], "polynomial"), "a polynomial")
+                self.context.rules.need_no_root(f)
+                self._verify(step, known, names, f)
             else:
-                reject("a step is of no known kind")
-
-    def _form(
-        self, kind: str, step: Any, terms: list[Poly], known: list[Poly], names: Names
-    ) -> None:
-        if kind == "norm":
-            if len(terms) != 4:
-                reject("the norm is that of four terms")
-            self.context.need("norm")
-            target = self.context.norm(terms)
-        else:
-            coefficients = [
-                an_integer(c, "a coefficient", 1)
-                for c in a_list(step["coefficients"], "coefficients")
-            ]
-            if len(coefficients) != len(terms):
-                reject("there are not as many coefficients as terms")
-            self.context.need_squares(len(terms), any(c != 1 for c in coefficients))
-            target = {}
-            for c, f in zip(coefficients, terms, strict=True):
-                target = add(target, multiply(f, f), c)
-        total = self._sum(step, known, names)
-        self._divided_by(an_integer(step["denominator"], "a denominator"))
-        p = self.p or (self.context.ring.characteristic if self.context.ring else 0)
-        if not _proportional(total, target, p):
-            reject(f"a sum of cofactors is not the form of the step {kind!r}")
+                terms = [names.read(t, "a term") for t in texts(step["terms"], "terms", 1)]
+                form = self.context.rules.form(kind, step, terms, names)
+                self._divided_by(an_integer(step["denominator"], "a denominator"))
+                p = self.p or self.context.characteristic
+                if not _proportional(self._sum(step, known, names), form, p):
+                    reject(f"a sum of cofactors is not the form of the step {kind!r}")
+                known = [*known, *terms]
 
     def _cases(self, step: Any, known: list[Poly], names: Names, depth: int) -> None:
         factors = [names.read(f, "a factor") for f in texts(step["factors"], "factors", 1)]
@@ -150,19 +129,14 @@ class Item:
         for f, n in zip(factors, powers, strict=True):
             if n > 64:
                 reject("a power of a factor is too large")
-            for _ in range(n):
-                target = multiply(target, f)
+            target = multiply(target, power(f, n))
         self._verify(step, known, names, target)
         for f, branch in zip(factors, branches, strict=True):
             self._steps(branch, [*known, f], names, depth + 1)
 
 
-_KEYS = {
-    "norm": "terms",
-    "squares": "terms coefficients",
-    "no root": "polynomial",
-    "cases": "factors powers branches",
-}
+# The keys of a step that ends an item.
+_ENDS = {"contradiction": "", "no root": "polynomial", "cases": "factors powers branches"}
 
 
 def texts_of_polynomials(data: object) -> list[str]:

@@ -19,8 +19,8 @@ BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7,
 NOT, COMPARE, SIGN = 5, 6, 9
 WORDS = ("and", "or", "not", "exists")
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![\w.]))?)"
-    r"|(?P<name>[^\W\d]\w*)|(?P<sign><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))"
+    r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9_.]))?)"
+    r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))"
 )
 
 
@@ -164,6 +164,8 @@ class _Parser:
             if not place:
                 self.fail("expected a coordinate 0, 1, 2 or 3")
             self.need("]")
+            if tree[0] == "index":
+                self.fail("a coordinate has no coordinates of its own")
             tree, height = self.build(height, "index", tree, int(place))
         if self.next("**", "^"):
             opened = self.next("(")

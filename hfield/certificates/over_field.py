@@ -4,8 +4,9 @@ from math import gcd
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, Frozen
-from hfield.certificates.polynomials import BITS, MASK, Poly, modulo
-from hfield.certificates.ring import Ring
+from hfield.certificates.polynomials import ONE, Monomial, Poly, constant, modulo, multiply
+from hfield.certificates.rejection import reject
+from hfield.certificates.scalars.ring import Ring
 
 
 class Place:
@@ -15,28 +16,39 @@ class Place:
         self.expansion, self.ring = expansion, ring
         self.p = ring.characteristic if ring is not None else p
         self._known: dict[Frozen, bool] = {}
-        self._values: list[Any] = []
+        self._values: dict[int, Any] = {}
         if ring is not None:
-            names = expansion.names.variables[expansion.unknowns :]
-            self._values = [ring.constant(tree) for tree in names]
+            trees = enumerate(expansion.names.trees)
+            self._values = {n: ring.constant(tree) for n, tree in trees if n >= expansion.unknowns}
 
-    def coefficients(self, f: Poly, functions: bool) -> dict[Any, Any]:
-        """Return the coefficients that are not 0, by the exponents of the unknowns."""
+    def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Any]:
+        """Return the coefficients that are not 0, by the monomials in the unknowns.
+
+        The constants of the field are put in; with ``functions`` exponents are reduced by x^q = x.
+        """
         f, ring = modulo(f, self.p), self.ring
         if ring is None:
-            return f
-        width = BITS * self.expansion.unknowns
+            return dict(f)
         q = ring.order if functions and ring.is_field else None
-        out: dict[int, Any] = {}
+        out: dict[Monomial, Any] = {}
         for m, c in f.items():
-            value, rest = ring.number(c), m >> width
-            for constant in self._values:
-                if rest & MASK:
-                    value = ring.mul(value, ring.power(constant, rest & MASK))
-                rest >>= BITS
-            own = _reduced(m & ((1 << width) - 1), q)
+            value, unknowns = ring.number(c), list[tuple[int, int]]()
+            for v, e in m:
+                if v < self.expansion.unknowns:
+                    unknowns.append((v, (e - 1) % (q - 1) + 1 if q else e))
+                else:
+                    value = ring.mul(value, ring.power(self._values[v], e))
+            own = tuple(unknowns)
             out[own] = ring.add(out[own], value) if own in out else value
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
+
+    def need_algebra(self) -> None:
+        """Reject where the structure constants are defined for no values of the letters."""
+        product = constant(1)
+        for f in self.expansion.conditions:
+            product = multiply(product, f)
+        if not self.coefficients(product, True):
+            reject("the structure constants of the algebra are defined nowhere")
 
     def vanishes(self, f: Frozen | Poly) -> bool:
         """Tell whether f is 0 at every place of the field (as a function, over a finite field)."""
@@ -54,9 +66,9 @@ class Place:
     def is_nonzero(self, f: Frozen) -> bool:
         """Tell whether f is a constant other than 0 there (for all fields: ±1)."""
         found = self.coefficients(dict(f), False)
-        if set(found) != {0}:
+        if set(found) != {ONE}:
             return False
-        return self.ring is not None or bool(self.p) or found[0] in (1, -1)
+        return self.ring is not None or bool(self.p) or found[ONE] in (1, -1)
 
     def same(self, f: Poly) -> Frozen:
         """Return what f has in common with its multiples by units: coefficients made monic."""
@@ -72,14 +84,3 @@ class Place:
             return frozenset((m, c // scale) for m, c in f.items())
         opposite = modulo({m: -c for m, c in f.items()}, self.p)
         return frozenset(min(f, opposite, key=lambda g: sorted(g.items())).items())
-
-
-def _reduced(m: int, q: int | None) -> int:
-    if q is None:
-        return m
-    out, place = 0, 0
-    while m:
-        e = m & MASK
-        out |= ((e - 1) % (q - 1) + 1 if e else 0) << place
-        m, place = m >> BITS, place + BITS
-    return out

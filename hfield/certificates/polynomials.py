@@ -1,33 +1,41 @@
-"""Polynomials with integer coefficients in many variables: a dict from packed exponents to numbers.
+"""Polynomials with integer coefficients: a dict from monomials to coefficients that are not 0.
 
-The exponents of a monomial are the digits of one integer in base 2²⁴, so that monomials multiply by
-adding. Every product is charged for before it is begun.
+A variable is a number. A monomial is a tuple of pairs (variable, exponent) with exponents of at least
+1, variables falling; the empty tuple is 1. So two monomials are equal exactly when the tuples are,
+and tuples compare as monomials do lexicographically. Every product is charged for before it is begun.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import MAX_DIGITS, reject, shown
 from hfield.certificates.work import charge
 
-BITS = 24
-MASK = (1 << BITS) - 1
 MAX_EXPONENT = 1 << 16
 MAX_PRODUCTS = 1_000_000  # of terms in one multiplication: they bound the memory
 MAX_TEXT = 4_000_000
 
-Poly = dict[int, int]
+Monomial = tuple[tuple[int, int], ...]
+Poly = dict[Monomial, int]
 
-_TERM = re.compile(
-    r"\s*([+-]?)\s*((?:[^\s+*(\[-]|\([^()]*\)|\[[0-3]\])(?:[^\s+(\[-]|\([^()]*\)|\[[0-3]\])*)"
+ONE: Monomial = ()
+_SIGN = re.compile(r"\s*([+-])")
+# A number, or an atom with an exponent; then what shows whether the term goes on.
+_FACTOR = re.compile(
+    r"\s*(?:([0-9]+)|([A-Za-z][A-Za-z0-9_]*(?:\[[0-3]\]|\([^()]*\))?)(?:\*\*([0-9]+))?)"
+    r"\s*(\*(?!\*))?"
 )
-_FACTOR = re.compile(r"([A-Za-z]\w*(?:\[[0-3]\]|\([^()]*\))?)(?:\*\*([0-9]{1,6}))?")
 
 
 def constant(c: int) -> Poly:
     """Return a constant."""
-    return {0: c} if c else {}
+    return {ONE: c} if c else {}
+
+
+def variable(number: int) -> Poly:
+    """Return a variable."""
+    return {((number, 1),): 1}
 
 
 def add(f: Poly, g: Poly, scale: int = 1) -> Poly:
@@ -35,11 +43,7 @@ def add(f: Poly, g: Poly, scale: int = 1) -> Poly:
     charge(len(f) // 8 + len(g))
     out = dict(f)
     for m, c in g.items():
-        total = out.get(m, 0) + scale * c
-        if total:
-            out[m] = total
-        else:
-            out.pop(m, None)
+        _collect(out, m, scale * c)
     return out
 
 
@@ -47,21 +51,43 @@ def multiply(f: Poly, g: Poly) -> Poly:
     """Return f·g."""
     if len(f) * len(g) > MAX_PRODUCTS:
         reject("a product of polynomials has too many terms")
-    bits = max((c.bit_length() for h in (f, g) for c in h.values()), default=0)
-    charge(len(f) * len(g) * (1 + bits // 1_000) + len(f) + len(g))
+    bits = max((abs(c).bit_length() for h in (f, g) for c in h.values()), default=0)
+    charge(2 * len(f) * len(g) * (1 + bits // 1_000) + len(f) + len(g))
     out: Poly = {}
     for m, c in f.items():
         for n, d in g.items():
-            out[m + n] = out.get(m + n, 0) + c * d
-    out = {m: c for m, c in out.items() if c}
-    if out:
-        top = max(out)
-        while top:
-            if top & MASK > MAX_EXPONENT:
-                reject("a degree has grown too large")
-            top >>= BITS
-        if any(c.bit_length() > 4 * MAX_DIGITS for c in out.values()):
-            reject("a coefficient has grown too large")
+            _collect(out, times(m, n), c * d)
+    return out
+
+
+def times(m: Monomial, n: Monomial) -> Monomial:
+    """Return the product of two monomials."""
+    if not m or not n:
+        return m or n
+    exponents = dict(m)
+    for v, e in n:
+        exponents[v] = exponents.get(v, 0) + e
+        if exponents[v] > MAX_EXPONENT:
+            reject("a degree has grown too large")
+    return tuple(sorted(exponents.items(), reverse=True))
+
+
+def _collect(f: Poly, m: Monomial, c: int) -> None:
+    """Add c·m to f."""
+    total = f.get(m, 0) + c
+    if total.bit_length() > 4 * MAX_DIGITS:
+        reject("a coefficient has grown too large")
+    if total:
+        f[m] = total
+    else:
+        f.pop(m, None)
+
+
+def power(f: Poly, n: int) -> Poly:
+    """Return fⁿ."""
+    out = constant(1)
+    for _ in range(n):
+        out = multiply(out, f)
     return out
 
 
@@ -71,103 +97,90 @@ def modulo(f: Poly, p: int) -> Poly:
 
 
 def is_constant(f: Poly) -> bool:
-    """Tell whether f is a nonzero constant."""
-    return len(f) == 1 and 0 in f
+    """Tell whether f is a constant other than 0."""
+    return set(f) == {ONE}
 
 
-def exponents(m: int, count: int) -> tuple[int, ...]:
-    """Return the exponents of a packed monomial."""
-    return tuple((m >> (BITS * n)) & MASK for n in range(count))
+def variables(f: Poly) -> set[int]:
+    """Return the variables that occur in f."""
+    return {v for m in f for v, _ in m}
 
 
 def divide(f: Poly, g: Poly) -> Poly | None:
     """Return f/g if g divides f over ℤ, else None."""
     lead = max(g)
-    rest, out = dict(f), {}
+    rest, out = dict(f), dict[Monomial, int]()
     while rest:
         top = max(rest)
-        m, c = top - lead, rest[top]
-        if c % g[lead] or not _divides(lead, top):
+        exponents = dict(top)
+        for v, e in lead:
+            exponents[v] = exponents.get(v, 0) - e
+        if rest[top] % g[lead] or min(exponents.values(), default=0) < 0:
             return None
-        out[m] = c // g[lead]
-        charge(len(g))
-        for n, d in g.items():
-            total = rest.get(m + n, 0) - out[m] * d
-            if total:
-                rest[m + n] = total
-            else:
-                rest.pop(m + n, None)
+        m: Monomial = tuple((v, e) for v, e in exponents.items() if e)
+        out[m] = rest[top] // g[lead]
+        rest = add(rest, multiply({m: out[m]}, g), -1)
     return out
-
-
-def _divides(m: int, n: int) -> bool:
-    while m:
-        if m & MASK > n & MASK:
-            return False
-        m, n = m >> BITS, n >> BITS
-    return True
 
 
 class Names:
     """The variables of a polynomial ring: each is a tree, such as ``("name", "s")`` or q[0]'s."""
 
-    def __init__(self, variables: Sequence[Tree]) -> None:
-        self.variables = tuple(variables)
-        self.place: Mapping[Tree, int] = {v: n for n, v in enumerate(self.variables)}
+    def __init__(self, trees: Sequence[Tree]) -> None:
+        self.trees = tuple(trees)
+        self.place = {tree: n for n, tree in enumerate(self.trees)}
+        if len(self.place) < len(self.trees):
+            reject("two variables have the same name")
         self._atoms: dict[str, int] = {}
 
     def variable(self, tree: Tree) -> Poly:
         """Return the variable as a polynomial."""
-        return {1 << (BITS * self.place[tree]): 1}
+        return variable(self.place[tree])
 
     def extended(self, names: Sequence[str]) -> "Names":
         """Return the same with further variables."""
-        return Names((*self.variables, *(("name", name) for name in names)))
+        return Names((*self.trees, *(("name", name) for name in names)))
 
     def read(self, text: str, what: str) -> Poly:
-        """Read a sum of terms such as ``2*q[0]**2*s``."""
+        """Read all of a sum of terms such as ``- 2*q[0]**2*s + sqrt(2)``, or reject it."""
         if len(text) > MAX_TEXT:
             reject(f"{what} is longer than {MAX_TEXT} characters")
         out: Poly = {}
         position = 0
-        end = len(text.rstrip())
-        while position < end:
-            match = _TERM.match(text, position)
-            if match is None or (position and not match[1]):
+        while position < len(text) or not position:
+            sign = _SIGN.match(text, position)
+            if sign is None and position:
                 reject(f"{what} is no polynomial: {shown(text)}")
-            m, c = self._term(match[2], what)
-            out[m] = out.get(m, 0) + (-c if match[1] == "-" else c)
-            position = match.end()
-        if not text.strip():
-            reject(f"{what} is empty")
-        return {m: c for m, c in out.items() if c}
+            position = sign.end() if sign else position
+            m, c, more = ONE, -1 if sign and sign[1] == "-" else 1, True
+            while more:
+                factor = _FACTOR.match(text, position)
+                if factor is None:
+                    reject(f"{what} is no polynomial: {shown(text)}")
+                position, more = factor.end(), bool(factor[4])
+                if factor[1]:
+                    c *= _number(factor[1], MAX_DIGITS, what)
+                    if c.bit_length() > 4 * MAX_DIGITS:
+                        reject(f"a coefficient in {what} is too large")
+                else:
+                    exponent = _number(factor[3] or "1", 6, what)
+                    if not 1 <= exponent <= MAX_EXPONENT:
+                        reject(f"an exponent in {what} is not from 1 to {MAX_EXPONENT}")
+                    m = times(m, ((self._number(factor[2], what), exponent),))
+            _collect(out, m, c)
+        return out
 
-    def _term(self, text: str, what: str) -> tuple[int, int]:
-        m, c = 0, 1
-        for factor in re.split(r"(?<!\*)\*(?!\*)", text):
-            if factor.isdigit() and factor.isascii():
-                if len(factor) > MAX_DIGITS:
-                    reject(f"a number in {what} has more than {MAX_DIGITS} digits")
-                c *= int(factor)
-                continue
-            match = _FACTOR.fullmatch(factor)
-            if match is None:
-                reject(f"{what} has a factor that cannot be read: {shown(factor)}")
-            power = int(match[2] or 1)
-            if power > MAX_EXPONENT:
-                reject(f"a degree in {what} is too large")
-            m += power << (BITS * self._place(match[1], what))
-        if c.bit_length() > 4 * MAX_DIGITS:
-            reject(f"a coefficient in {what} is too large")
-        for e in exponents(m, len(self.variables)):
-            if e > MAX_EXPONENT:
-                reject(f"a degree in {what} is too large")
-        return m, c
-
-    def _place(self, atom: str, what: str) -> int:
+    def _number(self, atom: str, what: str) -> int:
+        """Return the number of the variable that is written so."""
         if atom not in self._atoms:
             place = self.place.get(parse(atom))
             if place is None:
                 reject(f"{what} speaks of {shown(atom)!r}, which does not occur in the statement")
             self._atoms[atom] = place
         return self._atoms[atom]
+
+
+def _number(digits: str, most: int, what: str) -> int:
+    if len(digits) > most:
+        reject(f"a number in {what} has more than {most} digits")
+    return int(digits)

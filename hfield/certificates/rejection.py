@@ -23,6 +23,11 @@ def shown(value: object, limit: int = 60) -> str:
     return text if len(text) <= limit else text[: limit - 1] + "…"
 
 
+def one_line(text: str) -> str:
+    """Write all of a text in one line, with nothing in it that does not show."""
+    return "".join(c if c.isprintable() else "?" for c in " ".join(text.split()))
+
+
 def an_object(value: object, keys: str, what: str, optional: str = "") -> Mapping[str, Any]:
     """Return a JSON object that has exactly the keys named (``optional`` ones may be missing)."""
     if not isinstance(value, dict):
@@ -35,6 +40,13 @@ def an_object(value: object, keys: str, what: str, optional: str = "") -> Mappin
         if key not in value:
             reject(f"{what} lacks the key {key!r}")
     return value
+
+
+def kind_of(evidence: object) -> str:
+    """Return the kind of some evidence."""
+    if not isinstance(evidence, dict) or not isinstance(evidence.get("kind"), str):
+        reject("the evidence must be an object with a text 'kind'")
+    return str(evidence["kind"])
 
 
 def a_list(value: object, what: str, least: int = 0) -> list[Any]:

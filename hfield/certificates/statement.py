@@ -7,10 +7,10 @@ import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from hfield.certificates.fields import read_field
-from hfield.certificates.language import Tree, parse, walk
+from hfield.certificates.language import Tree, parse, substitute, walk
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.ring import Ring
+from hfield.certificates.scalars.fields import read_field, without_blanks
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 QUATERNIONS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
@@ -22,12 +22,21 @@ MAX_CONSTANT_SIZE = 200
 
 @dataclass(frozen=True)
 class Setting:
-    """A ring, or None for all fields at once, and the trees of the structure constants."""
+    """A ring, or None for all fields at once, and the trees of the structure constants.
+
+    ``moved`` marks one of the fields at which a statement about all of them is looked at.
+    """
 
     field: Ring | None
     constants: tuple[Tree, Tree, Tree]  # a, t, b
     letters: tuple[str, ...]
     algebra: str
+    moved: bool = False
+
+    def with_letters(self, values: dict[str, Tree]) -> "Setting":
+        """Return the algebra with terms of the field for all of its letters."""
+        a, t, b = (substitute(tree, values) for tree in self.constants)
+        return replace(self, constants=(a, t, b), letters=())
 
 
 HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("num", 1)))
@@ -36,7 +45,7 @@ HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("
 def read_setting(algebra: str, field: str | None) -> Setting:
     """Read ``(a,b|F)``, ``[a,b|F)`` (t = 1) or ``[a,b,t|F)`` and the field, which must agree."""
     ring = None if field is None else read_field(field)
-    m = re.fullmatch(r"([(\[])([^|]*)\|(.*)\)", "".join(algebra.split()))
+    m = re.fullmatch(r"([(\[])([^|]*)\|(.*)\)", without_blanks(algebra))
     if m is None:
         reject(f"the algebra {shown(algebra)!r} cannot be read; expected the form (a,b|F)")
     inside = None if m[3] == "F" else read_field(m[3])
@@ -110,11 +119,6 @@ class Statement:
         """The unknowns that the statement is for all values of."""
         return tuple((name, sort) for name, sort in self.unknowns if name not in self.exists)
 
-    def about(self, tree: Tree, unknowns: tuple[tuple[str, str], ...] | None = None) -> "Statement":
-        """Return the statement ``tree``, for all values of the unknowns."""
-        unknowns = self.unknowns if unknowns is None else unknowns
-        return replace(self, unknowns=unknowns, exists=(), hypotheses=(), conclusion=tree)
-
 
 def read_statement(text: str, setting: Setting) -> Statement:
     """Read a statement of the language, as the field and the algebra make its names mean."""
@@ -162,8 +166,7 @@ class _Reader:
         for name in bound:
             self.unknowns.setdefault(name, self.unknown(name) or "s")
         for constant in self.structure:
-            if self.term(constant) != "s":
-                reject("a structure constant is no scalar")
+            self.term(constant)
         return Statement(
             tuple(self.unknowns.items()),
             tuple(bound),

@@ -5,19 +5,22 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from hfield.certificates.check import MAX_BYTES, Established, Pin, check_text
-from hfield.certificates.rejection import Rejected
+from hfield.certificates.check import Established, Pin, check_text
+from hfield.certificates.json_text import MAX_BYTES
+from hfield.certificates.rejection import Rejected, one_line
 from hfield.commands.output import open_output
 from hfield.commands.parser import UsageError, add_format, add_output
 from hfield.errors import HFieldError, shorten
 
 HELP = (
     "Check certificates by a program that shares nothing with the prover, and say what each one "
-    "establishes. With --claim or --statement a certificate of anything else is rejected; a statement "
-    "without --field is one about all fields. Exit status: 0 all accepted, 1 some rejected, 2 bad "
-    "usage or a file that cannot be read."
+    "establishes: the whole statement, each theorem that it cites, each assumption it makes. With "
+    "--claim or --statement a certificate of anything else is rejected; a statement without --field is "
+    "one about all fields. Exit status: 0 all accepted, 1 some rejected, 3 some accepted under an "
+    "assumption only that --allow-assumptions does not allow, 2 bad usage or a file that cannot be read."
 )
 UNIVERSAL = ("universal", "-")
+ASSUMING = 3  # the exit status where an assumption is left
 
 
 class UnreadableError(HFieldError, OSError):
@@ -29,8 +32,20 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument("files", nargs="+", metavar="FILE", help="certificates, hfield-cert/1")
     parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
     parser.add_argument("--statement", metavar="S", help="they must be of this statement")
+    parser.add_argument(
+        "--given",
+        action="append",
+        default=[],
+        metavar="H",
+        help="with these hypotheses in front of S",
+    )
     parser.add_argument("--field", metavar="F", help="over this field (or `universal`)")
     parser.add_argument("--algebra", metavar="A", help="in this algebra (default: H)")
+    parser.add_argument(
+        "--allow-assumptions",
+        action="store_true",
+        help="exit with 0 also where a certificate assumes what it does not prove",
+    )
     add_format(parser, "plain", "json")
     add_output(parser)
 
@@ -44,10 +59,15 @@ def run(args: Namespace) -> int:
             results = [_json(name, outcome) for name, outcome in outcomes]
             out.write_json({"schema": "hfield-check/1", "results": results})
         else:
-            out.write("\n".join(f"{name}: {_told(outcome)}" for name, outcome in outcomes))
+            out.write(
+                "\n".join(f"{one_line(name)}: {_told(outcome)}" for name, outcome in outcomes)
+            )
     if any(isinstance(outcome, UnreadableError) for _, outcome in outcomes):
         return 2
-    return int(any(isinstance(outcome, Rejected) for _, outcome in outcomes))
+    if any(isinstance(outcome, Rejected) for _, outcome in outcomes):
+        return 1
+    assuming = any(isinstance(x, Established) and x.assumptions for _, x in outcomes)
+    return ASSUMING if assuming and not args.allow_assumptions else 0
 
 
 Outcome = Established | Rejected | UnreadableError
@@ -102,22 +122,28 @@ def _pin(args: Namespace) -> Pin | None:
         statements = tuple(p.statement for p in propositions)
         return Pin(statements, field, any_field=args.field is None)
     if args.statement is None:
-        if args.field is not None or args.algebra is not None:
-            raise UsageError("--field and --algebra go with --statement, or --field with --claim")
+        if args.field is not None or args.algebra is not None or args.given:
+            raise UsageError(
+                "--given, --field and --algebra go with --statement, or --field with --claim"
+            )
         return None
-    from hfield.proving.setting import read_setting
+    from hfield.proving.statements.setting import read_setting
 
     setting = read_setting(None if everywhere else args.field, args.algebra)
     name = None if setting.field is None else setting.field.name
+    statement = args.statement
+    if args.given:
+        statement = " => ".join(f"({text})" for text in (*args.given, statement))
     try:
-        return Pin((args.statement,), name, setting.algebra).readable()
+        return Pin((statement,), name, setting.algebra).readable()
     except Rejected as error:
         raise UsageError(f"--statement: {error}") from None
 
 
 def _told(outcome: Outcome) -> str:
+    """Return the lines on a file, those after the first set in."""
     if isinstance(outcome, Established):
-        return str(outcome)
+        return "\n  ".join(outcome.lines())
     word = "rejected: " if isinstance(outcome, Rejected) else ""
     return word + " ".join(str(outcome).split())
 
@@ -134,4 +160,7 @@ def _json(name: str, outcome: Outcome) -> dict[str, object]:
         "verdict": outcome.verdict,
         "scope": outcome.scope,
         "assumes": list(outcome.assumes),
+        "theorems": list(outcome.theorems),
+        "assumptions": list(outcome.assumptions),
+        "vacuous": list(outcome.vacuous),
     }

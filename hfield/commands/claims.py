@@ -26,10 +26,10 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """List the claims."""
-    from hfield.ledger.columns import in_section
     from hfield.ledger.registry import claims
+    from hfield.ledger.selection import in_section
 
-    chosen = in_section(args.section) if args.section is not None else claims()
+    chosen = in_section(args.section, claims()) if args.section is not None else claims()
     with open_output(args.output) as out:
         if args.format == "json":
             out.write_json({"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]})

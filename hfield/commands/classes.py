@@ -42,7 +42,7 @@ def add_where(parser: ArgumentParser) -> None:
 def algebra_of(text: str) -> QuaternionAlgebra:
     """Read an algebra, or the definite one of a discriminant. Raises :class:`UsageError`."""
     from hfield.algebra import QuaternionAlgebra
-    from hfield.structure.integers import factorise
+    from hfield.factorisation import factorise
 
     if not (text.isascii() and text.isdecimal()):
         return QuaternionAlgebra.from_text(text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import open_output
@@ -13,10 +14,11 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
 
 HELP = (
-    "Count the elements of an algebra over a finite ring by norm and by what they are: the closed "
-    "formula in q, and its confirmation by going through all q^4 elements where they are not too many."
+    "Count the elements of an algebra over a finite ring by norm and by what they are: by closed formulas "
+    "over a field and over ZZ/n, confirmed by going through all elements where they are not too many."
 )
 QUICK = 13**4  # elements that the page of `hfield info` goes through
+NORMS = 32  # of so many norms over a ring that is no field the counts are shown
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -63,28 +65,28 @@ def run(args: Namespace) -> int:
 def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) -> Counts:
     """Count, and confirm unless ``formulas``. Raises :class:`NotFiniteError` over an infinite ring.
 
-    Over ℤ/n there are no formulas, and only the exhaustive count answers.
+    Over a finite ring that has no formulas (no field, and not ℤ/n) only the exhaustive count answers.
     """
     from hfield import structure
-    from hfield.structure.exhaust import LIMIT
+    from hfield.structure.counting.tally import LIMIT
 
     F, c = A.ring, A.constants
-    if F.order is not None and not F.is_field:
+    if F.order is not None and not structure.has_formulas(F):
         return _exhausted(A)
     lines: list[tuple[str, int, str | None]] = []
 
     def add(label: str, kind: str, value: object = None) -> None:
-        lines.append((label, *structure.count(F, c, kind, value)))
+        n, formula = structure.count(F, c, kind, value)
+        lines.append((label, n, formula if F.is_field or formula != str(n) else None))
 
     add("elements", "elements")
     add("units", "units")
-    add("norm 0", "norm", 0)
-    classes = _classes(A)
-    results = [structure.count(F, c, "norm", value) for _, value in classes]
-    if len(set(results)) == 1:
-        lines.append(("each norm n ≠ 0", *results[0]))
+    if F.is_field:
+        add("norm 0", "norm", 0)
+        lines += _norms(A)
     else:
-        lines += [(label, *found) for (label, _), found in zip(classes, results, strict=True)]
+        for x in islice(F.elements(), NORMS):
+            add(f"norm {F.text(x)}", "norm", x)
     add("nilpotent", "nilpotent")
     add("idempotent", "idempotent")
     add("square roots of 1", "square roots", 1)
@@ -95,6 +97,17 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
     if not formulas and F.order**4 <= (QUICK if quick else LIMIT):
         result.exhausted = structure.confirm(F, c).elements
     return result
+
+
+def _norms(A: QuaternionAlgebra) -> list[tuple[str, int, str | None]]:
+    """Count the elements of each norm that is not 0, over a field."""
+    from hfield import structure
+
+    classes = _classes(A)
+    results = [structure.count(A.ring, A.constants, "norm", value) for _, value in classes]
+    if len(set(results)) == 1:
+        return [("each norm n ≠ 0", *results[0])]
+    return [(label, *found) for (label, _), found in zip(classes, results, strict=True)]
 
 
 def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
@@ -119,7 +132,7 @@ def _exhausted(A: QuaternionAlgebra) -> Counts:
     lines: list[tuple[str, int, str | None]] = [
         ("elements", found.elements, None),
         ("units", found.units, None),
-        *((f"norm {n}", number, None) for n, number in list(found.norms.items())[:32]),
+        *((f"norm {n}", number, None) for n, number in list(found.norms.items())[:NORMS]),
         ("nilpotent", found.nilpotent, None),
         ("idempotent", found.idempotent, None),
         ("square roots of 1", found.roots[A.ring.text(A.ring.one)], None),

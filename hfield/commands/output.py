@@ -9,10 +9,11 @@ import stat
 import sys
 import unicodedata
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
+from hfield.atomic import whole_file
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
@@ -98,18 +99,12 @@ def _open_file(path: Path) -> Iterator[TextIO]:
         return
     if mode is not None and not os.access(target, os.W_OK):
         raise OutputError(f"cannot write {shorten(path)!r}: the file is read-only")
-    neighbour = target.with_name(f".{target.name[:100]}.{os.getpid()}.part")
-    try:
-        with neighbour.open("x", encoding="utf-8") as stream:
+    with whole_file(target) as part:
+        with part.open("x", encoding="utf-8") as stream:
             yield stream
             written = stream.tell() > 0
-        if mode is not None:
-            neighbour.chmod(stat.S_IMODE(mode))
-        if written:
-            neighbour.replace(target)
-    finally:
-        with suppress(FileNotFoundError):
-            neighbour.unlink()
+        if not written:
+            part.unlink()
 
 
 def encodable(text: str, stream: TextIO) -> str:

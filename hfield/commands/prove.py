@@ -45,7 +45,7 @@ def run(args: Namespace) -> int:
         if certificate is not None:
             file.write_json(certificate)
         elif args.certificate is not None:
-            note(f"no certificate is written for what is {answer.verdict}")
+            note(f"no certificate is written: {answer.why_no_certificate}")
         if args.format == "json":
             data = answer.to_json(None if certificate is None else args.certificate)
             out.write_json(data if args.given else {**data, "statement": args.statement})

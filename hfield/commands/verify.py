@@ -11,11 +11,12 @@ from hfield.commands.parser import add_format, add_output, processes
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
-    from hfield.ledger.claim import Row
+    from hfield.ledger.claim import Claim, Row
 
 HELP = (
-    "Decide claims of the thesis over fields: as printed and, where that is refuted, as corrected. "
-    "Without arguments: all claims over the whole panel. Exit status: 0 all decided, 1 some row is "
+    "Decide claims over fields: as printed and, where that is refuted, as corrected. Without "
+    "arguments: all claims of the thesis over the whole panel. With FILE.toml: the claims of that "
+    "ledger, which anyone may write (docs/ledgers.md). Exit status: 0 all decided, 1 some row is "
     "undecided or contradicts another, 2 bad usage."
 )
 
@@ -23,7 +24,10 @@ HELP = (
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "claims", nargs="*", metavar="CLAIM", help="id or name, such as C1.2-a or centre"
+        "claims",
+        nargs="*",
+        metavar="CLAIM",
+        help="id or name, such as C1.2-a or centre; or a ledger FILE.toml, whose claims are then meant",
     )
     parser.add_argument(
         "--field",
@@ -46,16 +50,18 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
     from hfield.executors import open_executor
-    from hfield.ledger.columns import in_section, rows_to_decide, split_columns
-    from hfield.ledger.registry import claims, find
+    from hfield.ledger.columns import split_columns
+    from hfield.ledger.registry import find
     from hfield.ledger.run import contradictions, decide_rows
+    from hfield.ledger.selection import in_section, rows_to_decide
 
-    named = [find(name) for name in args.claims]
-    chosen = list(
-        dict.fromkeys([*named, *(in_section(args.section) if args.section is not None else [])])
-    )
+    ledger, names = _ledger(args.claims)
+    named = [find(name, ledger) for name in names]
+    section = [] if args.section is None else in_section(args.section, ledger)
+    chosen = list(dict.fromkeys([*named, *section]))
     fields = split_columns(args.field)
-    pieces = rows_to_decide(chosen or claims(), fields, strict=bool(named) and args.section is None)
+    pieces = rows_to_decide(chosen or ledger, fields, strict=bool(named) and not section)
+    own = len(names) < len(args.claims)
     _remark(fields)
     with open_output(args.output) as out:
         with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
@@ -75,11 +81,21 @@ def run(args: Namespace) -> int:
         else:
             from hfield.ledger.report import report
 
-            out.write(report(rows, out.style(), chosen=bool(chosen), everything=args.all))
+            out.write(report(rows, out.style(), chosen=own or bool(chosen), everything=args.all))
     clashes = contradictions(rows)
     for clash in clashes if args.format == "json" else ():
         note(f"contradiction: {clash}")
     return int(bool(clashes) or not all(row.settled for row in rows))
+
+
+def _ledger(arguments: Sequence[str]) -> tuple[Sequence[Claim], list[str]]:
+    """Return the claims to choose from, those of the files named if any, and the other arguments."""
+    from hfield.ledger.document import read_ledgers
+    from hfield.ledger.registry import claims
+
+    paths = [text for text in arguments if text.lower().endswith(".toml")]
+    names = [text for text in arguments if text not in paths]
+    return (read_ledgers(paths) if paths else claims()), names
 
 
 def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str, str], str]:

@@ -7,8 +7,8 @@ from typing import Any
 
 from hfield.coq.terms import Term, Terms
 from hfield.errors import HFieldError, TooLargeError
-from hfield.proving.membership import Cofactors, Ideal
-from hfield.proving.vanish import prime_factors
+from hfield.proving.polynomials.membership import Cofactors, Ideal
+from hfield.proving.polynomials.vanishing import prime_factors
 
 SHARE = 0.5  # of the time left, for one search
 SLICE = 150  # pairs between two looks at the target

@@ -3,7 +3,7 @@
 Over commutative rings only direct arguments are used, which need no decision whether two elements
 are equal. Over a field, whose equality is decidable, formulas are taken apart as in a tableau, and
 what is not 0 has an inverse. Either way each branch ends in one equation that is a linear
-combination of known ones, with cofactors from :mod:`hfield.proving.membership`.
+combination of known ones, with cofactors from :mod:`hfield.proving.polynomials.membership`.
 """
 
 from collections.abc import Callable, Iterable
@@ -13,7 +13,7 @@ from typing import Any
 from hfield.coq.facts import Facts, NoProofError, combine
 from hfield.coq.formulas import Equation, Formula, Junction, Negation
 from hfield.coq.terms import Term, Terms
-from hfield.proving.vanish import prime_factors
+from hfield.proving.polynomials.vanishing import prime_factors
 
 Lines = list[str]
 Rest = Callable[[Facts], Lines]

@@ -14,8 +14,8 @@ from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
 from hfield.product import Constants, conjugate, multiply, norm, trace
-from hfield.proving.language import Sort, Statement
-from hfield.proving.trees import walk
+from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.trees import walk
 from hfield.syntax import Binary, Call, Compare, Index, Name, Negate, Node, Number, Power, parse
 
 MAX_SIZE = 50_000  # leaves of a coordinate once everything is unfolded, as Coq has to read it

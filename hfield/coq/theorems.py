@@ -10,8 +10,8 @@ from hfield.coq.proofs import Lines, Proof, block
 from hfield.coq.terms import Term, Terms
 from hfield.errors import TooLargeError
 from hfield.proving.decision import Decision
-from hfield.proving.language import Sort, Statement
-from hfield.proving.setting import Setting
+from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.setting import Setting
 from hfield.syntax import Node, parse
 
 RINGS, FIELDS, ASSOCIATIVE = "commutative rings", "fields", "associative rings"

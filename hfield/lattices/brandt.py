@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
-from hfield.structure.integers import factorise
+from hfield.factorisation import factorise
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import ClassSet

@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from hfield.errors import IndefiniteError, LatticeError
+from hfield.factorisation import factorise
 from hfield.lattices.reduction import kronecker
-from hfield.structure.integers import factorise
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

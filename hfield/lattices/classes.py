@@ -20,6 +20,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import rows_json
 from hfield.lattices.class_number import mass
@@ -28,7 +29,6 @@ from hfield.lattices.lattice import Lattice
 from hfield.lattices.order import Order, positive
 from hfield.lattices.subideals import of_prime_norm, right_subideals
 from hfield.lattices.twosided import generators
-from hfield.structure.integers import factorise, is_prime
 
 Key = tuple[int, ...]
 MOST_CLASSES = 200_000

@@ -14,10 +14,10 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
 from hfield.quaternion import Quaternion
-from hfield.structure.integers import factorise
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

@@ -9,11 +9,11 @@ from __future__ import annotations
 from typing import Any
 
 from hfield.errors import LatticeError
+from hfield.factorisation import is_prime
 from hfield.lattices.order import Order
 from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import regular
 from hfield.quaternion import Parent
-from hfield.structure.integers import is_prime
 
 
 def quadratic_part(p: int) -> int:

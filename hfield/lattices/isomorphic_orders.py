@@ -15,6 +15,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
+from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
 from hfield.lattices.equivalence import element_of_norm, root
@@ -22,7 +23,6 @@ from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.maximal import endpoints
 from hfield.lattices.order import Order
-from hfield.structure.integers import factorise
 
 
 def isomorphism(first: Order, second: Order) -> Answer:

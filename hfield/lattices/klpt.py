@@ -17,13 +17,14 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
+from hfield.factorisation import is_prime
 from hfield.lattices import hermite
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
 from hfield.lattices.reduction import kernel
 from hfield.lattices.represent import in_frame
 from hfield.lattices.small import by_norm
 from hfield.quaternion import Quaternion
-from hfield.structure.integers import is_prime, sqrt_mod
+from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

@@ -14,7 +14,7 @@ from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, TooL
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
-from hfield.structure.integers import fraction
+from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError
+from hfield.factorisation import factorise
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.reduction import kernel, lifted, roots, simple_root
-from hfield.structure.integers import factorise
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

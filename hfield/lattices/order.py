@@ -14,6 +14,7 @@ import flint
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
+from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import rows_json
 from hfield.lattices.lattice import Lattice, checked_side, element_row, listed, natural
@@ -21,7 +22,6 @@ from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.rational import rational
-from hfield.structure.integers import factorise, is_prime
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer

@@ -15,10 +15,11 @@ from functools import lru_cache
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
+from hfield.factorisation import is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.order import Order
 from hfield.quaternion import Quaternion
-from hfield.structure.integers import is_prime, sqrt_mod
+from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 
 @dataclass(frozen=True)

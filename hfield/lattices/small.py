@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import is_prime
 from hfield.lattices.ideal import Ideal
 from hfield.quaternion import Quaternion
-from hfield.structure.integers import is_prime
 
 DOUBLINGS = 12
 

@@ -15,13 +15,13 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
+from hfield.factorisation import factorise
 from hfield.lattices import hermite
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.maximal import above, endpoints, zero_divisor
 from hfield.lattices.order import Order
 from hfield.lattices.reduction import echelon, roots, simple_root
-from hfield.structure.integers import factorise
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""

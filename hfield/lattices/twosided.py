@@ -11,9 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.errors import LatticeError
+from hfield.factorisation import factorise, remove
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.order import Order, prime
-from hfield.structure.integers import factorise, remove
 
 
 def two_sided_prime(order: Order, p: Any) -> Ideal:

@@ -9,14 +9,15 @@ from dataclasses import dataclass
 
 from hfield.errors import NotationError, shorten
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
-from hfield.ledger.columns import SelectionError, rows_to_decide, split_columns
+from hfield.ledger.columns import split_columns
 from hfield.ledger.evaluated import evaluated
 from hfield.ledger.matrix import Style
 from hfield.ledger.registry import find
 from hfield.ledger.run import decide_row
+from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.proving.printing import to_latex
+from hfield.proving.statements.printing import to_latex
 from hfield.syntax import Logic, Node, parse
 
 _MOST = (

@@ -6,13 +6,13 @@ from functools import lru_cache
 from time import monotonic
 
 from hfield.errors import HFieldError
+from hfield.proving.counterexamples.candidates import Assignment
 from hfield.proving.decide import decide
 from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
-from hfield.proving.interpret import PrimeInterpretation, bind
-from hfield.proving.language import Statement, generators, read_statement
-from hfield.proving.search import Assignment
-from hfield.proving.setting import read_setting
-from hfield.proving.terms import about, true_place
+from hfield.proving.evaluation.interpretation import PrimeInterpretation, bind
+from hfield.proving.existence.terms import about, true_place
+from hfield.proving.statements.language import Statement, generators, read_statement
+from hfield.proving.statements.setting import read_setting
 from hfield.rings.base import Ring
 from hfield.syntax import Logic
 

@@ -7,6 +7,7 @@ from itertools import combinations
 from typing import Any
 
 from hfield import structure
+from hfield.factorisation import factorise
 from hfield.ledger.facts import hamilton, texts
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
@@ -103,6 +104,4 @@ def _minor(rows: list[list[int]]) -> dict[str, Any]:
 
 
 def _primes(n: int) -> list[int]:
-    from flint import fmpz
-
-    return [int(p) for p, _ in fmpz(n).factor()]
+    return list(factorise(n))

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from hfield.atomic import whole_file
 from hfield.certificates.check import cited
 from hfield.certificates.rejection import Rejected
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
@@ -65,6 +66,5 @@ def write_certificates(rows: Sequence[Row], directory: Path) -> dict[tuple[str, 
 
 
 def _write(path: Path, data: dict[str, Any]) -> None:
-    neighbour = path.with_name(f".{path.name}.part")
-    neighbour.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    neighbour.replace(path)
+    with whole_file(path) as part:
+        part.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

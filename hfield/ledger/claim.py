@@ -40,7 +40,8 @@ class Claim:
     ``as_printed`` is None for a row that no program can check, and ``note`` says why; elsewhere
     ``note`` says how the print was read, or why it fails. ``spoilt`` is the twin with one sign,
     index or hypothesis changed, whose verdicts must differ. ``corrected`` is the true statement
-    behind a refuted one. ``fieldless`` marks a claim that is about no field.
+    behind a refuted one. ``section`` is part of the id if it is not given; ``fields`` are the columns
+    in which the claim has a row, ``("-",)`` for a claim that is about no field.
     """
 
     id: str
@@ -53,17 +54,17 @@ class Claim:
     corrected: Proposition | None = None
     note: str = ""
     headline: bool = False
-    fieldless: bool = False
+    section: str = ""
+    fields: tuple[str, ...] = PANEL
+
+    def __post_init__(self) -> None:
+        if not self.section:
+            object.__setattr__(self, "section", self.id[1:].split("-")[0])
 
     @property
-    def section(self) -> str:
-        """The section of the thesis, such as ``1.3.1``; it is part of the id."""
-        return self.id[1:].split("-")[0]
-
-    @property
-    def fields(self) -> tuple[str, ...]:
-        """The columns in which this claim has a row."""
-        return (NO_FIELD,) if self.fieldless else PANEL
+    def fieldless(self) -> bool:
+        """Whether the claim is about no field."""
+        return self.fields == (NO_FIELD,)
 
     @property
     def checkable(self) -> bool:

@@ -8,11 +8,11 @@ from hfield.errors import HFieldError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.ledger.wording import STATED_FIELD
 from hfield.notation import element_text
-from hfield.proving.interpret import RingInterpretation, bind
-from hfield.proving.language import Statement, read_statement
-from hfield.proving.printing import to_unicode
-from hfield.proving.setting import read_setting
-from hfield.proving.trees import walk
+from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.statements.language import Statement, read_statement
+from hfield.proving.statements.printing import to_unicode
+from hfield.proving.statements.setting import read_setting
+from hfield.proving.statements.trees import walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight

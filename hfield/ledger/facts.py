@@ -92,9 +92,10 @@ class Division:
             return _no_single_field()
         found = structure.zero_norm(field, hamilton(field))
         if found.element is None:
-            evidence: dict[str, Any] = {"kind": "anisotropic", "by": found.method}
-            if found.places:
-                evidence["places"] = [str(place) for place in found.places]
+            data = structure.norm_evidence(f"(-1,-1|{field.name})", field, hamilton(field), found)
+            if data is None:
+                return Decision("undecided", "anisotropic norm", tried=(found.reason,))
+            evidence: dict[str, Any] = {"kind": "anisotropic", **data}
             steps = (f"N(q) = 0 only for q = 0: {found.reason}",)
             return Decision("proved", "anisotropic norm", steps=steps, evidence=evidence)
         q = found.element

@@ -13,12 +13,12 @@ from functools import lru_cache
 from itertools import product as tuples
 from typing import Any
 
+from hfield.certificates.theorems import INDUCTION
 from hfield.notation import BASIS
 from hfield.proving.decision import Decision
 from hfield.rings.base import Ring
 
 N = len(BASIS)
-INDUCTION = "induction on k (its base is C1.1.3-c, its step C1.1.3-d and C1.1.3-e)"
 Tuple = tuple[int, ...]
 
 
@@ -49,6 +49,11 @@ _NAMES: dict[Any, str] = {
     spoilt_tuples: "all-but-one",
 }
 BY_EXPANDING = {"kind": "identity"}
+
+
+def for_every_k(core: str) -> str:
+    """Return the statement for the numbers of arguments named, read with induction on that number."""
+    return f"citing{{induction; {core}}}"
 
 
 def _numbers(numbers: tuple[int, ...]) -> str:
@@ -130,7 +135,8 @@ class DeterminedBy:
     @property
     def statement(self) -> str:
         """The claim for these numbers of arguments, in the vocabulary of certificates."""
-        return f"determined-by{{{_NAMES[self.choice]}; {_numbers(self.arities)}}}"
+        core = f"determined-by{{{_NAMES[self.choice]}; {_numbers(self.arities)}}}"
+        return for_every_k(core) if self.assumes else core
 
     def decide(self, field: Ring | None) -> Decision:
         """Set the entries h_t of f − g to 0 on the tuples given, and see what is left of f − g."""
@@ -196,7 +202,7 @@ class CurriedIsLinear:
     @property
     def statement(self) -> str:
         """The claim in the vocabulary of certificates."""
-        return f"curried-linear{{{self.power}}}"
+        return for_every_k(f"curried-linear{{{self.power}}}")
 
     def decide(self, field: Ring | None) -> Decision:
         """Expand both sides for m = 1, 2, each slot and each e₀."""
@@ -249,7 +255,7 @@ class LastArgument:
     @property
     def statement(self) -> str:
         """The chain for these numbers of arguments, in the vocabulary of certificates."""
-        return f"last-argument{{{self.upper}; {_numbers(self.arities)}}}"
+        return for_every_k(f"last-argument{{{self.upper}; {_numbers(self.arities)}}}")
 
     def decide(self, field: Ring | None) -> Decision:
         """Expand both sides; a summand beyond the basis is any vector b at all."""

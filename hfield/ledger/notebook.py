@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 from hfield.executors import InProcess
 from hfield.ledger.claim import Row
-from hfield.ledger.columns import rows_to_decide, split_columns
+from hfield.ledger.columns import split_columns
 from hfield.ledger.matrix import Style, columns_of
 from hfield.ledger.registry import claims, find
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
+from hfield.ledger.selection import rows_to_decide
 from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS
 
 _MARKS = {

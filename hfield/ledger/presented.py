@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from hfield.proving.decision import Decision
-from hfield.proving.presentation import decide_presentation, presentation_text
+from hfield.proving.methods.presentations import decide_presentation, presentation_text
 from hfield.rings.base import Ring
 
 RELATIONS = ("i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e")

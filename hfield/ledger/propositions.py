@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.errors import NotationError
 from hfield.ledger.carried import carried
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decide import decide
-from hfield.proving.decision import Decision
+from hfield.proving.decision import NOT_APPLICABLE, Decision
 from hfield.rings import ring
 from hfield.rings.base import Ring
 
@@ -20,12 +21,13 @@ TRUE = ("proved", "vacuous")
 class Statement:
     """A statement of the language, for all values of its unknowns; ``given`` are hypotheses.
 
-    ``words`` say it to people, where the formula is too long to read.
+    ``words`` say it to people, where the formula is too long to read. ``algebra`` is H if None.
     """
 
     formula: str
     given: tuple[str, ...] = ()
     words: str = ""
+    algebra: str | None = None
 
     @property
     def text(self) -> str:
@@ -39,9 +41,18 @@ class Statement:
         return " => ".join(f"({part})" for part in parts) if self.given else self.formula
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it by the prover; what holds over every commutative ring holds over the field."""
-        general = None if field is None else carried(self.formula, self.given, field)
-        return decide(self.formula, field, given=self.given) if general is None else general
+        """Decide it by the prover; what holds over every commutative ring holds over the field.
+
+        Where the field has no such constants as the statement names, it means nothing there.
+        """
+        if field is not None and self.algebra is None:
+            general = carried(self.formula, self.given, field)
+            if general is not None:
+                return general
+        try:
+            return decide(self.formula, field, self.given, self.algebra)
+        except NotationError as error:
+            return Decision(NOT_APPLICABLE, "no meaning here", steps=(str(error),))
 
 
 @dataclass(frozen=True)
@@ -78,8 +89,9 @@ class Every:
             steps += [part.text, *(f"  {step}" for step in decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
             assumes |= dict.fromkeys(decision.assumes)
+        empty = all(proof["verdict"] == "vacuous" for proof in proofs)
         return Decision(
-            "proved",
+            "vacuous" if empty else "proved",
             "; ".join(methods),
             steps=tuple(steps),
             assumes=tuple(assumes),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hfield.certificates.ledger import CIRCLE, THEOREMS
+from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
 from hfield.proving.decision import NOT_APPLICABLE, Decision
@@ -48,7 +48,7 @@ class Angles:
 
 @dataclass(frozen=True)
 class Analysis:
-    """What a theorem of analysis (a key of ``THEOREMS``) makes of a proposition, over RR alone."""
+    """What a theorem of analysis (a key of ``CITED_BY_NAME``) makes of a proposition, over RR alone."""
 
     theorem: str
     proposition: Proposition
@@ -56,7 +56,7 @@ class Analysis:
     @property
     def text(self) -> str:
         """The proposition with the theorem."""
-        return f"{self.proposition.text}; {THEOREMS[self.theorem]}"
+        return f"{self.proposition.text}; {CITED_BY_NAME[self.theorem]}"
 
     @property
     def statement(self) -> str:
@@ -68,7 +68,7 @@ class Analysis:
         if field is None or field.name != REAL:
             step = "Limits and roots of real polynomials are meant."
             return Decision(NOT_APPLICABLE, "no meaning here", steps=(step,))
-        return _citing(self.proposition.decide(field), THEOREMS[self.theorem])
+        return _citing(self.proposition.decide(field), CITED_BY_NAME[self.theorem])
 
 
 def _citing(decision: Decision, theorem: str) -> Decision:

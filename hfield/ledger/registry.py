@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from importlib.metadata import entry_points
 
@@ -32,17 +32,24 @@ def _foreign() -> Iterator[Claim]:
         yield from point.load()
 
 
-def find(name: str) -> Claim:
-    """Return the claim with this id or name. Raises :class:`UnknownClaimError`."""
+def find(name: str, ledger: Sequence[Claim] | None = None) -> Claim:
+    """Return the claim with this id or name, of the thesis if no ledger is given.
+
+    Raises :class:`UnknownClaimError`.
+    """
     wanted = name.strip().lower()
-    for claim in claims():
-        if wanted in (claim.id.lower(), claim.name):
+    among = claims() if ledger is None else ledger
+    for claim in among:
+        if wanted in (claim.id.lower(), claim.name.lower()):
             return claim
     from difflib import get_close_matches
 
-    known = [text for claim in claims() for text in (claim.id, claim.name)]
+    known = [text for claim in among for text in (claim.id, claim.name)]
     close = get_close_matches(name, known, n=3) or get_close_matches(wanted, known, n=3)
-    hint = f"did you mean {' or '.join(close)}?" if close else "`hfield claims` lists them"
+    listed = (
+        "`hfield claims` lists them" if ledger is None else f"there are {', '.join(known[::2])}"
+    )
+    hint = f"did you mean {' or '.join(close)}?" if close else listed
     raise UnknownClaimError(f"there is no claim {name!r}: {hint}")
 
 

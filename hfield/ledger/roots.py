@@ -8,6 +8,7 @@ from itertools import chain
 from itertools import product as tuples
 from typing import Any
 
+from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
 from hfield.ledger.facts import hamilton, texts
 from hfield.ledger.propositions import Statement, search_panel
 from hfield.product import Coordinates, multiply, norm
@@ -51,7 +52,7 @@ class ModulusDefined:
                 "proved",
                 "closed field",
                 steps=(step,),
-                assumes=(f"{field} is {field.closure}",),
+                assumes=(REAL_ROOTS if field.closure == "real closed" else COMPLEX_ROOTS,),
                 evidence={"kind": "closed"},
             )
         return Decision("undecided", "search", tried=("norms of small elements",))
@@ -132,12 +133,11 @@ class ModulusLaw:
         if field.order is not None:
             return self._finite(field)
         step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
-        theorem = "Kulikov: a bounded pure subgroup of an abelian group is a direct summand"
         return Decision(
             "proved",
             "choice of roots",
             steps=(step,),
-            assumes=(theorem,),
+            assumes=(KULIKOV,),
             evidence={"kind": "pure subgroup"},
         )
 
@@ -171,15 +171,13 @@ class ModulusLaw:
     def _finite(self, F: Ring) -> Decision:
         """Choose the root that is itself a square; on small fields check all products too."""
         steps = (
-            "F* is cyclic and −1 is no square, so of the two roots r, −r exactly one is a square.",
+            "Squaring takes F* two to one onto half of it, and −1 is no square: so of the two roots r, −r "
+            "exactly one is a square.",
             "Take that one: products of squares are squares.",
         )
         evidence = {"kind": "square roots"}
         if F.order is None or F.order > CHECKED_BELOW:
-            cyclic = "the multiplicative group of a finite field is cyclic"
-            return Decision(
-                "proved", "choice of roots", steps=steps, assumes=(cyclic,), evidence=evidence
-            )
+            return Decision("proved", "choice of roots", steps=steps, evidence=evidence)
         squares = {F.key(x * x) for x in F.elements()}
         root = {F.key(x * x): x for x in F.elements() if F.key(x) in squares}
         pairs = tuples(root.values(), repeat=2)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from hfield.errors import HFieldError, NotationError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.notation import element_text
-from hfield.proving.printing import to_unicode
+from hfield.proving.statements.printing import to_unicode
 from hfield.rings import ring
 from hfield.syntax import parse
 

@@ -5,11 +5,13 @@ from functools import lru_cache
 from time import monotonic
 
 from hfield.errors import TooLargeError
-from hfield.proving import everywhere, existence, named
-from hfield.proving.apart import decide_apart, is_risky
-from hfield.proving.decision import PROVED, UNDECIDED, Decision
-from hfield.proving.language import Statement, read_statement
-from hfield.proving.setting import Setting, read_setting
+from hfield.proving.decision import NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.existence import quantifiers
+from hfield.proving.methods import all_fields, one_ring
+from hfield.proving.statements.definedness import algebra_exists
+from hfield.proving.statements.language import Statement, read_statement
+from hfield.proving.statements.setting import Setting, read_setting
+from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
 
 TIMEOUT = 30.0
@@ -54,14 +56,29 @@ def read_and_decide(
 def decide_statement(statement: Statement, setting: Setting, timeout: float = TIMEOUT) -> Decision:
     """Decide a statement that has been read."""
     deadline = monotonic() + timeout
-    decide_one = everywhere.decide if setting.field is None else named.decide
+    decide_one = all_fields.decide if setting.field is None else one_ring.decide
+    exists = algebra_exists(statement, setting, deadline)
+    if exists is False:
+        return _no_algebra(setting)
     try:
         if statement.exists:
-            return existence.decide(statement, setting, deadline, decide_one)
-        decision = decide_one(statement, setting, deadline)
-        if decision.verdict != PROVED or not statement.hypotheses:
-            return decision
-        vacuous = existence.vacuous(statement, setting, deadline, decide_one)
-        return decision if vacuous is None else vacuous
+            decision = quantifiers.decide(statement, setting, deadline, decide_one)
+        else:
+            decision = decide_one(statement, setting, deadline)
+            if decision.verdict == PROVED and statement.hypotheses:
+                vacuous = quantifiers.vacuous(statement, setting, deadline, decide_one)
+                decision = decision if vacuous is None else vacuous
     except TooLargeError as error:
         return Decision(UNDECIDED, "none", tried=(str(error),))
+    if exists is None and decision.verdict in (PROVED, VACUOUS):
+        tried = ("values of the letters for which the structure constants are defined",)
+        return Decision(UNDECIDED, "none", tried=tried)
+    return decision
+
+
+def _no_algebra(setting: Setting) -> Decision:
+    """Return the decision about an algebra whose structure constants are never defined."""
+    where = "any field" if setting.field is None else setting.field.name
+    values = f" for any {', '.join(setting.letters)}" if setting.letters else ""
+    why = f"there is no algebra {setting.algebra}: its constants are not defined in {where}{values}"
+    return Decision(NOT_APPLICABLE, "none", steps=(why,), tried=(why,))

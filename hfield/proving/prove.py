@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from hfield.proving.decide import TIMEOUT, read_and_decide
@@ -13,9 +14,9 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
-from hfield.proving.language import Statement
-from hfield.proving.printing import to_latex, to_unicode
-from hfield.proving.setting import Setting
+from hfield.proving.statements.language import Statement
+from hfield.proving.statements.printing import to_latex, to_unicode
+from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
 MAX_STEPS = 12  # shown to people; the decision has them all
@@ -48,9 +49,39 @@ class Answer:
 
     @property
     def certificate(self) -> dict[str, Any] | None:
-        """The certificate ``hfield-cert/1`` as JSON data; None for what is not decided."""
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none for what is not decided, and none where the checker cannot follow, since it does not
+        know the constants or would have to do too much; :attr:`why_no_certificate` says which.
+        """
+        data = self._evidence
+        if data is None or self.why_no_certificate is not None:
+            return None
+        return data
+
+    @cached_property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        from hfield.certificates.check import Rejected, check
+
+        if self._evidence is None:
+            decided = self.verdict in (PROVED, REFUTED, VACUOUS)
+            return (
+                "no evidence is made for this way to prove it"
+                if decided
+                else f"this is {self.verdict}"
+            )
+        try:
+            check(self._evidence)
+        except Rejected as error:
+            return f"the checker does not follow: {error}"
+        return None
+
+    @property
+    def _evidence(self) -> dict[str, Any] | None:
+        """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
-        if d.evidence is None:
+        if not _is_whole(d.evidence):
             return None
         return {
             "schema": "hfield-cert/1",
@@ -60,7 +91,7 @@ class Answer:
             "verdict": d.verdict,
             "method": d.method,
             "assumes": list(d.assumes),
-            "evidence": dict(d.evidence),
+            "evidence": dict(d.evidence or {}),
         }
 
     @property
@@ -119,6 +150,15 @@ class Answer:
 
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
+
+
+def _is_whole(evidence: Any) -> bool:
+    """Tell whether there is evidence, and for all that it builds on."""
+    if isinstance(evidence, Mapping):
+        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
+        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
+        return all(map(_is_whole, [*parts, *(cases if isinstance(cases, list) else ())]))
+    return evidence is not None
 
 
 def _value(texts: list[str]) -> str:

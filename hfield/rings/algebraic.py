@@ -111,6 +111,10 @@ class AlgebraicNumbers(Ring):
         """Return x itself: equal numbers have equal hashes, whatever form they have."""
         return x
 
+    def state(self, x: Any) -> Any:
+        """Return x itself: these numbers pickle."""
+        return x
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if self.is_zero(x):

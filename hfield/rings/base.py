@@ -136,6 +136,10 @@ class Ring(ABC):
         """Return a hashable stand-in: equal elements have equal keys."""
         return self.text(x)
 
+    def state(self, x: Any) -> Any:
+        """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
+        return self.text(x)
+
     def array(self, values: Any) -> Any:
         """Turn an element, a sequence or an array into an array that computes elementwise."""
         from hfield.rings.arrays import objects

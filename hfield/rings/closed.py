@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
-from math import ceil, exp, log
+from math import ceil, log
 from typing import Any
 
 import flint
@@ -19,6 +19,7 @@ LARGEST_EXPONENT = 10**6
 SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
 TRANSCENDENTAL_BITS = 1_000  # a transcendental number that small must simplify to 0, or is refused
 RECOGNISED = 500.0  # rational numbers of a height up to this are recognised
+HIDDEN_BITS = 400  # and those of so many bits in forms such as cos(1)^2+sin(1)^2
 
 
 class Closed:
@@ -102,7 +103,13 @@ class Closed:
         return difference.is_zero()
 
     def __hash__(self) -> int:
-        return hash(fingerprint(self.ball))
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        # a rational number hashes as Python's and flint's do, in whatever form it comes
+        value = self._fraction(HIDDEN_BITS) if self.bounds is None else self.rational(float("inf"))
+        return hash(fingerprint(self.ball) if value is None else value)
 
     def ball(self, bits: int) -> Any:
         """Return a complex ball of flint around the number, computed with that many bits."""
@@ -160,19 +167,27 @@ class Closed:
             bits *= 2  # ends, for is_zero has separated the number from 0
         return 1 if value > 0 else -1
 
-    def rational(self) -> Fraction | None:
-        """Return the number as a Fraction if it is one (of height up to 500), or None."""
+    def rational(self, greatest: float = RECOGNISED) -> Fraction | None:
+        """Return the number as a Fraction if it is one, of a height up to ``greatest``, or None."""
         known = self.bounds
-        if known is None or known.height > RECOGNISED:
+        if known is None or known.height > greatest:
             return None
-        z = self.ball(ceil(2 * known.height / log(2)) + 64)
+        return self._fraction(ceil(known.height / log(2)) + 1)
+
+    def _fraction(self, bits: int) -> Fraction | None:
+        """Return the number as a Fraction if it is one of so many bits above and below, or None."""
+        precision = 2 * bits + 64
+        if precision > MAX_BITS:
+            return None
+        z = self.ball(precision)
         if not (z.imag.contains(0) and z.is_finite()):
             return None
         middle = z.real.mid().fmpq()
-        largest = int(exp(known.height)) + 1  # a rational number is no higher than the bound
-        near = Fraction(int(middle.p), int(middle.q)).limit_denominator(largest)
-        if not z.real.contains(flint.fmpq(near.numerator, near.denominator)):
-            return None
+        near = Fraction(int(middle.p), int(middle.q)).limit_denominator(2**bits)
+        with flint.ctx.workprec(precision):
+            # the enclosure of a fraction need not lie inside that of the number
+            if not z.real.overlaps(flint.arb(flint.fmpq(near.numerator, near.denominator))):
+                return None
         return near if self == near else None
 
     def text(self, style: str = "plain") -> str:

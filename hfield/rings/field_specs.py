@@ -7,8 +7,9 @@ import flint
 
 from hfield import syntax
 from hfield.errors import HFieldError, NotationError, RingError, TooLargeError, shorten
+from hfield.factorisation import factorise, prime_power
 from hfield.rings.finite import NAME, ExtensionField, FiniteField, PrimeField, modulus_text
-from hfield.rings.modular import WORD, factored, prime_power
+from hfield.rings.modular import WORD
 from hfield.rings.printing import from_unicode
 from hfield.rings.rational import rational
 
@@ -92,7 +93,7 @@ def _not_a_prime_power(q: int) -> str:
         return f"{shorten(q, 30)} is no prime power; {expected}, the smallest is GF(2)"
     if q > 10**9:
         return f"{shorten(q, 30)} is no prime power; {expected}"
-    factors = " * ".join(f"{p}^{e}" if e > 1 else f"{p}" for p, e in factored(q) or [])
+    factors = " * ".join(f"{p}^{e}" if e > 1 else f"{p}" for p, e in factorise(q).items())
     below = next(m for m in range(q - 1, 1, -1) if prime_power(m))
     above = next(m for m in range(q + 1, 2 * q) if prime_power(m))
     return f"{q} = {factors} is no prime power; {expected}, the nearest are GF({below}) and GF({above})"

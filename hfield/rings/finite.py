@@ -67,6 +67,10 @@ class PrimeField(FiniteField, Modular):
             return _arrays().from_galois(self, x)
         return super().__call__(x)
 
+    def state(self, x: Any) -> Any:
+        """Return the residue as an int."""
+        return int(x)
+
     def label(self, x: Any) -> int:
         """Return galois's integer label of x."""
         return int(x)

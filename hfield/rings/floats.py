@@ -74,6 +74,10 @@ class Floats(Ring):
         """Return x itself."""
         return x
 
+    def state(self, x: Any) -> Any:
+        """Return x itself."""
+        return x
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""
         if x == 0:

@@ -71,7 +71,7 @@ class FunctionField(Ring):
             num, den = num // common, den // common
         lead = den.leading_coefficient()
         if lead != 1:
-            scale = self._polynomial([self.base.inverse(self._base_element(lead))])
+            scale = self._polynomial([self.base.inverse(self.base_element(lead))])
             num, den = num * scale, den * scale
         return Quotient(self, num, den)
 
@@ -79,7 +79,7 @@ class FunctionField(Ring):
         """Tell whether a flint polynomial is 1."""
         return bool(poly == self._one)
 
-    def _base_element(self, c: Any) -> Any:
+    def base_element(self, c: Any) -> Any:
         """Return a coefficient as flint gives it as an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
 
@@ -114,7 +114,7 @@ class FunctionField(Ring):
     def key(self, x: Any) -> Hashable:
         """Return the coefficients of numerator and denominator."""
         return tuple(
-            tuple(self.base.key(self._base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
+            tuple(self.base.key(self.base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
         )
 
     def inverse(self, x: Any) -> Any:
@@ -131,7 +131,7 @@ class FunctionField(Ring):
         """Return some y with y² = x, or None: numerator, denominator and constant must be squares."""
         if self.is_zero(x):
             return x
-        lead = self._base_element(x.num.leading_coefficient())
+        lead = self.base_element(x.num.leading_coefficient())
         c = self.base.sqrt(lead)
         if c is None:
             return None
@@ -182,7 +182,7 @@ class FunctionField(Ring):
 
     def _sum(self, poly: Any, style: str) -> str:
         terms = [
-            (self.base.text(self._base_element(c), style), [(self.gen_name or "", n)])
+            (self.base.text(self.base_element(c), style), [(self.gen_name or "", n)])
             for n, c in enumerate(poly.coeffs())
             if c != 0
         ]

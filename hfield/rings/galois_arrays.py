@@ -7,9 +7,9 @@ import galois
 import numpy as np
 
 from hfield.errors import CoercionError, shorten
+from hfield.factorisation import factorise
 from hfield.rings.arrays import Objects, objects
 from hfield.rings.base import Ring
-from hfield.rings.modular import factored
 from hfield.rings.rational import is_plain_array
 
 GALOIS_BELOW = 2**31  # from here on galois would compute with Python objects, slower than flint's
@@ -34,7 +34,7 @@ def field_class(F: Any) -> Any:
 
 def _primitive(F: Any) -> int:
     """Return the label of a generator of the multiplicative group; x itself if it is one."""
-    primes = [p for p, _ in factored(F.order - 1) or []]
+    primes = factorise(F.order - 1)
     for label in range(F.characteristic, F.order):
         x = F.from_label(label)
         if all(x ** ((F.order - 1) // p) != F.one for p in primes):
@@ -65,7 +65,8 @@ def array(F: Any, values: Any) -> Any:
                 "elements of the field, or an array of galois over it"
             )
         wide = values if values.dtype == np.uint64 else values.astype(np.int64)
-        return (wide % wide.dtype.type(F.characteristic)).astype(cls.dtypes[0]).view(cls)
+        residues = np.asarray(wide % wide.dtype.type(F.characteristic))  # or 0 dimensions get lost
+        return residues.astype(cls.dtypes[0]).view(cls)
     elements = objects(values, F)
     labels = [F.label(elements[n]) for n in np.ndindex(*elements.shape)]
     return np.array(labels, dtype=cls.dtypes[0]).reshape(elements.shape).view(cls)

@@ -8,8 +8,9 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.factorisation import is_prime
 from hfield.rings.base import INFINITY, Known, Ring
-from hfield.rings.modular import Modular, is_prime
+from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
 
@@ -46,6 +47,10 @@ class _Ordered(Ring):
 
     def key(self, x: Hashable) -> Hashable:
         """Return x itself: flint's numbers are hashable."""
+        return x
+
+    def state(self, x: Any) -> Any:
+        """Return x itself: flint's integers and rationals pickle."""
         return x
 
     def text(self, x: Any, style: str = "plain") -> str:
@@ -137,7 +142,11 @@ class Residues(Modular):
     """ℤ/n for n ≥ 2, prime or not."""
 
     def __init__(self, n: int) -> None:
-        super().__init__(f"ZZ/{n}", n, n.bit_length() <= 1024 and is_prime(n))
+        super().__init__(f"ZZ/{n}", n, is_prime(n))
+
+    def state(self, x: Any) -> Any:
+        """Return the residue as an int."""
+        return int(x)
 
 
 def Zmod(n: int) -> Modular:

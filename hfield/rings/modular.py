@@ -1,17 +1,15 @@
 """Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
 
 import random
-from collections import Counter
 from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
-from math import gcd, isqrt
+from math import gcd
 from typing import Any
 
 import flint
 
 from hfield.errors import (
     NotInvertibleError,
-    TooLargeError,
     UndecidedError,
     shorten,
 )
@@ -184,41 +182,3 @@ class Modular(Ring):
     def text(self, x: Any, style: str = "plain") -> str:
         """Write the residue between 0 and n − 1."""
         return str(int(x))
-
-
-def is_prime(n: int) -> bool:
-    """Tell, with proof, whether n is prime. Raises :class:`TooLargeError` beyond 1024 bits."""
-    if n < 2:
-        return False
-    if n.bit_length() > 1024:
-        raise TooLargeError(
-            f"whether a number of {n.bit_length()} bits is prime is not tested; at most 1024 bits are"
-        )
-    number = flint.fmpz(n)
-    return bool(number.is_probable_prime()) and bool(number.is_prime())
-
-
-def prime_power(q: int) -> tuple[int, int] | None:
-    """Return (p, n) with q = pⁿ and p prime, or None."""
-    if q < 2:
-        return None
-    for n in range(q.bit_length(), 0, -1):
-        root = int(flint.fmpz(q).root(n)) if n > 1 else q
-        if root > 1 and root**n == q and is_prime(root):
-            return root, n
-    return None
-
-
-def factored(n: int, limit: int = 10**40) -> list[tuple[int, int]] | None:
-    """Return the prime factors of n with exponents, or None when they are out of quick reach."""
-    parts = flint.fmpz(n).factor() if n < limit else flint.fmpz(n).factor_smooth(40)
-    found: Counter[int] = Counter()  # flint may list a prime twice
-    for p, e in ((int(p), int(e)) for p, e in parts):
-        if p < limit or (p.bit_length() <= 1024 and is_prime(p)):
-            found[p] += e
-            continue
-        root = isqrt(p)
-        if root * root != p or (more := factored(root, limit)) is None:
-            return None
-        found.update({r: 2 * e * m for r, m in more})
-    return sorted(found.items())

@@ -5,13 +5,15 @@ from typing import Any
 
 import flint
 
+from hfield.factorisation import is_prime
+
 
 def owner(x: Any) -> str | None:
     """Return a name for what x belongs to, or None if x is a number or nothing that is known."""
     kind = type(x).__name__
     if isinstance(x, flint.nmod):
         n = x.modulus()
-        return f"GF({n})" if flint.fmpz(n).is_prime() else f"ZZ/{n}"
+        return f"GF({n})" if is_prime(n) else f"ZZ/{n}"
     if isinstance(x, flint.fmpz_mod):
         return "the integers modulo another, large number"
     if isinstance(x, flint.fq_default):

@@ -88,7 +88,7 @@ class PolynomialRing(Ring):
     def _constant(self, c: Any) -> Any:
         return self.context.constant(int(c) if self.characteristic else c)
 
-    def _constant_part(self, x: Any) -> Any:
+    def constant_part(self, x: Any) -> Any:
         """Return the element of the base ring that a constant polynomial is."""
         c = x.leading_coefficient() if x != 0 else 0
         return self.base(int(c) if self.characteristic else c)
@@ -114,7 +114,7 @@ class PolynomialRing(Ring):
                 f"{shorten(self.text(x))} is not constant, so it has no inverse in {self.name}"
             )
         try:
-            return self._constant(self.base.inverse(self._constant_part(x)))
+            return self._constant(self.base.inverse(self.constant_part(x)))
         except NotInvertibleError as error:
             raise NotInvertibleError(f"{error}, nor in {self.name}") from None
 
@@ -165,7 +165,7 @@ class PolynomialRing(Ring):
         """Return the sign in the ordering by leading coefficients, the first variable the largest."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
-        return self.base.sign(self._constant_part(_leading(x)))
+        return self.base.sign(self.constant_part(_leading(x)))
 
     def random(self, rng: random.Random) -> Any:
         """Return a random polynomial of at most 3 terms; the same for the same seed."""

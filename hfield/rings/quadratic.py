@@ -8,11 +8,13 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
+from hfield.factorisation import factorise
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.integers import QQ
+from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
-from hfield.rings.squares import four_squares, three_squares
-from hfield.rings.surds import Surd, from_rational, squarefree
+from hfield.rings.squares import three_squares
+from hfield.rings.surds import Surd, from_rational
 
 
 class QuadraticField(Ring):
@@ -61,9 +63,12 @@ class QuadraticField(Ring):
         """
         x = unwrap(x)
         if isinstance(x, Surd):
-            if not x.terms.keys() <= {1, self.d}:
+            if x.terms.keys() <= {1, self.d}:
+                return x
+            same = x.over(self.d)
+            if same is None:
                 raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}")
-            return x
+            return same
         if isinstance(x, str):
             return self.parse(x)
         number = rational(x)
@@ -86,6 +91,10 @@ class QuadraticField(Ring):
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
+    def state(self, x: Any) -> Any:
+        """Return x itself: these numbers pickle."""
+        return x
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if not x.terms:
@@ -93,12 +102,8 @@ class QuadraticField(Ring):
         return x.inverse()
 
     def sqrt(self, x: Any) -> Any:
-        """Return the principal root, or None when it is not in the field.
-
-        A root in the field has a rational norm, so that :meth:`Surd.sqrt` finds it.
-        """
-        y = x.sqrt()
-        return y if y is not None and y.terms.keys() <= {1, self.d} else None
+        """Return the principal root, or None when it is not in the field."""
+        return x.sqrt(within=self.d)
 
     @property
     def level(self) -> Known:
@@ -126,8 +131,8 @@ class QuadraticField(Ring):
         if m == 1:
             return (w,)
         parts = three_squares(m)
-        if parts is None:
-            return tuple(self.inverse(w) * n for n in four_squares(m))
+        if parts is None:  # then m − 1 is one
+            return tuple(self.inverse(w) * n for n in (*(three_squares(m - 1) or ()), 1))
         a, b, c = parts
         scale = Fraction(1, b * b + c * c) if b or c else Fraction(1)
         return (w * b + a * c) * scale, (w * c - a * b) * scale
@@ -162,7 +167,8 @@ def build(text: str) -> QuadraticField:
         d = rational(QQ(text))
         if d is None:  # pragma: no cover - QQ gives rational numbers only
             raise AssertionError
-        _, free = squarefree(d.numerator * d.denominator) if d else (0, 1)
+        _, free = reduced(d.numerator * d.denominator) if d else (0, 1)
+        factorise(free)  # that it is squarefree is proved, or nothing is known of the field
     except HFieldError as error:
         raise RingError(
             f"QQ(sqrt({shorten(text)})): expected an integer under the root, as in QQ(sqrt(2)): {error}"

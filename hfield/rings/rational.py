@@ -24,6 +24,8 @@ def rational(x: Any) -> int | Fraction | None:
         return reduced(Fraction(int(x.numerator), int(x.denominator)))
     if is_plain_array(x) and x.ndim == 0:
         return rational(x.item())
+    if getattr(getattr(x, "dtype", None), "kind", "") == "b" and x.ndim == 0:
+        return int(x)  # numpy's own bool, which is no int
     return None
 
 

@@ -1,10 +1,10 @@
-"""Integers as sums of two, three and four squares, found by search (Rabin and Shallit, 1986)."""
+"""Integers as sums of two and three squares, found by search (Rabin and Shallit, 1986)."""
 
 from math import isqrt
 
 import flint
 
-from hfield.rings.modular import is_prime
+from hfield.factorisation import is_probable_prime
 
 SMALL = 10**6  # below this, two squares are searched one by one
 
@@ -19,23 +19,14 @@ def three_squares(n: int) -> tuple[int, int, int] | None:
     if n % 8 == 7:
         return None
     for a in range(isqrt(n), -1, -1):
-        pair = _two_squares(n - a * a)
+        pair = two_squares(n - a * a)
         if pair is not None:
             x, y, z = sorted((a, *pair), reverse=True)
             return x, y, z
     raise AssertionError("every n not of the form 4^k(8m+7) is a sum of three squares (Legendre)")
 
 
-def four_squares(n: int) -> tuple[int, int, int, int]:
-    """Return four integers ≥ 0 whose squares add up to n ≥ 0 (Lagrange)."""
-    for d in range(isqrt(n) + 1):
-        parts = three_squares(n - d * d)
-        if parts is not None:
-            return (*parts, d)
-    raise AssertionError("every n is a sum of four squares")
-
-
-def _two_squares(n: int) -> tuple[int, int] | None:
+def two_squares(n: int) -> tuple[int, int] | None:
     """Return b, c with b² + c² = n; None where there are none, or n is large and not twice a prime."""
     if n < SMALL:
         for b in range(isqrt(n), isqrt(n // 2) - 1, -1):
@@ -44,11 +35,12 @@ def _two_squares(n: int) -> tuple[int, int] | None:
                 return b, c
         return None
     if n % 2 == 0:
-        half = _two_squares(n // 2)
+        half = two_squares(n // 2)
         return None if half is None else (half[0] + half[1], abs(half[0] - half[1]))
-    if n % 4 != 1 or not is_prime(n):
+    if n % 4 != 1 or not is_probable_prime(n):
         return None
     b, c = n, int(flint.fmpz(n - 1).sqrtmod(n))  # Cornacchia: run Euclid down to √n
     while c * c > n:
         b, c = c, b % c
-    return c, isqrt(n - c * c)
+    b = isqrt(n - c * c)
+    return (c, b) if b * b + c * c == n else None

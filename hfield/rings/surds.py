@@ -1,23 +1,22 @@
 """Sums of rational multiples of square roots of integers: exact, canonical, hashable, without sympy.
 
 QQ(sqrt(d)), QQ(I) and most numbers that anyone types into RR or CC lie in these fields, the fields
-ℚ(√n₁, √n₂, …). The square roots of different squarefree integers are linearly independent over ℚ
-(Besicovitch, 1940), so a number is 0 exactly when all its coefficients are.
+ℚ(√n₁, √n₂, …). Square roots of integers in different square classes are linearly independent over ℚ
+(Besicovitch, 1940), so a number is 0 exactly when all its coefficients are. The classes are those of
+:mod:`hfield.rings.radicands`: radicands are squarefree, apart from long ones that nobody factors.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import lru_cache
-from math import gcd, isqrt
 from typing import Any
 
 import flint
 
-from hfield.errors import NotInvertibleError, TooLargeError, shorten
+from hfield.errors import NotInvertibleError, TooLargeError
 from hfield.rings.balls import fingerprint
-from hfield.rings.modular import factored
 from hfield.rings.printing import Factor, number_text, sum_text
+from hfield.rings.radicands import independent, is_long, odd, product, ratio, reduced
 from hfield.rings.rational import fmpq, rational
 
 MAX_TERMS = 1024
@@ -26,9 +25,10 @@ _ZERO = flint.fmpq(0)
 
 
 class Surd:
-    """An immutable number ``Σ cₙ·√n`` over squarefree integers n; ``√−n`` is ``i·√n`` for n > 0.
+    """An immutable number ``Σ cₙ·√n`` over integers n; ``√−n`` is ``i·√n`` for n > 0.
 
-    ``terms`` maps n to the rational cₙ ≠ 0. The √n are the principal roots.
+    ``terms`` maps n to the rational cₙ ≠ 0. The √n are the principal roots. No product of two of the n
+    is a square, and none but 1 is one itself; they are squarefree where they could be factored.
     """
 
     __slots__ = ("terms",)
@@ -58,7 +58,7 @@ class Surd:
                 del terms[n]
             else:
                 terms[n] = total
-        return Surd(terms)
+        return Surd(_collected(terms) if is_long(terms) else terms)
 
     __radd__ = __add__
 
@@ -87,8 +87,10 @@ class Surd:
         terms: dict[int, Any] = {}
         for m, c in self.terms.items():
             for n, d in o.terms.items():
-                factor, root = _product(m, n)
+                factor, root = product(m, n)
                 terms[root] = terms.get(root, _ZERO) + c * d * factor
+        if is_long(terms):
+            return Surd(_collected(terms))
         return Surd({n: c for n, c in terms.items() if c != 0})
 
     __rmul__ = __mul__
@@ -107,29 +109,31 @@ class Surd:
         return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[no-any-return]
 
     def inverse(self) -> Surd:
-        """Return 1/self: times the conjugates, one prime under the roots after the other."""
+        """Return 1/self: times the conjugates, one independent root after the other."""
         if not self.terms:
             raise NotInvertibleError("cannot divide by 0")
         top, bottom = ONE, self
+        base = independent(frozenset(self.terms))
         while not bottom.is_rational():
             n = next(n for n in bottom.terms if n != 1)
-            p = -1 if n < 0 else _prime_of(n)
-            conjugate = bottom.conjugate_at(p)
+            conjugate = bottom.conjugate_at(-1 if n < 0 else next(b for b in base if odd(n, b)))
             top, bottom = top * conjugate, bottom * conjugate
         c = 1 / bottom.terms[1]
         return Surd({n: c * d for n, d in top.terms.items()})
 
-    def conjugate_at(self, p: int) -> Surd:
-        """Return the number with √p replaced by −√p; p is a prime or −1 (complex conjugation)."""
+    def conjugate_at(self, b: int) -> Surd:
+        """Return the number with √b replaced by −√b, for −1 (complex conjugation) or an independent b."""
         return Surd(
-            {n: -c if (n < 0 if p == -1 else n % p == 0) else c for n, c in self.terms.items()}
+            {n: -c if (n < 0 if b == -1 else odd(n, b)) else c for n, c in self.terms.items()}
         )
 
     def __eq__(self, other: object) -> bool:
         o = as_surd(other)
         if o is None:
             return NotImplemented
-        return self.terms == o.terms
+        if self.terms == o.terms:
+            return True
+        return (is_long(self.terms) or is_long(o.terms)) and not (self - o).terms
 
     def __hash__(self) -> int:
         if self.is_rational():
@@ -154,6 +158,17 @@ class Surd:
         """Return the imaginary part, a real number."""
         return Surd({-n: c for n, c in self.terms.items() if n < 0})
 
+    def over(self, d: int) -> Surd | None:
+        """Return the number written with 1 and √d alone, where it is possible."""
+        terms = {1: self.terms[1]} if 1 in self.terms else {}
+        for n, c in self.terms.items():
+            if n != 1:
+                same = ratio(n, d)
+                if same is None:
+                    return None
+                terms[d] = c * flint.fmpq(*same)
+        return Surd(terms)
+
     def ball(self, bits: int) -> Any:
         """Return a complex ball of flint around the number, computed with that many bits."""
         with flint.ctx.workprec(bits):
@@ -177,22 +192,28 @@ class Surd:
                 return -1
             bits *= 2
 
-    def sqrt(self) -> Surd | None:
+    def sqrt(self, within: int | None = None) -> Surd | None:
         """Return the principal square root if it is a sum of two surds or simpler; else None.
 
+        With ``within`` = d, only if it lies in ℚ(√d); then nothing is factored.
         ``√(a + b√n) = √((a+s)/2) ± √((a−s)/2)`` with ``s² = a² − b²n`` does it where s is rational.
         """
-        if self.is_rational():
-            return sqrt_rational(self.terms.get(1, _ZERO))
         others = [n for n in self.terms if n != 1]
         if len(others) > 1:
             return None
-        n, a = others[0], self.terms.get(1, _ZERO)
-        s = _rational_root(a * a - self.terms[n] ** 2 * n)
+        n, a = others[0] if others else 1, self.terms.get(1, _ZERO)
+        s = _rational_root(a * a - self.terms[n] ** 2 * n) if others else a
         if s is None:
             return None
-        u, v = sqrt_rational((a + s) / 2), sqrt_rational((a - s) / 2)
-        return principal(u + v if u * v * 2 == Surd({n: self.terms[n]}) else u - v)
+        halves = (a + s) / 2, (a - s) / 2
+        if within is None:
+            u, v = (sqrt_rational(x, n) for x in halves)
+        else:
+            near = [r for x in halves if (r := root_near(x, 1) or root_near(x, within)) is not None]
+            if len(near) < 2:
+                return None
+            u, v = near
+        return principal(u + v if not others or u * v * 2 == Surd({n: self.terms[n]}) else u - v)
 
     def text(self, style: str = "plain", imaginary: bool = True) -> str:
         """Write ``1/2+3*sqrt(2)``; ``√−7`` is ``I*sqrt(7)``, or ``sqrt(-7)`` if not ``imaginary``."""
@@ -222,30 +243,24 @@ def from_rational(x: int | Fraction) -> Surd:
     return Surd({1: fmpq(x)} if x else {})
 
 
-def sqrt_rational(x: Any) -> Surd:
-    """Return the principal root of flint's rational x; ``√−n`` is ``i·√n``."""
-    if x == 0:
-        return Surd({})
-    outside, inside = squarefree(int(x.p) * int(x.q))
+def sqrt_rational(x: Any, near: int = 1) -> Surd:
+    """Return the principal root of flint's rational x; ``√−n`` is ``i·√n``.
+
+    Nothing is factored where it is a rational multiple of ``√near``.
+    """
+    root = root_near(x, near)
+    if root is not None:
+        return root
+    outside, inside = reduced(int(x.p) * int(x.q))
     return Surd({inside: flint.fmpq(outside, int(x.q))})
 
 
-def squarefree(n: int) -> tuple[int, int]:
-    """Return (s, f) with n = s²·f and f squarefree. Raises :class:`TooLargeError`."""
-    root = isqrt(abs(n))
-    if root * root == abs(n):
-        return root, 1 if n > 0 else -1
-    factors = factored(abs(n))
-    if factors is None:
-        raise TooLargeError(
-            f"the square root of {shorten(number_text(n), 30)} needs its factors, which are out of "
-            "quick reach"
-        )
-    outside, inside = 1, 1 if n > 0 else -1
-    for p, exponent in factors:
-        outside *= p ** (exponent // 2)
-        inside *= p ** (exponent % 2)
-    return outside, inside
+def root_near(x: Any, n: int) -> Surd | None:
+    """Return the principal root of flint's rational x if it is a rational multiple of √n; else None."""
+    if x == 0:
+        return Surd({})
+    same = ratio(int(x.p) * int(x.q), n)
+    return None if same is None else Surd({n: flint.fmpq(same[0], same[1] * int(x.q))})
 
 
 def principal(x: Surd) -> Surd:
@@ -264,22 +279,13 @@ def _rational_root(x: Any) -> Any:
     return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
 
-@lru_cache(maxsize=65536)
-def _product(m: int, n: int) -> tuple[int, int]:
-    """Return (c, r) with √m·√n = c·√r for squarefree m, n, roots principal: √−2·√−3 = −√6."""
-    common = gcd(m, n)
-    root = (m // common) * (n // common)
-    return (-common if m < 0 and n < 0 else common), root
-
-
-@lru_cache(maxsize=4096)
-def _prime_of(n: int) -> int:
-    factors = factored(abs(n))
-    if factors is None:
-        raise TooLargeError(
-            f"inverting needs the factors of {shorten(number_text(n), 30)}, which are out of reach"
-        )
-    return factors[0][0]
+def _collected(terms: dict[int, Any]) -> dict[int, Any]:
+    """Return the terms with one radicand for each square class, and no coefficient 0."""
+    out: dict[int, Any] = {}
+    for n, c in sorted(terms.items(), key=lambda term: abs(term[0])):
+        m, scale = next(((m, r) for m in out if (r := ratio(n, m))), (n, (1, 1)))
+        out[m] = out.get(m, _ZERO) + c * flint.fmpq(*scale)
+    return {n: c for n, c in out.items() if c != 0}
 
 
 def _factors(n: int, style: str, imaginary: bool) -> list[Factor]:

@@ -8,10 +8,10 @@ order comes from a form minimised at every prime.
 from collections.abc import Sequence
 from fractions import Fraction
 
+from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply
-from hfield.structure.integers import factorise
 from hfield.structure.minimise import Conic, Lattice, half_discriminant, minimise
-from hfield.structure.primes import PrimePlace
+from hfield.structure.rationals.prime_numbers import PrimePlace
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:

@@ -11,11 +11,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-import flint
-
 from hfield.errors import CoercionError, NotInvertibleError
 from hfield.product import Constants, conjugate, multiply, norm
-from hfield.structure.integers import fraction, is_prime, sqrt_mod
+from hfield.rings.squares import two_squares
+from hfield.structure.rationals.whole_numbers import fraction
 
 HAMILTON = Constants(Fraction(-1), Fraction(0), Fraction(-1))
 Vector = tuple[Fraction, Fraction, Fraction, Fraction]
@@ -117,17 +116,8 @@ def _of_norm_odd(n: int) -> Vector:
     """Return a Hurwitz quaternion of odd norm n."""
     if n == 1:
         return _vector((1, 0, 0, 0))
-    u = (
-        2 * pow(n, -1, 4) % 4
-    )  # u·n − 1 ≡ 1 (mod 4), tried until it is a prime, a sum of two squares
-    while not is_prime(u * n - 1):
+    # u·n − 1 ≡ 1 (mod 4), tried until it is a prime, a sum of two squares
+    u = 2 * pow(n, -1, 4) % 4
+    while (squares := two_squares(u * n - 1)) is None:
         u += 4
-    p = u * n - 1
-    if p == 1:
-        x, y = 1, 0
-    else:
-        a, b = p, sqrt_mod(-1, p)
-        while b * b > p:
-            a, b = b, a % b
-        x, y = b, int(flint.fmpz(p - b * b).isqrt())
-    return gcd(_vector((n, 0, 0, 0)), _vector((1, x, y, 0)))
+    return gcd(_vector((n, 0, 0, 0)), _vector((1, *squares, 0)))

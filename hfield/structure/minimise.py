@@ -90,7 +90,7 @@ def minimise(conic: Conic, lattice: Lattice, place: Any) -> bool:
         if place.valuation(half_discriminant(form)) == 0:
             return True
         radical = _radical(place, [place.reduce(f) for f in form])
-        vectors = _adapt(lattice, place, radical)
+        vectors = adapt(lattice.basis, place, radical)
         if len(vectors) == 1:
             size = conic.value(lattice.basis[vectors[0]]) * lattice.scale
             if size == conic.zero or place.valuation(size) >= 2:
@@ -115,15 +115,15 @@ def _radical(kappa: Any, form: list[Any]) -> list[Vector]:
         if r != 0 or s != 0 or t != 0:
             return [[r, s, t]]
         lines = [kappa.sqrt(x) for x in (a, b, c)]
-        return _kernel(kappa, [lines])
-    return _kernel(kappa, [[a + a, t, s], [t, b + b, r], [s, r, c + c]])
+        return kernel_at(kappa, [lines], 3)
+    return kernel_at(kappa, [[a + a, t, s], [t, b + b, r], [s, r, c + c]], 3)
 
 
-def _kernel(kappa: Any, rows: list[Vector]) -> list[Vector]:
-    """Return a basis of the kernel of a matrix with three columns over the residue field."""
+def kernel_at(kappa: Any, rows: list[Vector], columns: int) -> list[Vector]:
+    """Return a basis of the kernel of a matrix over the residue field."""
     rows = [[x % kappa.modulus for x in row] for row in rows]
     pivots: dict[int, Vector] = {}
-    for column in range(3):
+    for column in range(columns):
         row = next((r for r in rows if r[column] != 0), None)
         if row is None:
             continue
@@ -135,9 +135,9 @@ def _kernel(kappa: Any, rows: list[Vector]) -> list[Vector]:
             other[:] = [(x - factor * y) % kappa.modulus for x, y in zip(other, row, strict=True)]
         pivots[column] = row
     basis = []
-    for free in range(3):
+    for free in range(columns):
         if free not in pivots:
-            v = [kappa.zero] * 3
+            v = [kappa.zero] * columns
             v[free] = kappa.one
             for column, row in pivots.items():
                 v[column] = kappa.zero - row[free]
@@ -145,12 +145,12 @@ def _kernel(kappa: Any, rows: list[Vector]) -> list[Vector]:
     return basis
 
 
-def _adapt(lattice: Lattice, kappa: Any, vectors: list[Vector]) -> list[int]:
-    """Change the basis so that lifts of the given vectors are in it; return their places."""
+def adapt(basis: list[Vector], kappa: Any, vectors: list[Vector]) -> list[int]:
+    """Change a basis so that lifts of the given vectors are in it; return their places."""
     indices: list[int] = []
     vectors = [list(v) for v in vectors]
     for v in vectors:
-        index = next(i for i in range(3) if v[i] != 0 and i not in indices)
+        index = next(i for i in range(len(v)) if v[i] != 0 and i not in indices)
         inverse = kappa.inverse(v[index])
         v[:] = [kappa.multiply(inverse, x) for x in v]
         for other in vectors:
@@ -158,14 +158,16 @@ def _adapt(lattice: Lattice, kappa: Any, vectors: list[Vector]) -> list[int]:
                 factor = other[index]
                 other[:] = [(x - factor * y) % kappa.modulus for x, y in zip(other, v, strict=True)]
         indices.append(index)
-    old = [list(v) for v in lattice.basis]
+    old = [list(v) for v in basis]
     for index, v in zip(indices, vectors, strict=True):
-        lattice.basis[index] = _combination([kappa.lift(x) for x in v], old)
+        basis[index] = _combination([kappa.lift(x) for x in v], old)
     return indices
 
 
 def _combination(scalars: Vector, basis: list[Vector]) -> Vector:
-    columns = ([s * v[i] for s, v in zip(scalars, basis, strict=True)] for i in range(3))
+    columns = (
+        [s * x for s, x in zip(scalars, row, strict=True)] for row in zip(*basis, strict=True)
+    )
     return [sum(column[1:], column[0]) for column in columns]
 
 
@@ -179,4 +181,4 @@ def _split_complement(conic: Conic, lattice: Lattice, kappa: Any, vertex: int) -
         return None
     v = [kappa.zero] * 3
     v[i], v[j] = root
-    return [vertex, *_adapt(lattice, kappa, [v])]
+    return [vertex, *adapt(lattice.basis, kappa, [v])]

@@ -5,22 +5,24 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError, shorten
+from hfield.factorisation import Factors, factorise, is_prime, known_primes
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField, Quotient
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.surds import Surd
-from hfield.structure import functionfield, quadratic
 from hfield.structure.forms import NormalForm, discriminant, normal_form
-from hfield.structure.hilbert import (
+from hfield.structure.function_fields import hilbert_functions
+from hfield.structure.quadratic_fields import hilbert_quadratic
+from hfield.structure.rationals.hilbert_rationals import (
     INFINITE,
     discriminant_q,
     hilbert_symbol_q,
     place_of_q,
     ramified_places_q,
 )
-from hfield.structure.integers import Factors, fraction, is_prime
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -> int:
@@ -44,15 +46,16 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
         return _symbol_functions(field, field(a), field(b), place)
     if isinstance(field, QuadraticField):
         x, y = pair(field, field(a)), pair(field, field(b))
-        return quadratic.hilbert_symbol_quadratic(field.d, x, y, place, factors)
+        with known_primes(factors):
+            return hilbert_quadratic.hilbert_symbol_quadratic(field.d, x, y, place)
     return hilbert_symbol_q(a, b, place)
 
 
 def _field_of(a: Any, b: Any, place: Any) -> Ring | None:
     """Return the field that the arguments of a symbol belong to; None for ℚ."""
-    if isinstance(place, quadratic.QuadraticPlace):
+    if isinstance(place, hilbert_quadratic.QuadraticPlace):
         return QuadraticField(place.d)
-    if isinstance(place, functionfield.FunctionPlace):
+    if isinstance(place, hilbert_functions.FunctionPlace):
         return place.field
     for x in (a, b):
         if isinstance(x, Quotient):
@@ -60,7 +63,11 @@ def _field_of(a: Any, b: Any, place: Any) -> Ring | None:
     roots = {n for x in (a, b) if isinstance(x, Surd) for n in x.terms if n != 1}
     if len(roots) > 1:
         raise RingError(f"{shorten(a)} and {shorten(b)} lie in no common quadratic field")
-    return QuadraticField(roots.pop()) if roots else None
+    if not roots:
+        return None
+    d = roots.pop()
+    factorise(d)  # the theory of places asks for a squarefree d
+    return QuadraticField(d)
 
 
 def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
@@ -69,13 +76,13 @@ def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
         raise RingError(
             "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
         )
-    v = functionfield.place_of_functions(field, place)
+    v = hilbert_functions.place_of_functions(field, place)
     if field.base.order is None:
         raise UndecidedError(
             f"the completions of {field} are not local fields: the residue alone does not decide there"
         )
     form = normal_form(field, Constants(a, field.one if even else field.zero, b))
-    return functionfield.symbol(field, form, v)
+    return hilbert_functions.symbol(field, form, v)
 
 
 def places(ring: Ring) -> Iterator[Any]:
@@ -84,9 +91,9 @@ def places(ring: Ring) -> Iterator[Any]:
     Raises :class:`UndecidedError` for a ring that has no such list.
     """
     if isinstance(ring, QuadraticField):
-        return quadratic.all_places(ring.d)
+        return hilbert_quadratic.all_places(ring.d)
     if isinstance(ring, FunctionField):
-        return functionfield.all_places(ring)
+        return hilbert_functions.all_places(ring)
     if ring.name == "QQ":
         return _places_of_q()
     raise UndecidedError(f"{ring.name} is not a global field: its places are not listed")
@@ -104,9 +111,9 @@ def _places_of_q() -> Iterator[Any]:
 def place(ring: Ring, text: Any) -> Any:
     """Read a place of a global field, as its text or as it is. Raises :class:`RingError`."""
     if isinstance(ring, QuadraticField):
-        return quadratic.place_of_quadratic(ring.d, text)
+        return hilbert_quadratic.place_of_quadratic(ring.d, text)
     if isinstance(ring, FunctionField):
-        return functionfield.place_of_functions(ring, text)
+        return hilbert_functions.place_of_functions(ring, text)
     if ring.name == "QQ":
         return place_of_q(text)
     raise RingError(f"{ring.name} is not a global field: it has no places here")
@@ -118,20 +125,18 @@ def pair(ring: QuadraticField, x: Any) -> tuple[Fraction, Fraction]:
     return fraction(terms.get(1, 0)), fraction(terms.get(ring.d, 0))
 
 
-def ramification(
-    ring: Ring, form: NormalForm, factors: Factors | None = None
-) -> tuple[Any, ...] | None:
+def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
     """Return the ramified places of a nondegenerate normal form; None where there is no theory.
 
     Over ℚ(x) these are the places with a residue; without any, the algebra is constant.
     """
     if isinstance(ring, FunctionField):
-        return functionfield.ramified_places_functions(ring, form)
+        return hilbert_functions.ramified_places_functions(ring, form)
     if isinstance(ring, QuadraticField):
         a, b = (pair(ring, x) for x in form.constants)
-        return quadratic.ramified_places_quadratic(ring.d, a, b, factors)
+        return hilbert_quadratic.ramified_places_quadratic(ring.d, a, b)
     if ring.name == "QQ":
-        return ramified_places_q(form.a, form.b, factors)
+        return ramified_places_q(form.a, form.b)
     return None
 
 
@@ -143,7 +148,8 @@ def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) ->
     :class:`UndecidedError` over a ring without a theory of places.
     """
     if ring.name == "QQ" and c.a and c.b and not c.t:  # already normal: the short way, for surveys
-        return ramified_places_q(c.a, c.b, factors)
+        with known_primes(factors):
+            return ramified_places_q(c.a, c.b)
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: ask over its field of fractions")
     if ring.is_zero(discriminant(c)):
@@ -152,7 +158,8 @@ def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) ->
         )
     if ring.order is not None:
         return ()
-    found = ramification(ring, normal_form(ring, c), factors)
+    with known_primes(factors):
+        found = ramification(ring, normal_form(ring, c))
     if found is None:
         raise UndecidedError(f"{ring.name} has no theory of places here")
     return found

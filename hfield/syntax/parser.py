@@ -32,7 +32,8 @@ NOT, COMPARE, UNARY = 5, 6, 9
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![\w.]))?)"
-    r"|(?P<name>[^\W\d]\w*)|(?P<op><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))"
+    r"|(?P<name>[^\W\d]\w*)|(?P<op><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))",
+    re.ASCII,  # one way to write a digit or a name: what looks alike is alike
 )
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "×": "*"})
 _WORDS = {"and", "or", "not", "exists"}

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import TYPE_CHECKING
 
+from hfield.atomic import whole_file
 from hfield.commands.output import OutputError
 from hfield.errors import shorten
+from rotation.figures.backend import import_matplotlib
 from rotation.figures.drawing import STYLE, Drawing
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ def picture(
 
     ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone.
     """
+    import_matplotlib()
     from matplotlib import style
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -87,12 +88,6 @@ def _refusal(directory: Path, error: OSError) -> OutputError:
 
 
 def write_whole(path: Path, content: bytes) -> None:
-    """Write a file that is there whole or not at all, by way of a neighbour that takes its place."""
-    neighbour = path.with_name(f".{path.name[:100]}.{os.getpid()}.part")
-    try:
-        with neighbour.open("xb") as stream:
-            stream.write(content)
-        neighbour.replace(path)
-    finally:
-        with suppress(FileNotFoundError):
-            neighbour.unlink()
+    """Write a file that is there whole or not at all. Raises OSError."""
+    with whole_file(path) as part:
+        part.write_bytes(content)

@@ -1,10 +1,10 @@
 """Chapters 2, 3.1 and 3.2 of the thesis, and its introduction, as claims of the ledger."""
 
 from hfield.ledger.claim import Claim
+from hfield.ledger.document import load
 from rotation.ledger import (
     complex_numbers,
     euler,
-    introduction,
     letter,
     matrix_functions,
     orthogonal,
@@ -12,23 +12,27 @@ from rotation.ledger import (
     plane,
     quaternion_functions,
     reflections,
-    space,
     theorem5,
     theorem6,
 )
 
 CLAIMS: tuple[Claim, ...] = (
-    *introduction.CLAIMS,
-    *plane.CLAIMS,
-    *letter.CLAIMS,
-    *reflections.CLAIMS,
-    *complex_numbers.CLAIMS,
-    *space.CLAIMS,
-    *euler.CLAIMS,
-    *orthogonal.CLAIMS,
-    *theorem5.CLAIMS,
-    *theorem6.CLAIMS,
-    *quaternion_functions.CLAIMS,
-    *matrix_functions.CLAIMS,
-    *performance.CLAIMS,
+    *load(__name__, "introduction.toml", {}),
+    *load(
+        __name__,
+        "chapter2.toml",
+        plane.COMPUTED
+        | letter.COMPUTED
+        | reflections.COMPUTED
+        | complex_numbers.COMPUTED
+        | euler.COMPUTED
+        | orthogonal.COMPUTED
+        | theorem5.COMPUTED
+        | theorem6.COMPUTED,
+    ),
+    *load(
+        __name__,
+        "chapter3_rotations.toml",
+        quaternion_functions.COMPUTED | matrix_functions.COMPUTED | performance.COMPUTED,
+    ),
 )

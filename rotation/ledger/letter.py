@@ -1,9 +1,8 @@
 """Example 2 of section 2.1.1: the letter T and its quarter turns."""
 
-from hfield.ledger.claim import Claim
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Over, Statement
-from rotation.ledger.entries import Matrix, both, equal, matrix, times
-from rotation.ledger.plane import rotation
+from rotation.ledger.entries import both
 
 LETTER = ((10, 1), (11, 1), (11, 6), (13, 6), (13, 7), (8, 7), (8, 6), (10, 6))
 
@@ -36,57 +35,12 @@ def joined(last: int) -> Over:
     return Over("QQ", Statement(f"{some} => {points}", words=words))
 
 
-QUARTER, HALF, THREE_QUARTERS = matrix("0, -1; 1, 0"), matrix("-1, 0; 0, -1"), matrix("0, 1; -1, 0")
-
-
-def quarter_turns(quarter: Matrix) -> Statement:
-    """Say that the three matrices belong to the points (0,1), (−1,0), (0,−1), and are powers."""
-    return Statement(
-        both(
-            equal(rotation("0", "1"), quarter),
-            equal(rotation("-1", "0"), HALF),
-            equal(rotation("0", "-1"), THREE_QUARTERS),
-            equal(times(quarter, quarter), HALF),
-            equal(times(quarter, quarter, quarter), THREE_QUARTERS),
+COMPUTED = {
+    "C2.1.1-h": Propositions(
+        as_printed=Over(
+            "QQ", Statement(letter_t(LETTER), words="the eight points are those of a letter T")
         ),
-        words="the three matrices are R2 at (0,1), (−1,0) and (0,−1); the second is the square of the "
-        "first, the third its cube",
-    )
-
-
-CLAIMS = (
-    Claim(
-        "C2.1.1-h",
-        "letter-t",
-        "example 2",
-        "The letter T: 8 points",
-        "x1..x8 = (10,1),(11,1),(11,6),(13,6),(13,7),(8,7),(8,6),(10,6)",
-        Over("QQ", Statement(letter_t(LETTER), words="the eight points are those of a letter T")),
         spoilt=Over("QQ", Statement(letter_t((*LETTER[:5], (9, 7), *LETTER[6:])))),
-        note="That they make a letter T: sides parallel to the axes in turn, symmetric about "
-        "x = 21/2, with the area of a bar 5·1 upon a stem 1·5.",
-        fieldless=True,
     ),
-    Claim(
-        "C2.1.1-i",
-        "letter-t-sides",
-        "example 2",
-        "join x_i with x_{i+1} for i∈{1,…,8}",
-        "i∈{1,2,…,8}",
-        joined(8),
-        spoilt=joined(7),
-        corrected=joined(7),
-        note="There is no point x9: i runs to 7. The eighth side, from x8 to x1, is named apart.",
-        fieldless=True,
-    ),
-    Claim(
-        "C2.1.1-j",
-        "quarter-turns",
-        "example 2",
-        "R_{π/2}, R_π, R_{3π/2}",
-        "[[0,−1],[1,0]], [[−1,0],[0,−1]], [[0,1],[−1,0]]",
-        quarter_turns(QUARTER),
-        spoilt=quarter_turns(THREE_QUARTERS),
-        note="π/2, π and 3π/2 are the points (0,1), (−1,0) and (0,−1) of the circle.",
-    ),
-)
+    "C2.1.1-i": Propositions(as_printed=joined(8), spoilt=joined(7), corrected=joined(7)),
+}

@@ -3,8 +3,9 @@
 As in 3.1.1 they are run on symbols. s and t stand for the cosine and the sine of half an angle.
 """
 
+from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
-from rotation.ledger.programs import claim, listed
+from rotation.ledger.programs import listed
 from rotation.ledger.symbols import Symbol, code, coordinates, equal, point, read_as
 
 Q = coordinates("q")
@@ -65,45 +66,9 @@ def rows_times(order: tuple[int, int, int]) -> Statement:
     return Statement(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
 
 
-CLAIMS = (
-    claim(
-        "C3.1.2-a",
-        "matrix-functions",
-        "number",
-        "Five matrix functions are defined",
-        "pięć nowych funkcji",
-        listed(MATRICES, 5),
-        spoilt=listed(MATRICES, 4),
-    ),
-    claim(
-        "C3.1.2-b",
-        "axis-matrices",
-        "spec",
-        "The three axis functions return the matrices of the rotations about x, y and z",
-        "(as stated)",
-        axes("i", "j", "k"),
-        spoilt=axes("i", "j", "i"),
-        note="Compared with the quaternion of half the angle, s and t being its cosine and sine.",
-    ),
-    claim(
-        "C3.1.2-c",
-        "euler-matrix-function",
-        "spec",
-        "rotationMatrixZYX(ψ, φ, θ) returns the matrix for the Euler angle (ψ, φ, θ)",
-        "ψ, ϕ, θ",
-        euler(("z", "y", "x")),
-        spoilt=euler(("x", "y", "z")),
-        note="ψ about z, φ about y, θ about x, that about x being done first, as chapter 2 has it for "
-        "its own letters.",
-    ),
-    claim(
-        "C3.1.2-d",
-        "matrix-times-point",
-        "spec",
-        "rotationbyMatrix(matrix, point) is the matrix product",
-        "rotationbyMatrix",
-        rows_times((0, 1, 2)),
-        spoilt=rows_times((0, 2, 1)),
-        note="“Macierz wykorzystuje matmul()” should read “Funkcja wykorzystuje”.",
-    ),
-)
+COMPUTED = {
+    "C3.1.2-a": Propositions(as_printed=listed(MATRICES, 5), spoilt=listed(MATRICES, 4)),
+    "C3.1.2-b": Propositions(as_printed=axes("i", "j", "k"), spoilt=axes("i", "j", "i")),
+    "C3.1.2-c": Propositions(as_printed=euler(("z", "y", "x")), spoilt=euler(("x", "y", "z"))),
+    "C3.1.2-d": Propositions(as_printed=rows_times((0, 1, 2)), spoilt=rows_times((0, 2, 1))),
+}

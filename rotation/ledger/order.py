@@ -15,7 +15,7 @@ from hfield.proving.decision import REFUTED, Decision
 from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.structure import four_squares
-from hfield.structure.integers import fraction
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,7 @@
 """What the rows about programs have in common: they are about no field, and count functions."""
 
-from functools import partial
-
-from hfield.ledger.claim import Claim
 from hfield.ledger.computed import Computed, Finding
 from rotation import thesis
-
-claim = partial(Claim, fieldless=True)
 
 
 def listed(names: tuple[str, ...], count: int) -> Computed:

@@ -11,7 +11,7 @@ those of R − Rᵗ + (1 + t)I = 0; so R + I has rank one, and a column of it, d
 norm is a square), is the axis of a half turn.
 """
 
-from hfield.ledger.claim import Claim
+from hfield.ledger.document import Propositions
 from hfield.ledger.multilinear import IsBasis
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import Angles
@@ -28,7 +28,6 @@ from rotation.ledger.entries import (
     equal,
     general,
     identity,
-    matrix,
     orthogonal,
     plus,
     scaled,
@@ -98,7 +97,6 @@ REAL_PART = Every(
 # The orthonormal v1, v2, v3 are the vector parts of p, q, r, and the columns of B.
 COLUMNS = transpose(R)
 SWAPPED = (R[1], R[0], R[2])
-A = general("uvw")
 BLOCK = general("p")
 B = transpose(general("uvw"))
 
@@ -123,7 +121,6 @@ IMAGES = transpose(
     )
 )
 E3 = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-ABOUT_V3 = matrix("y, -s, 0; s, y, 0; 0, 0, 1")
 # Av1 and Av2 are perpendicular to u = v3 = Av3: since Aᵗu = AᵗAu = u, (Av)∘u = v∘(Aᵗu) = v∘u.
 U, V = coordinates("u"), coordinates("v")
 KEEPS_PLANE = (
@@ -156,55 +153,23 @@ IMAGES_OF_BASIS = Every(
     "AB = [Av1, Av2, Av3], and Av1, Av2 are perpendicular to v3 = Av3",
 )
 CASE_ONE = f"{special(bordered('1'))} => {special(BLOCK)}"
-CASE_MINUS_ONE = (
-    f"{special(bordered('-1'))} => {orthogonal(BLOCK)} and {det(BLOCK)} == -1"
-    f" and {det(shifted(BLOCK, '-1'))} == 0"
-)
 
-CLAIMS = (
-    Claim(
-        "C2.2.4-m",
-        "theorem-5",
-        "theorem 5",
-        "R∈SO(3) ⇒ rotation by some angle",
-        "R∈SO(3)",
-        Angles(CORE, REAL_PART),
+COMPUTED = {
+    "C2.2.4-m": Propositions(
+        as_printed=Angles(CORE, REAL_PART),
         spoilt=Angles(
             Statement(f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '1'))} == 0")
         ),
-        headline=True,
-        note="Over a ring other than RR: the identities from which axis and angle are read off.",
     ),
-    Claim(
-        "C2.2.4-n",
-        "eigenvector-in-r",
-        "thm 5 proof",
-        "v3∈R; v^⊥={v∈R³: v∘v3=0}",
-        "v3 ∈ R",
-        IsBasis(((1, 0, 0), (0, 1, 0), (1,)), 3, "v1, v2 ∈ R³ with a unit vector v3 ∈ R"),
+    "C2.2.4-n": Propositions(
+        as_printed=IsBasis(
+            ((1, 0, 0), (0, 1, 0), (1,)), 3, "v1, v2 ∈ R³ with a unit vector v3 ∈ R"
+        ),
         spoilt=IsBasis(E3, 3, "v1, v2, v3 ∈ R³"),
         corrected=IsBasis(E3, 3, "v1, v2, v3 ∈ R³, orthonormal, such as e1, e2, e3,"),
-        note="The eigenvector is in R³; as a number it could be no column of B = [v1, v2, v3].",
     ),
-    Claim(
-        "C2.2.4-o",
-        "orthonormal-columns",
-        "thm 5 proof",
-        "BB^T=[v1,v2,v3][v1^T;v2^T;v3^T]=I_3 by orthonormality",
-        "BB^T = I3",
-        Statement(
-            f"{ORTHOGONAL} => {orthogonal(COLUMNS)}", words="orthonormal v1, v2, v3 make BBᵗ = I"
-        ),
-        spoilt=Statement(f"{ORTHOGONAL} => {equal(COLUMNS, R)}"),
-        note="The products v_i∘v_j are the entries of BᵗB, not of BBᵗ; but BᵗB = I makes BBᵗ = I.",
-    ),
-    Claim(
-        "C2.2.4-p",
-        "orientation-of-basis",
-        "thm 5 proof",
-        "“so det A is ±1; swapping rows changes sign; take det 1; B∈SO(3)”",
-        "wyznacznik macierzy A …",
-        Every(
+    "C2.2.4-p": Propositions(
+        as_printed=Every(
             (
                 SQUARE_OF_DETERMINANT,
                 ROWS_EXCHANGED,
@@ -217,32 +182,10 @@ CLAIMS = (
         ),
         spoilt=ORIENTED,
         corrected=ORIENTED,
-        note="The determinant of B is meant; that of A is 1 from the start, and says nothing of B. In "
-        "the witness s is det B and y is det A. It is the columns v1 and v2 that must be exchanged, for "
-        "v3 to stay the last.",
     ),
-    Claim(
-        "C2.2.4-q",
-        "images-of-basis",
-        "thm 5 proof",
-        "AB=[Bv1,Bv2,Bv3], Bv1,Bv2∈v3^⊥",
-        "AB=[Bv1, Bv2, Bv3]",
-        Statement(
-            f"y**2 + s**2 == 1 => {equal(times(ABOUT_V3, identity(3)), times(identity(3), identity(3)))}",
-            words="AB = [Bv1, Bv2, Bv3], here for B = I and a rotation A about v3",
-        ),
-        spoilt=IMAGES_OF_BASIS,
-        corrected=IMAGES_OF_BASIS,
-        note="The columns are Av1, Av2, Av3. Printed form refuted for v1, v2, v3 = e1, e2, e3 (B = I) "
-        "and A a rotation about v3; corrected for all A and B.",
-    ),
-    Claim(
-        "C2.2.4-r",
-        "block-in-so2",
-        "thm 5 proof",
-        "B^{-1}AB is block diagonal, so the block lies in SO(2)",
-        "B^{-1}AB [[a,c,0],[b,d,0],[0,0,1]] (missing “=”)",
-        Every(
+    "C2.2.4-q": Propositions(spoilt=IMAGES_OF_BASIS, corrected=IMAGES_OF_BASIS),
+    "C2.2.4-r": Propositions(
+        as_printed=Every(
             (
                 Statement(
                     equal(times(B, bordered("1")), IMAGES),
@@ -253,25 +196,6 @@ CLAIMS = (
                     words="if [[a, c, 0], [b, d, 0], [0, 0, 1]] is in SO(3), [[a, c], [b, d]] is in SO(2)",
                 ),
             )
-        ),
-        spoilt=Statement(
-            f"{orthogonal(bordered('1'))} and {det(bordered('1'))} == -1 => {special(BLOCK)}"
-        ),
-        note="Read with the sign of equality that is missing: B·[[a,c,0],[b,d,0],[0,0,1]] has the "
-        "columns av1 + bv2, cv1 + dv2, v3, those of AB.",
+        )
     ),
-    Claim(
-        "C2.2.4-s",
-        "block-with-minus-one",
-        "thm 5 proof",
-        "case λ=−1: block has det −1, lies in O(2), fixed vector v exists, so 1 is also an eigenvalue",
-        "det(block)=−1 … Av=v",
-        Statement(
-            CASE_MINUS_ONE,
-            words="if [[a, c, 0], [b, d, 0], [0, 0, −1]] is in SO(3), M = [[a, c], [b, d]] is in O(2) with "
-            "det M = −1 and det(M − I) = 0",
-        ),
-        spoilt=Statement(CASE_MINUS_ONE.replace(f"{det(BLOCK)} == -1", f"{det(BLOCK)} == 1")),
-        note="A vector v ≠ 0 with Av = v in the plane is there because det(block − I) = 0.",
-    ),
-)
+}

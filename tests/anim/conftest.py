@@ -7,7 +7,7 @@ from anim.film import clip
 from anim.model import Model
 from anim.picture import Look
 from anim.pipelines import kinematic
-from anim.render import Scene, frames
+from anim.rendering import Scene, frames
 from tests.anim.films import FRAMES, SIZE
 
 

@@ -17,7 +17,7 @@ from anim.output import Film, check, open_film, sheet
 from anim.output.encoder import ffmpeg
 from anim.output.palette import sampled
 from anim.output.sheet import shown
-from anim.render import Scene, contact_sheet, frames, render
+from anim.rendering import Scene, contact_sheet, frames, render
 from tests.anim.films import FILM, FRAMES, SIZE, decoded, psnr
 
 
@@ -174,7 +174,7 @@ class Still(Scene):
         object.__setattr__(self, "trail", scene.task(7).trail)
 
     def task(self, number: int):
-        from anim.render import Task
+        from anim.rendering import Task
 
         return Task(self.model, self.look, self.matrix[None], self.trail)
 

@@ -15,7 +15,7 @@ import pytest
 from anim.errors import AnimationError
 from anim.output import Film, check, open_film
 from anim.output.place import file_place
-from anim.render import Scene, render
+from anim.rendering import Scene, render
 from tests.anim.films import FILM, FRAMES, SIZE, decoded
 
 

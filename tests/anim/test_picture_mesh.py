@@ -12,7 +12,7 @@ from anim.picture.mesh import Mesh
 from anim.picture.projection import reached
 from anim.picture.trace import thinned
 from anim.pipelines import kinematic
-from anim.render import Scene
+from anim.rendering import Scene
 from tests.anim.cones import random_rotation
 
 

@@ -5,11 +5,20 @@ import json
 import pytest
 
 from hfield.certificates.check import Pin, check, check_text
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.theorems import KULIKOV, THEOREMS
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import decide
 from hfield.ledger.registry import claims
 from hfield.proving.decision import PROVED, REFUTED, VACUOUS
-from tests.certificates.cases import ALGEBRAS, FIELDS, STATEMENTS, certificates, decided
+from tests.certificates.cases import (
+    ALGEBRAS,
+    FIELDS,
+    STATEMENTS,
+    certificates,
+    certified,
+    decided,
+)
 
 
 def test_certificates_of_prove_are_accepted() -> None:
@@ -34,6 +43,7 @@ def test_the_whole_panel_is_certified_and_accepted() -> None:
                 data = certificate(proposition, decision, field)
                 assert data is not None, (claim.id, field)
                 assert proposition is not None
+                assert set(data["assumes"]) == set(decision.assumes), (claim.id, field)
                 check(data, Pin((proposition.statement,), data["field"]))
                 rows += 1
     assert rows > 1_500
@@ -53,13 +63,70 @@ def test_scope_of_what_is_established(statement: str, field: str | None, scope: 
     assert (established.verdict, established.scope) == ("proved", scope)
 
 
-def test_what_is_cited_stands_in_assumes() -> None:
-    data = decided("norm(q) == 0 => q == 0", None, "[1,t|GF(2)(t))")
-    assert data["assumes"] == [
-        "the norm form of [1,t|GF(2)(t)) is 0 only at 0 (ramified places: t, inf)"
-    ]
-    assert "given that" in str(check(data))
+@pytest.mark.parametrize(
+    "algebra",
+    [
+        "[1,t|GF(2)(t))",
+        "[x/t,t+1|GF(4)(t))",
+        "(-1,-1|QQ(sqrt(-7)))",
+        "(x,3|QQ(x))",
+        "(-1,1+sqrt(3)|QQ(sqrt(3)))",
+    ],
+)
+def test_nothing_about_an_algebra_is_assumed(algebra: str) -> None:
+    data = decided("norm(q) == 0 => q == 0", None, algebra)
+    assert data["assumes"] == []
+    assert check(data).verdict == "proved"
+
+
+def test_what_is_cited_stands_in_assumes(monkeypatch: pytest.MonkeyPatch) -> None:
+    data = certified("modulus-law{*}", "QQ(sqrt(-7))", "choice of roots", {"kind": "pure subgroup"})
+    established = check({**data, "assumes": [KULIKOV]})
+    assert (established.theorems, established.assumptions) == ((KULIKOV,), ())
+    assert f"cites the theorem: {KULIKOV}" in established.lines()
+    monkeypatch.delitem(THEOREMS, KULIKOV)  # what is not listed is an assumption
+    established = check({**data, "assumes": [KULIKOV]})
+    assert (established.theorems, established.assumptions) == ((), (KULIKOV,))
+    assert f"assumes, unproved: {KULIKOV}" in established.lines()
+    for assumes in ([], [KULIKOV, KULIKOV], [KULIKOV, "0 == 1"]):
+        with pytest.raises(Rejected, match="exactly"):
+            check({**data, "assumes": assumes})
     assert check(decided("norm(q) == 0 => q == 0", "QQ(sqrt(-7))")).assumes == ()
+
+
+def test_all_is_told_on_lines_of_its_own() -> None:
+    """A long statement is shown whole, and blanks in it make no lines."""
+    text = "p*q == q*p" + " \n" * 150 + " or 0 == 0"
+    established = check(certified(text, "QQ", "identity", {"kind": "identity"}))
+    assert established.lines() == [
+        "proved over QQ",
+        "statement: p*q == q*p or 0 == 0",
+        "field: QQ",
+        "algebra: (-1,-1|QQ)",
+    ]
+    everywhere = check(certified(text, None, "identity", {"kind": "identity"}))
+    assert everywhere.lines()[:3:2] == ["proved over all commutative rings", "field: all"]
+
+
+def test_vacuous_parts_are_said() -> None:
+    never = "norm(q) == 1 and norm(q) == 2 => p == q"
+    proof = decided(never, "QQ")["evidence"]
+    parts = [
+        {"verdict": "proved", "evidence": {"kind": "identity"}},
+        {"verdict": "vacuous", "evidence": proof},
+    ]
+    evidence = {"kind": "parts", "parts": parts}
+    data = certified(f"every{{q == q; {never}}}", "QQ", "identity; implication", evidence)
+    established = check(data)
+    assert established.vacuous == (never,)
+    assert f"vacuous part: {never}" in established.lines()
+    alone = {"kind": "parts", "parts": parts[1:]}
+    data = certified(f"every{{{never}}}", "QQ", "implication", alone)
+    with pytest.raises(Rejected, match="vacuous and not proved"):
+        check(data)
+    assert check({**data, "verdict": "vacuous"}).verdict == "vacuous"
+    with pytest.raises(Rejected):
+        check({**data, "verdict": "vacuous", "evidence": evidence})
 
 
 def test_blanks_and_parentheses_do_not_matter_to_a_pin() -> None:

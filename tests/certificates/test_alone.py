@@ -11,7 +11,7 @@ import hfield.certificates
 from tests.certificates.cases import decided
 
 ROOM = Path(hfield.certificates.__file__).parent
-FILES = sorted(ROOM.glob("*.py"))
+FILES = sorted(ROOM.rglob("*.py"))
 
 
 def imported(path: Path) -> set[str]:

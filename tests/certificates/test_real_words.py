@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from hfield.certificates.check import Pin, check
-from hfield.certificates.ledger import CIRCLE, THEOREMS
 from hfield.certificates.rejection import Rejected
+from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every, Over, Statement
@@ -86,7 +86,7 @@ def test_the_real_part_is_needed_over_rr_alone() -> None:
 
 def test_theorems_are_cited_by_name() -> None:
     proposition = Analysis("odd-degree", CUBIC)
-    assert certified(proposition, "RR")["assumes"] == [THEOREMS["odd-degree"]]
+    assert certified(proposition, "RR")["assumes"] == [CITED_BY_NAME["odd-degree"]]
     assert proposition.decide(ring("QQ")).verdict == "not-applicable"
     data = certified(proposition, "RR")
     with pytest.raises(Rejected, match="no theorem"):

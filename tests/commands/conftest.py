@@ -41,7 +41,7 @@ CLAIMS = (
         corrected=Fake("p*q - q*p == comm(p,q)"),
         note="The factors are swapped.",
     ),
-    Claim("C1.1-b", "average", "number", "An average of 3", "3", Fake(), fieldless=True),
+    Claim("C1.1-b", "average", "number", "An average of 3", "3", Fake(), fields=("-",)),
     Claim("C1.10-a", "history", "remark", "Hamilton was Irish", "", None, note="History."),
 )
 BROKEN = (

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from hfield.certificates.theorems import ODD_DEGREE, THEOREMS
 from hfield.cli import main
 
 
@@ -77,3 +78,46 @@ def test_a_directory_that_cannot_be_written(
     options = ["--field", "QQ", "--certificates", str(tmp_path / "file")]
     assert main(["verify", "C1-a", *options]) == 2
     assert "choose another directory" in capsys.readouterr().err
+
+
+def test_an_assumption_has_an_exit_status_of_its_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = written(tmp_path, "exists s: s**3 == 2", "--field", "RR")
+    good = written(tmp_path, "exists s: s**3 == 2", "--field", "RR")
+    capsys.readouterr()
+    assert main(["check", path]) == 0
+    assert f"cites the theorem: {ODD_DEGREE}" in capsys.readouterr().out
+    monkeypatch.delitem(THEOREMS, ODD_DEGREE)
+    assert main(["check", path, good]) == 3
+    assert f"assumes, unproved: {ODD_DEGREE}" in capsys.readouterr().out
+    assert main(["check", path, "--statement", "exists s: s**3 == 2", "--field", "RR"]) == 3
+    capsys.readouterr()
+    assert main(["check", path, "--allow-assumptions", "--format", "json"]) == 0
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert (result["assumptions"], result["theorems"]) == ([ODD_DEGREE], [])
+    (tmp_path / "bad.json").write_text("{}")
+    assert main(["check", path, str(tmp_path / "bad.json"), "--allow-assumptions"]) == 1
+
+
+def test_hypotheses_given_apart_are_part_of_the_pin(tmp_path: Path) -> None:
+    path = written(tmp_path, "q*inv(q) == e", "--given", "norm(q) != 0", "--field", "QQ")
+    pin = ["--statement", "q*inv(q) == e", "--field", "QQ"]
+    assert main(["check", path, *pin]) == 1
+    assert main(["check", path, *pin, "--given", "norm(q)!=0"]) == 0
+    assert main(["check", path, *pin, "--given", "norm(q) == 0"]) == 1
+    assert (
+        main(["check", path, "--statement", "norm(q) != 0 => q*inv(q) == e", "--field", "QQ"]) == 0
+    )
+    assert main(["check", path, "--given", "norm(q) != 0"]) == 2
+
+
+def test_the_whole_statement_is_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    statement = "p*q == q*p" + " " * 400 + "or 0 == 0"
+    path = written(tmp_path, statement, "--field", "QQ")
+    capsys.readouterr()
+    assert main(["check", path]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].endswith(": proved over QQ")
+    assert "  statement: p*q == q*p or 0 == 0" in lines
+    assert {"  field: QQ", "  algebra: (-1,-1|QQ)"} <= set(lines)

@@ -4,13 +4,12 @@ import json
 import resource
 import subprocess
 import sys
-import time
 
 import pytest
 
 from hfield.ledger.claim import PANEL
 
-SECONDS, BYTES = 60, 1 << 30
+BYTES = 1 << 30
 KEYS = {
     *(
         "id",
@@ -34,18 +33,16 @@ def shell(*words):
 
 @pytest.fixture(scope="module")
 def whole():
-    """Run all claims over the panel once: the results, the seconds it took, the most memory used."""
-    start = time.perf_counter()
+    """Run all claims over the panel once: the results, and the most memory used."""
     done = shell("verify", "--format", "json")
-    seconds = time.perf_counter() - start
     # Of the children so far; this run is the largest by far. Linux counts in KiB.
     peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
     assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)["results"], seconds, peak
+    return json.loads(done.stdout)["results"], peak
 
 
 def test_every_row_has_a_verdict(whole):
-    rows, _, _ = whole
+    rows, _ = whole
     assert len(rows) == len({(row["id"], row["field"]) for row in rows})
     for row in rows:
         assert set(row) == KEYS
@@ -54,7 +51,7 @@ def test_every_row_has_a_verdict(whole):
 
 
 def test_every_claim_has_all_its_columns(whole):
-    rows, _, _ = whole
+    rows, _ = whole
     columns = {}
     for row in rows:
         columns.setdefault(row["id"], []).append(row["field"])
@@ -62,14 +59,13 @@ def test_every_claim_has_all_its_columns(whole):
     assert all(fields in (list(PANEL), ["-"]) for fields in columns.values())
 
 
-def test_time_and_memory(whole):
-    _, seconds, peak = whole
-    assert seconds < SECONDS
+def test_memory(whole):
+    _, peak = whole
     assert peak < BYTES
 
 
 def test_processes_find_the_same(whole):
-    rows, _, _ = whole
+    rows, _ = whole
     words = ["centre", "theorem-1", "triple-iki", "--field", "GF9,QQ", "--field", "universal"]
     done = shell("verify", *words, "--jobs", "2", "--format", "json")
     assert done.returncode == 0, done.stderr

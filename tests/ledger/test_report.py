@@ -3,17 +3,13 @@
 import pytest
 
 from hfield.ledger.claim import PANEL, Claim, Row
-from hfield.ledger.columns import (
-    SelectionError,
-    head,
-    rows_to_decide,
-    split_columns,
-)
+from hfield.ledger.columns import head, split_columns
 from hfield.ledger.errata import errata
 from hfield.ledger.markdown import markdown
 from hfield.ledger.matrix import Style, matrix
 from hfield.ledger.notebook import Report
 from hfield.ledger.report import report, summary, totals
+from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import name_fields, pretty, witness_text
 from hfield.proving.decision import VERDICTS, Decision
 
@@ -80,7 +76,7 @@ def test_names_of_sets_of_fields():
 
 
 def test_rows_to_decide():
-    with_fields, without = claim("C1-a"), claim("C1-b", fieldless=True)
+    with_fields, without = claim("C1-a"), claim("C1-b", fields=("-",))
     both = [with_fields, without]
     assert rows_to_decide(both, []) == [*((with_fields, f) for f in PANEL), (without, "-")]
     assert rows_to_decide(both, ["QQ"]) == [(with_fields, "QQ")]
@@ -198,7 +194,7 @@ def test_a_correction_that_holds_wherever_it_is_needed():
     (erratum,) = errata([row(field, "refuted", c, None, "proved") for field in ("QQ", "RR")])
     assert erratum.lines[-1] == ("", "proved over the same columns")
     (erratum,) = errata(
-        [row("-", "refuted", claim(fieldless=True, corrected=Words()), None, "proved")]
+        [row("-", "refuted", claim(fields=("-",), corrected=Words()), None, "proved")]
     )
     assert ("refuted", "as it stands") in erratum.lines
     assert erratum.lines[-1] == ("", "proved as it stands")

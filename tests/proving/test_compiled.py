@@ -4,14 +4,14 @@ import random
 
 import pytest
 
-from hfield.proving.compiled import compile_statement
-from hfield.proving.interpret import PrimeInterpretation, RingInterpretation, bind
-from hfield.proving.language import Sort, read_statement
-from hfield.proving.search import holds, small_scalars
-from hfield.proving.setting import HAMILTON
-from hfield.proving.vanish import constant
+from hfield.proving.counterexamples.candidates import holds, small_scalars
+from hfield.proving.evaluation.compiled import compile_statement
+from hfield.proving.evaluation.interpretation import PrimeInterpretation, RingInterpretation, bind
+from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.statements.language import Sort, read_statement
+from hfield.proving.statements.setting import HAMILTON
 from hfield.rings import ring
-from tests.proving.oracle import Generator
+from tests.adversary.statement_generator import plain_statements
 
 WRITTEN = (
     "q*inv(q) == e",
@@ -21,7 +21,7 @@ WRITTEN = (
     "s*p == p*s and 0.5*p + 0.5*p == p",
     "p/norm(p) != 0",
 )
-DRAWN = tuple(Generator(seed).statement() for seed in range(60))
+DRAWN = tuple(plain_statements(0, 60))
 
 
 def places(statement, scalars, rng):

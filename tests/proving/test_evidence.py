@@ -102,8 +102,7 @@ def test_facts_are_named_where_rules_are_used():
     evidence = prove("norm(q) == 0 => q == 0", "QQ(sqrt(-7))").certificate["evidence"]
     assert [(f["form"], f["by"]) for f in evidence["facts"]] == [("norm", "level")]
     evidence = prove("norm(q) == 0 => q == 0", algebra="(2,3|QQ)").certificate["evidence"]
-    assert evidence["facts"][0]["by"] == "ramified places"
-    assert evidence["facts"][0]["places"] == ["2", "3"]
+    assert (evidence["facts"][0]["by"], evidence["facts"][0]["place"]) == ("place", "2")
 
 
 def test_kinds_of_evidence():
@@ -121,3 +120,11 @@ def test_kinds_of_evidence():
     assert kind("2 == 0 => p == q", "QQ") == "unsatisfiable"
     assert kind("s*s == s or s*s == y*y*s*s + s or y == 1", "GF(3)") == "witness"
     assert kind("s**2 == y**2 and s*y == 1 => s == y", "GF(3)") == "implication"
+    assert kind("s**2 == 0 => s == 0", "ZZ/6") == "exhaustion"
+    assert kind("x != 0 or z != 0 => (exists s, y: s*x + y*z == 1)") == "cases"
+    assert kind("norm(q) == 0 => q == 0", "ZZ") == "fractions"
+    assert kind("2*s + 4*y != 1", "ZZ") == "reduction"
+    assert kind("exists s: s**3 == y", "RR") == "real root"
+    assert kind("exists s: s**3 == y", "CC") == "complex root"
+    assert kind("s**2 == 2*y**2 => s == 0", "QQ") == "implication"
+    assert kind("s**2 + y**2 == 3*z**2 => z == 0", "QQ") == "implication"

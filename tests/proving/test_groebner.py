@@ -8,8 +8,8 @@ import sympy
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
-from hfield.proving.groebner import Monomials
-from hfield.proving.membership import Ideal
+from hfield.proving.polynomials.groebner import Monomials
+from hfield.proving.polynomials.membership import Ideal
 
 
 def test_the_coding_of_monomials_is_an_order_and_a_product():

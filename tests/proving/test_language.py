@@ -3,11 +3,11 @@
 import pytest
 
 from hfield.errors import HFieldError, NotationError
-from hfield.proving.language import Sort, read_statement
-from hfield.proving.printing import to_latex, to_text, to_unicode
+from hfield.proving.statements.language import Sort, read_statement
+from hfield.proving.statements.printing import to_latex, to_text, to_unicode
 from hfield.rings import ring
 from hfield.syntax import parse
-from tests.proving.oracle import Generator
+from tests.adversary.statement_generator import plain_statements
 from tests.proving.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL
 
 
@@ -20,9 +20,8 @@ def test_printing_reads_back(text):
 
 
 def test_printing_random_statements_reads_back():
-    generator = Generator(7)
-    for _ in range(600):
-        node = parse(generator.statement(3))
+    for text in plain_statements(7, 600):
+        node = parse(text)
         assert parse(to_text(node)) == node
 
 

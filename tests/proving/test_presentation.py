@@ -5,7 +5,7 @@ from itertools import product
 import pytest
 
 from hfield.errors import NotationError
-from hfield.proving.presentation import decide_presentation, presentation_text
+from hfield.proving.methods.presentations import decide_presentation, presentation_text
 
 RELATIONS = ["i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e"]
 TABLE = ["i*j == k", "j*k == i", "k*i == j", "j*i == -k", "k*j == -i", "i*k == -j"]

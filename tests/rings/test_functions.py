@@ -1,7 +1,5 @@
 """Rational functions and polynomials: lowest terms, texts, roots, what divides what, and bounds."""
 
-import time
-
 import pytest
 import sympy
 from hypothesis import given, settings
@@ -15,6 +13,7 @@ from hfield.errors import (
     UndecidedError,
 )
 from hfield.rings import INFINITY, ring
+from tests.steps import steps
 
 coefficients = st.lists(st.integers(-5, 5), min_size=1, max_size=4)
 
@@ -148,14 +147,16 @@ def test_names_of_variables():
 
 
 def test_large_texts_are_refused_before_they_are_multiplied_out():
-    start = time.perf_counter()
     R = ring("ZZ[a,b,c,d]")
-    for text in ("(a+b+c+d)^1000", "(a+b+c+d)^60*(a-b+c-d)^60", "((a+b)^100+(c+d)^100)^20"):
+
+    def refuse(text):
         with pytest.raises(TooLargeError):
             R(text)
+
+    for text in ("(a+b+c+d)^1000", "(a+b+c+d)^60*(a-b+c-d)^60", "((a+b)^100+(c+d)^100)^20"):
+        assert steps(lambda text=text: refuse(text)) < 5_000
     with pytest.raises(HFieldError):
         ring("QQ(x)")("x^1000000000")
     assert len(R("(a+b+c+d)^20")) == 1771
     big = R("a^500*b^500*c^500*d^500*123456789123456789123456789")
     assert R(R.text(big)) == big
-    assert time.perf_counter() - start < 3

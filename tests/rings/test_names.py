@@ -1,7 +1,6 @@
 """From text to ring: canonical names, spellings, and errors that say what to mend."""
 
 import pickle
-import time
 
 import pytest
 from hypothesis import given, settings
@@ -9,6 +8,7 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, RingError
 from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
+from tests.steps import steps
 
 CANONICAL = {
     "QQ": ["Q", " Q Q ", "ℚ"],
@@ -140,10 +140,8 @@ REFUSED = {
 
 @pytest.mark.parametrize("text", REFUSED, ids=lambda s: s[:30] or "empty")
 def test_refused(text):
-    start = time.perf_counter()
     with pytest.raises(RingError, match=REFUSED[text]) as error:
         ring(text)
-    assert time.perf_counter() - start < 2
     assert len(str(error.value)) < 400
     assert "\n" not in str(error.value)
 
@@ -172,14 +170,13 @@ def test_only_texts_name_rings(spec):
         ring(spec)
 
 
-def test_large_primes_are_quick():
-    start = time.perf_counter()
+def test_large_primes_take_few_steps():
     p = 10**100 + 267
     F = GF(p)
     x = F(3)
     assert x * F.inverse(x) == 1
     assert sum((y * y for y in F.minus_one_as_squares()), F.one) == 0
-    assert time.perf_counter() - start < 1
+    assert steps(F.minus_one_as_squares) < 1_000
 
 
 MIXED = ("GF(4)", "GF(8)", "GF(9)", "GF(9, x^2+1)", "GF(9, x^2+x+2)", "GF(25)", "QQ(sqrt(2))",

@@ -1,29 +1,11 @@
 """The ring that docs/rings.md builds from scratch, through the axioms and into quaternions."""
 
-import doctest
-import sys
-import types
-from pathlib import Path
-
 import pytest
 
 from hfield import H
 from hfield.rings import ring
 
 from .axioms import CHECKS
-
-PAGE = Path(__file__).parents[2] / "docs" / "rings.md"
-
-
-@pytest.fixture(scope="module")
-def dual_numbers():
-    page = types.ModuleType("rings_page")  # a module, so that its classes can be pickled
-    sys.modules[page.__name__] = page
-    for example in doctest.DocTestParser().get_examples(PAGE.read_text(encoding="utf-8")):
-        if example.source.startswith(("from ", "@dataclass", "class ")):
-            exec(example.source, vars(page))
-    yield page.DualNumbers
-    del sys.modules[page.__name__]
 
 
 @pytest.mark.parametrize("base", ["QQ", "GF(3)", "GF(2)"])

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from hfield.structure.conic import solve_conic
-from hfield.structure.hilbert import hilbert_symbol_q, ramified_places_q
-from hfield.structure.integers import factorise, remove
-from hfield.structure.qforms import isotropic_vector
+from hfield.factorisation import factorise, remove
+from hfield.structure.rationals.conic_rationals import solve_conic
+from hfield.structure.rationals.diagonal_forms import isotropic_vector
+from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramified_places_q
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)
 

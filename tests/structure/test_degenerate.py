@@ -9,8 +9,8 @@ from hfield.product import Constants, multiply, norm, trace
 from hfield.rings import ring
 from hfield.structure import is_isomorphic, isomorphism
 from hfield.structure.forms import discriminant
-from hfield.structure.inseparable import artin_schreier
-from hfield.structure.roots import square_roots
+from hfield.structure.function_fields.inseparable import artin_schreier
+from hfield.structure.single_elements.square_roots import square_roots
 
 
 @pytest.mark.parametrize(

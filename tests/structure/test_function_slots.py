@@ -9,9 +9,9 @@ from hfield.product import Constants, multiply, norm, trace
 from hfield.rings import ring
 from hfield.structure import is_division, isomorphism, ramified_places
 from hfield.structure.forms import discriminant
-from hfield.structure.function_slots import common_slot_functions
+from hfield.structure.function_fields.slots_functions import common_slot_functions
 from hfield.structure.ramification import hilbert_symbol
-from hfield.structure.roots import square_roots
+from hfield.structure.single_elements.square_roots import square_roots
 
 ODD = ["GF(3)(t)", "GF(5)(t)", "GF(9)(t)", "GF(1000003)(t)"]
 EVEN = ["GF(2)(t)", "GF(4)(t)", "GF(8)(t)"]

@@ -7,11 +7,11 @@ from hfield.errors import RingError, UndecidedError
 from hfield.product import norm
 from hfield.rings import ring
 from hfield.structure import hilbert_symbol, is_division, zero_norm
-from hfield.structure.bundle import RamifiedError, solve_conic_functions
 from hfield.structure.forms import discriminant, normal_form
-from hfield.structure.functionfield import ramified_places_functions
+from hfield.structure.function_fields.conic_bundle import RamifiedError, solve_conic_functions
+from hfield.structure.function_fields.hilbert_functions import ramified_places_functions
+from hfield.structure.function_fields.residue_field import ResidueField
 from hfield.structure.ramification import place, ramified_places, reduced_discriminant
-from hfield.structure.residue import ResidueField
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,10 @@ from hfield.errors import RingError, UndecidedError
 from hfield.product import norm
 from hfield.rings import ring
 from hfield.structure import hilbert_symbol, is_division, zero_norm
-from hfield.structure.quadratic import hilbert_symbol_quadratic, ramified_places_quadratic
+from hfield.structure.quadratic_fields.hilbert_quadratic import (
+    hilbert_symbol_quadratic,
+    ramified_places_quadratic,
+)
 from hfield.structure.ramification import place, places, ramified_places
 
 

@@ -8,20 +8,20 @@ import pytest
 from structure_cases import constants
 
 from hfield.errors import UndecidedError
+from hfield.factorisation import is_prime, remove
 from hfield.product import Constants, multiply
 from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
-from hfield.structure.integers import is_prime, remove
 from hfield.structure.minimise import Conic
-from hfield.structure.quadratic import (
+from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
+from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
+from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
     integral,
     is_local_square,
     places_above,
 )
-from hfield.structure.quadratic_conic import solve_conic_quadratic
-from hfield.structure.quadratic_lattice import bad_primes, good_lattice
-from hfield.structure.quadratic_primes import (
+from hfield.structure.quadratic_fields.prime_ideals import (
     Inert,
     conjugate,
     coordinates,
@@ -29,9 +29,9 @@ from hfield.structure.quadratic_primes import (
     omega,
     primes_above,
 )
+from hfield.structure.quadratic_fields.slots_quadratic import common_slot
 from hfield.structure.ramification import pair
-from hfield.structure.roots import square_roots
-from hfield.structure.slots import common_slot
+from hfield.structure.single_elements.square_roots import square_roots
 
 FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]
 

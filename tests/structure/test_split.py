@@ -6,10 +6,10 @@ from structure_cases import constants
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError
 from hfield.product import Constants, multiply, norm
 from hfield.rings import ring
-from hfield.structure.evidence import ZeroNorm
 from hfield.structure.forms import discriminant
-from hfield.structure.isomorphic import is_isomorphic, isomorphism, same_parent
-from hfield.structure.splitting import Splitting, division_or_splitting, product, split
+from hfield.structure.isomorphisms.isomorphic import is_isomorphic, isomorphism, same_parent
+from hfield.structure.isomorphisms.splitting import Splitting, division_or_splitting, product, split
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 SPLIT = [
     ("QQ", 1, 0, 7),

@@ -11,14 +11,19 @@ from hfield.ledger.chapter1 import (
     trigonometric,
 )
 from hfield.ledger.claim import Claim
+from hfield.ledger.document import load
 
 CLAIMS: tuple[Claim, ...] = (
-    *multiplication.CLAIMS,
-    *associativity.CLAIMS,
-    *presentation.CLAIMS,
-    *norms.CLAIMS,
-    *inverses.CLAIMS,
-    *forms.CLAIMS,
-    *matrices.CLAIMS,
-    *trigonometric.CLAIMS,
+    *load(
+        __name__,
+        "chapter1.toml",
+        multiplication.COMPUTED
+        | associativity.COMPUTED
+        | presentation.COMPUTED
+        | norms.COMPUTED
+        | inverses.COMPUTED
+        | forms.COMPUTED
+        | matrices.COMPUTED
+        | trigonometric.COMPUTED,
+    ),
 )

@@ -1,0 +1,167 @@
+"""From a motion to a file: frames drawn in order, here or in other processes, and handed to a writer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from concurrent.futures import Executor
+from contextlib import closing
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.checks import real, whole
+from anim.errors import AnimationError
+from anim.model import APEX_HEIGHT, Model
+from anim.motion import Motion
+from anim.picture import Look, painter
+from hfield.executors import InProcess, ordered
+
+if TYPE_CHECKING:
+    from anim.output.formats import Film, Frame
+    from anim.picture.painting import Painter
+
+FINE = 5000
+"""At how many instants, at least, the apex's path is followed."""
+UNSEEN = 0.1
+"""How many pixels the line of the trace may stray from the apex's path."""
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """All that decides the frames: the model, its motion, the look, and the blur.
+
+    ``blur`` is the part of the time between two frames during which the shutter is open, 0 to 1; a
+    blurred frame is the mean of ``steps`` pictures. Raises :class:`~anim.errors.AnimationError`.
+    """
+
+    model: Model
+    motion: Motion
+    look: Look
+    blur: float = 0.0
+    steps: int = 8
+
+    def __post_init__(self) -> None:
+        if real("motion blur", self.blur, least=0) > 1:
+            raise AnimationError(f"motion blur is {self.blur:g}; expected a number from 0 to 1")
+        whole("the steps of the blur", self.steps, 2, 64)
+
+    def task(self, number: int) -> Task:
+        """Return what it takes to draw one frame; small, so that it travels to another process."""
+        from rotation.matrices import to_matrix
+
+        matrices = self.motion.matrices[number][None]
+        if self.blur:
+            fractions = self.blur * ((np.arange(self.steps) + 0.5) / self.steps - 0.5)
+            matrices = np.asarray(to_matrix(self.motion.between(number, fractions)))
+        return Task(self.model, self.look, matrices, self._trail(number))
+
+    def _trail(self, number: int) -> NDArray[np.float64] | None:
+        """Return the apex's path (k, 3) up to a frame, if it is to be drawn."""
+        if not self.look.trace:
+            return None
+        places, points = self._path
+        here = APEX_HEIGHT * self.motion.matrices[number, :, 2]
+        return np.vstack([points[: np.searchsorted(places, number)], here])
+
+    @cached_property
+    def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The apex's path as far as a picture can show it: places (k,) counted in frames, and points (k, 3).
+
+        Between few frames it is followed too; of many, those that make no difference are left out, so that
+        what a frame costs does not grow with the film.
+        """
+        from anim.picture.trace import thinned
+        from rotation.matrices import to_matrix
+
+        clip = self.motion.clip
+        between = -(-FINE // clip.frames)
+        places = np.linspace(0, clip.frames - 1, (clip.frames - 1) * between + 1)
+        turned = np.asarray(to_matrix(self.motion.at(places * clip.interval)))
+        path = APEX_HEIGHT * turned[:, :, 2]
+        # The top is about two units wide at least, and no wider than the picture.
+        pixel = 2 / (max(self.look.size) * self.look.camera.zoom)
+        kept = thinned(path, pixel * UNSEEN)
+        return places[kept], path[kept]
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """One frame: attitudes (steps, 3, 3) to draw and average, and the apex's path so far, (k, 3)."""
+
+    model: Model
+    look: Look
+    matrices: NDArray[np.float64]
+    trail: NDArray[np.float64] | None
+
+
+def draw(task: Task) -> Frame:
+    """Draw one frame, uint8 (height, width, 3)."""
+    brush = _painter(task.model, task.look)
+    if len(task.matrices) == 1:
+        return brush.draw(task.matrices[0], task.trail)
+    total = np.zeros((*task.look.size[::-1], 3), dtype=np.uint32)
+    for matrix in task.matrices:
+        total += brush.draw(matrix, task.trail)
+    return ((2 * total + len(task.matrices)) // (2 * len(task.matrices))).astype(np.uint8)
+
+
+@lru_cache(maxsize=2)
+def _painter(model: Model, look: Look) -> Painter:
+    """Keep the painter from one frame to the next, in whichever process."""
+    return painter(model, look)
+
+
+def frames(
+    scene: Scene, executor: Executor | None = None, jobs: int = 1, numbers: range | None = None
+) -> Generator[Frame, None, None]:
+    """Yield the frames in order, at most 2·jobs of them in flight; all of them without ``numbers``."""
+    chosen = range(scene.motion.frames) if numbers is None else numbers
+    tasks = (scene.task(number) for number in chosen)
+    return ordered(executor or InProcess(), draw, tasks, ahead=2 * jobs if jobs > 1 else 1)
+
+
+def render(
+    scene: Scene,
+    path: Path,
+    film: Film,
+    *,
+    executor: Executor | None = None,
+    jobs: int = 1,
+    force: bool = False,
+    progress: Progress | None = None,
+) -> None:
+    """Draw all frames and write them to ``path``, in the format of its suffix.
+
+    The file is whole or is not there. Raises :class:`~anim.errors.AnimationError`.
+    """
+    from anim.output.formats import open_film
+    from anim.output.palette import sampled
+    from rotation.figures.backend import import_matplotlib
+
+    import_matplotlib()  # here first, so that other processes know where its folder is
+
+    def samples() -> list[Frame]:
+        return [draw(scene.task(number)) for number in sampled(film.frames)]
+
+    with (
+        open_film(path, film, samples, force) as write,
+        closing(frames(scene, executor, jobs)) as pictures,
+    ):
+        for number, picture in enumerate(pictures, 1):
+            write(picture)
+            if progress:
+                progress(number, film.frames)
+
+
+def contact_sheet(scene: Scene) -> Frame:
+    """Return ten frames from the whole film in one picture (figures 3.3 and 3.4)."""
+    from anim.output.sheet import sheet, shown
+
+    numbers = shown(scene.motion.frames)
+    return sheet([draw(scene.task(number)) for number in numbers], numbers)

@@ -1,0 +1,31 @@
+from . import errors as errors
+from .algebra import H as H
+from .algebra import QuaternionAlgebra as QuaternionAlgebra
+from .elements import conjugator as conjugator
+from .errors import CoercionError as CoercionError
+from .errors import HFieldError as HFieldError
+from .errors import MixedParentsError as MixedParentsError
+from .errors import NotationError as NotationError
+from .errors import NotFiniteError as NotFiniteError
+from .errors import NotInvertibleError as NotInvertibleError
+from .errors import RingError as RingError
+from .errors import TooLargeError as TooLargeError
+from .errors import UndecidedError as UndecidedError
+from .lattices.ideal import Ideal as Ideal
+from .lattices.lattice import Lattice as Lattice
+from .lattices.order import Order as Order
+from .proving.prove import prove as prove
+from .quaternion import Quaternion as Quaternion
+from .rings import CC as CC
+from .rings import GF as GF
+from .rings import QQ as QQ
+from .rings import RDF as RDF
+from .rings import RR as RR
+from .rings import ZZ as ZZ
+from .rings import Zmod as Zmod
+from .rings import ring as ring
+from .structure import four_squares as four_squares
+from .structure import hilbert_symbol as hilbert_symbol
+from .structure import places as places
+
+__version__: str

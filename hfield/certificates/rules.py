@@ -1,0 +1,177 @@
+"""Rules of a field that steps of an implication use: forms that are 0 only at 0, polynomials without roots.
+
+Each is verified, as ``facts`` give it, before any step uses it. docs/trust.md has the proofs.
+"""
+
+from typing import Any
+
+from hfield.certificates.clauses import Expansion
+from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
+from hfield.certificates.facts import has_no_rational_root, is_ordered, is_square, level_above
+from hfield.certificates.language import Tree
+from hfield.certificates.over_field import Place
+from hfield.certificates.places import anisotropic
+from hfield.certificates.polynomials import (
+    Names,
+    Poly,
+    add,
+    constant,
+    multiply,
+    power,
+    variables,
+)
+from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
+from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.statement import Setting, read_setting
+
+MAX_DEGREE = 64
+MAX_FACTS = 32
+# The keys of a step that says that a form is 0, so that its terms are.
+FORMS = {
+    "norm": ("terms", "algebra"),
+    "squares": ("terms coefficients", ""),
+    "binary form": ("terms coefficients", ""),
+}
+
+
+class Rules:
+    """The facts of one implication, verified."""
+
+    def __init__(self, expansion: Expansion, setting: Setting, place: Place, facts: object) -> None:
+        self.expansion, self.setting, self.place = expansion, setting, place
+        self.norms: dict[str, Evaluator] = {}  # by the algebra; "" is that of the statement
+        self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
+        self.roots = False
+        self.cites: dict[str, None] = {}
+        entries = a_list(facts, "facts")
+        if len(entries) > MAX_FACTS:
+            reject(f"there are {len(entries)} facts; at most {MAX_FACTS} are read")
+        for fact in entries:
+            form = fact.get("form") if isinstance(fact, dict) else None
+            if setting.field is None or not setting.field.is_field:
+                reject("facts are about a field that is named")
+            if form == "norm":
+                self._norm(fact, setting.field)
+            elif form == "squares" and self.squares is None:
+                self._squares(fact, setting.field)
+            elif form == "roots" and not self.roots:
+                by = an_object(fact, "form by", "a fact")["by"]
+                if by not in ("factors", "squares"):
+                    reject("the fact 'roots' is by 'factors' or by 'squares'")
+                self.roots = True
+            else:
+                reject("a fact is of no known form, or stands there twice")
+
+    def _norm(self, fact: Any, ring: Ring) -> None:
+        """The norm form of an algebra over the field, that of the statement or one that is named."""
+        setting, name = self.setting, ""
+        if "algebra" in fact:
+            name = a_text(fact["algebra"], "an algebra")
+            setting = read_setting(name, ring.name)
+        if name in self.norms:
+            reject("a fact stands there twice")
+        known: dict[Tree, Any] = {
+            tree: ring.constant(tree)
+            for tree in self.expansion.names.trees[self.expansion.unknowns :]
+        }
+        here = Evaluator(RingScalars(ring), setting.constants, known)
+        if here.conditions or setting.letters:
+            reject("the structure constants of a fact are not known")
+        a, t, b = (here.term(tree)[0] for tree in setting.constants)
+        reason = {key: value for key, value in fact.items() if key not in ("form", "algebra")}
+        self.cites |= dict.fromkeys(anisotropic(ring, (a, t, b), reason, setting.algebra))
+        general = self.expansion.evaluator
+        self.norms[name] = Evaluator(general.s, setting.constants, general.values)
+
+    def _squares(self, raw: Any, ring: Ring) -> None:
+        """Σ c·X² is 0 only at 0, for at most ``most`` terms; with any c > 0 if ``positive``, else c = 1."""
+        fact = an_object(raw, "form by most positive", "a fact")
+        positive, most = fact["positive"], fact["most"]
+        if not isinstance(positive, bool):
+            reject("'positive' must be true or false")
+        if most is not None:
+            an_integer(most, "most", 1)
+        if fact["by"] == "ordering":
+            if not is_ordered(ring):
+                reject(f"{ring.name} is not known to have an ordering")
+        elif fact["by"] != "level" or positive or most is None or not level_above(ring, most - 1):
+            reject(f"sums of squares in {ring.name} may be 0")
+        self.squares = most, positive
+
+    def form(self, kind: str, step: Any, terms: list[Poly], names: Names) -> Poly:
+        """Return a form in the terms that is 0 only where all of them are, times a number that is not 0."""
+        if kind == "norm":
+            name = a_text(step.get("algebra", ""), "an algebra")
+            if len(terms) != 4 or name not in self.norms:
+                reject("the norm is that of four terms, in an algebra that a fact is about")
+            evaluator = self.norms[name]
+            lifted = [evaluator.s.polynomial(f) for f in terms]  # type: ignore[attr-defined]
+            return dict(evaluator.norm(Quaternion(lifted))[0])
+        if kind == "squares":
+            return self._sum_of_squares(a_list(step["coefficients"], "coefficients"), terms)
+        coefficients = [
+            names.read(c, "a coefficient") for c in texts(step["coefficients"], "coefficients")
+        ]
+        if len(terms) != 2 or not 3 <= len(coefficients) <= MAX_DEGREE + 1:
+            reject("a binary form has two terms and a degree from 2 to 64")
+        self._need_rootless([self._value(c) for c in coefficients])
+        degree, total = len(coefficients) - 1, constant(0)
+        for k, c in enumerate(coefficients):
+            product = multiply(power(terms[0], k), power(terms[1], degree - k))
+            total = add(total, multiply(c, product))
+        return total
+
+    def _sum_of_squares(self, raw: list[Any], terms: list[Poly]) -> Poly:
+        coefficients = [an_integer(c, "a coefficient", 1) for c in raw]
+        if len(coefficients) != len(terms) or self.squares is None:
+            reject("a sum of squares has a coefficient for each term, and needs a fact")
+        most, positive = self.squares
+        if most is not None and len(terms) > most:
+            reject("a sum has more squares than the fact speaks of")
+        if not positive and any(c != 1 for c in coefficients):
+            reject("a sum of squares has coefficients, which the fact does not allow")
+        total = constant(0)
+        for c, f in zip(coefficients, terms, strict=True):
+            total = add(total, multiply(f, f), c)
+        return total
+
+    def need_no_root(self, f: Poly) -> None:
+        """Reject a polynomial unless it is in one unknown and has no root in the field."""
+        first, last = self.expansion.unknowns, len(self.expansion.names.trees)
+        used = [v for v in variables(f) if not first <= v < last]
+        if len(used) != 1:
+            reject("a polynomial without roots must be in one unknown")
+        parts: dict[int, Poly] = {}
+        for m, c in f.items():
+            rest = tuple(pair for pair in m if pair[0] != used[0])
+            parts.setdefault(dict(m).get(used[0], 0), {})[rest] = c
+        if max(parts) > MAX_DEGREE:
+            reject("the degree of a polynomial without roots is too large")
+        self._need_rootless([self._value(parts.get(k, {})) for k in range(max(parts) + 1)])
+
+    def _value(self, f: Poly) -> Any:
+        """Return the element of the field that a polynomial in its constants is."""
+        found = self.place.coefficients(f, False)
+        if not set(found) <= {()} or self.setting.field is None:
+            reject("a coefficient is no element of the field")
+        return found.get((), self.setting.field.zero)
+
+    def _need_rootless(self, values: list[Any]) -> None:
+        """Reject unless Σ cₖ·xᵏ has the degree that it seems to have, and no root in the field."""
+        ring = self.setting.field
+        if ring is None or not self.roots:
+            reject("a step uses the fact 'roots', which is not there")
+        if ring.is_zero(values[-1]):
+            reject("the leading coefficient is 0")
+        if ring.name == "QQ":
+            below = 1
+            for value in values:
+                below *= value.denominator
+            if has_no_rational_root([int(value * below) for value in values]):
+                return
+        elif len(values) == 3 and ring.characteristic != 2:
+            c, b, a = values
+            four = ring.mul(ring.number(-4), ring.mul(a, c))
+            if not is_square(ring, ring.add(ring.mul(b, b), four)):
+                return
+        reject("a polynomial that should have no root may have one")

@@ -1,0 +1,223 @@
+"""ℤ/n and GF(pⁿ), written out in integers; moduli are proved irreducible by Rabin's test."""
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import Any
+
+from hfield.certificates.language import Tree
+from hfield.certificates.rejection import reject, shown
+from hfield.certificates.scalars.conway import CONWAY
+from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.work import charge
+
+MAX_BITS = 512
+MAX_DEGREE = 64
+# Miller–Rabin with these bases is a proof below the bound (Sorenson and Webster 2015).
+_BASES, PROVED_BELOW = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044064679887385961981
+
+
+def is_prime(n: int) -> bool:
+    """Tell whether n is prime; refuses numbers for which that would be no proof."""
+    if n < 2:
+        return False
+    for p in _BASES:
+        if n % p == 0:
+            return n == p
+    if n >= PROVED_BELOW:
+        reject(f"the number {shown(n)} is too large to be proved prime here")
+    odd, twos = n - 1, 0
+    while odd % 2 == 0:
+        odd, twos = odd // 2, twos + 1
+    for base in _BASES:
+        x = pow(base, odd, n)
+        if x in (1, n - 1):
+            continue
+        for _ in range(twos - 1):
+            x = x * x % n
+            if x == n - 1:
+                break
+        else:
+            return False
+    return True
+
+
+class Residues(Ring):
+    """ℤ/n, which is the field GF(p) for a prime n."""
+
+    def __init__(self, n: int, is_field: bool, name: str) -> None:
+        self.characteristic = self.order = n
+        self.is_field, self.name = is_field, name
+        self.zero, self.one = 0, 1 % n
+
+    def number(self, n: int) -> int:
+        """Return n·1."""
+        return n % self.characteristic
+
+    def add(self, x: int, y: int) -> int:
+        """Return x + y."""
+        return (x + y) % self.characteristic
+
+    def neg(self, x: int) -> int:
+        """Return −x."""
+        return -x % self.characteristic
+
+    def mul(self, x: int, y: int) -> int:
+        """Return x·y."""
+        return x * y % self.characteristic
+
+    def inverse(self, x: int) -> int | None:
+        """Return 1/x, None for what is no unit."""
+        try:
+            return pow(x, -1, self.characteristic)
+        except ValueError:
+            return None
+
+    def elements(self) -> Iterator[int]:
+        """Run through all elements."""
+        return iter(range(self.characteristic))
+
+
+Digits = tuple[int, ...]
+
+
+class Extension(Ring):
+    """GF(pⁿ) as polynomials in x modulo ``modulus`` (n + 1 numbers, low degree first).
+
+    Without a modulus only the elements of GF(p) can be named.
+    """
+
+    is_field = True
+
+    def __init__(self, p: int, n: int, modulus: Sequence[int] | None, name: str) -> None:
+        self.characteristic, self.degree, self.order = p, n, p**n
+        self.name = name
+        self.zero: Digits = (0,) * n
+        self.one: Digits = (1, *(0,) * (n - 1))
+        self.modulus: Digits | None = None
+        if modulus is not None:
+            if len(modulus) != n + 1 or modulus[-1] % p == 0:
+                reject(f"a modulus of {name} must have the degree {n}")
+            lead = pow(modulus[-1], -1, p)
+            self.modulus = tuple(c * lead % p for c in modulus)
+            self._tail = [-c % p for c in self.modulus[:-1]]
+            if not self._irreducible():
+                reject(f"the modulus of {name} is reducible")
+
+    def number(self, n: int) -> Digits:
+        """Return n·1."""
+        return (n % self.characteristic, *self.zero[1:])
+
+    def add(self, x: Digits, y: Digits) -> Digits:
+        """Return x + y."""
+        p = self.characteristic
+        return tuple([(a + b) % p for a, b in zip(x, y, strict=True)])
+
+    def neg(self, x: Digits) -> Digits:
+        """Return −x."""
+        return tuple([-a % self.characteristic for a in x])
+
+    def mul(self, x: Digits, y: Digits) -> Digits:
+        """Return x·y."""
+        n, p = self.degree, self.characteristic
+        if not any(x[1:]):
+            return tuple([x[0] * b % p for b in y])
+        if not any(y[1:]):
+            return tuple([a * y[0] % p for a in x])
+        if self.modulus is None:
+            reject(f"the modulus of {self.name} is not known here; write it in the field's name")
+        charge(n * n)
+        wide = [0] * (2 * n - 1)
+        for m, a in enumerate(x):
+            if a:
+                for k, b in enumerate(y):
+                    wide[m + k] += a * b
+        for m in range(2 * n - 2, n - 1, -1):
+            top = wide[m] % p
+            if top:
+                for k, c in enumerate(self._tail):
+                    wide[m - n + k] += top * c
+        return tuple([c % p for c in wide[:n]])
+
+    def inverse(self, x: Digits) -> Digits | None:
+        """Return 1/x = x^(q−2)."""
+        if x == self.zero:
+            return None
+        if not any(x[1:]):
+            return self.number(pow(x[0], -1, self.characteristic))
+        found: Digits = self.power(x, self.characteristic**self.degree - 2)
+        return found
+
+    def constant(self, tree: Tree) -> Any:
+        """Return the class of x for its name."""
+        if tree != ("name", "x"):
+            return None
+        if self.modulus is None:
+            reject(f"what x is in {self.name} is not known here; write the modulus in its name")
+        return (0, 1, *(0,) * (self.degree - 2))
+
+    def elements(self) -> Iterator[Digits]:
+        """Run through all elements."""
+        return product(range(self.characteristic), repeat=self.degree)
+
+    def _irreducible(self) -> bool:
+        """Rabin: x^(p^n) = x, and x^(p^(n/r)) − x is prime to the modulus for every prime r | n."""
+        n, p = self.degree, self.characteristic
+        x: Digits = (0, 1, *(0,) * (n - 2))
+        powers, y = [x], x
+        for _ in range(n):
+            y = self.power(y, p)
+            powers.append(y)
+        if y != x:
+            return False
+        assert self.modulus is not None
+        for r in (r for r in range(2, n + 1) if n % r == 0 and is_prime(r)):
+            rest = self.add(powers[n // r], self.neg(x))
+            if len(_gcd(list(self.modulus), list(rest), p)) != 1:
+                return False
+        return True
+
+
+def _gcd(f: list[int], g: list[int], p: int) -> list[int]:
+    """Return the greatest common divisor of polynomials over GF(p), low degree first."""
+    while g and g[-1] == 0:
+        g.pop()
+    while g:
+        lead = pow(g[-1], -1, p)
+        while len(f) >= len(g):
+            c, shift = f[-1] * lead % p, len(f) - len(g)
+            for m, d in enumerate(g):
+                f[m + shift] = (f[m + shift] - c * d) % p
+            while f and f[-1] == 0:
+                f.pop()
+        f, g = g, f
+    return f
+
+
+def galois_field(q: int, modulus: Sequence[int] | None, name: str) -> Ring:
+    """Return the field of q elements; q = pⁿ is taken apart by roots."""
+    if q.bit_length() > MAX_BITS:
+        reject(f"GF(q) with q of {q.bit_length()} bits is too large; at most {MAX_BITS}")
+    for n in range(q.bit_length(), 0, -1):
+        p = _root(q, n)
+        if p**n == q and is_prime(p):
+            break
+    else:
+        reject(f"GF({shown(q)}): the number of elements is no power of a prime")
+    if n == 1:
+        if modulus is not None:
+            reject(f"GF({p}) takes no modulus")
+        return Residues(p, True, f"GF({p})")
+    if n > MAX_DEGREE:
+        reject(f"GF({shown(q)}) has the degree {n}; at most {MAX_DEGREE} is taken")
+    if modulus is None and q in CONWAY:
+        modulus = [int(c) for c in CONWAY[q].split()]
+    return Extension(p, n, modulus, name)
+
+
+def _root(q: int, n: int) -> int:
+    """Return the greatest p with pⁿ ≤ q."""
+    low, high = 1, 1 << (q.bit_length() // n + 1)
+    while low < high:
+        middle = (low + high + 1) // 2
+        low, high = (middle, high) if middle**n <= q else (low, middle - 1)
+    return low

@@ -1,0 +1,251 @@
+"""Ledgers as documents: claims in TOML, ``hfield-ledger/1``, those of the thesis and anyone's own."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, NoReturn
+
+from hfield.errors import HFieldError, NotationError, shorten
+from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Proposition
+from hfield.ledger.columns import split_columns
+from hfield.ledger.propositions import Every, Statement
+from hfield.proving.statements.setting import read_setting
+from hfield.rings import ring
+
+SCHEMA = "hfield-ledger/1"
+REQUIRED = ("id", "name", "section", "kind", "statement")
+TEXTS = (*REQUIRED, "printed", "note", "algebra", "holds_words", "corrected_words")
+LISTS = ("holds", "corrected", "spoilt", "given", "fields")
+FLAGS = ("headline",)
+MAX_BYTES = 4_000_000
+
+
+class LedgerError(HFieldError, ValueError):
+    """A ledger that cannot be read; the message names the file, the line or the claim, and the key."""
+
+
+@dataclass(frozen=True)
+class Propositions:
+    """The propositions of a claim that are no statements of the language, so that Python decides them."""
+
+    as_printed: Proposition | None = None
+    spoilt: Proposition | None = None
+    corrected: Proposition | None = None
+
+
+def read_ledger(path: str | Path) -> tuple[Claim, ...]:
+    """Read anyone's ledger from a file, and see that every statement can be read somewhere.
+
+    Raises :class:`LedgerError` for a file that is missing, is no TOML, or holds an unknown key, a
+    value of the wrong kind, an unreadable statement, a field that does not exist, or an id twice.
+    """
+    try:
+        content = Path(path).read_bytes()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise LedgerError(f"cannot read {shorten(str(path))!r}: {reason}") from error
+    if len(content) > MAX_BYTES:
+        raise LedgerError(f"{path} is larger than {MAX_BYTES} bytes")
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise LedgerError(f"{path} is not text in UTF-8 (byte {error.start + 1})") from None
+    return _Document(text, str(path)).claims({}, verify=True)
+
+
+def read_ledgers(paths: Sequence[str | Path]) -> tuple[Claim, ...]:
+    """Read several ledgers as one. Raises :class:`LedgerError`, also for an id that comes twice."""
+    found: dict[str, str | Path] = {}
+    out: list[Claim] = []
+    for path in paths:
+        for claim in read_ledger(path):
+            if claim.id in found:
+                raise LedgerError(
+                    f"{path}, claim {shorten(claim.id)!r}, key 'id': it is in {found[claim.id]} too"
+                )
+            found[claim.id] = path
+            out.append(claim)
+    return tuple(out)
+
+
+def load(
+    package: str, file: str, computed: Mapping[str, Propositions] | None = None
+) -> tuple[Claim, ...]:
+    """Load a ledger that lies in a package; ``computed`` has by id what Python decides there."""
+    text = (files(package) / file).read_text(encoding="utf-8")
+    return _Document(text, file).claims(computed or {}, verify=False)
+
+
+class _Document:
+    """One file: its text, for the numbers of lines, and its tables."""
+
+    def __init__(self, text: str, name: str) -> None:
+        self.text, self.name = text, name
+        try:
+            data = tomllib.loads(text)
+        except (tomllib.TOMLDecodeError, RecursionError) as error:
+            raise LedgerError(f"{name} is no TOML: {error}") from None
+        for key in data:
+            if key not in ("schema", "title", "claims"):
+                self.fail(None, key, "there is no such key; a ledger has [[claims]] tables")
+        if data.get("schema", SCHEMA) != SCHEMA:
+            self.fail(None, "schema", f"expected {SCHEMA!r}, found {data['schema']!r}")
+        self.tables = data.get("claims", [])
+        if not isinstance(self.tables, list) or not self.tables:
+            self.fail(None, "claims", "expected at least one table [[claims]]")
+
+    def claims(self, computed: Mapping[str, Propositions], verify: bool) -> tuple[Claim, ...]:
+        """Return the claims in their order; with ``verify`` each statement is tried in its fields."""
+        found: dict[str, Claim] = {}
+        for number, table in enumerate(self.tables, 1):
+            if not isinstance(table, dict):
+                self.fail(None, "claims", f"entry {number} is no table: write [[claims]]")
+            data = self._table(table, f"number {number}")
+            claim = self._claim(data, computed.get(data["id"], Propositions()))
+            if claim.id in found:
+                self.fail(claim.id, "id", "this id comes twice", last=True)
+            found[claim.id] = claim
+            if verify:
+                self._verify(claim, data)
+        unused = [name for name in computed if name not in found]
+        if unused:
+            self.fail(None, "claims", f"there is no claim {', '.join(unused)}")
+        return tuple(found.values())
+
+    def fail(self, claim: str | None, key: str, why: str, last: bool = False) -> NoReturn:
+        """Raise :class:`LedgerError` about a key of a claim, with the number of its line."""
+        where = "" if claim is None else f", claim {shorten(claim)!r}"
+        line = self._line(claim, key, last)
+        at = "" if line is None else f":{line}"
+        raise LedgerError(f"{self.name}{at}{where}, key {shorten(key)!r}: {why}")
+
+    def _line(self, claim: str | None, key: str, last: bool) -> int | None:
+        lines = self.text.splitlines()
+        start = 0
+        if claim is not None:
+            own = re.compile(rf"\s*id\s*=\s*[\"']{re.escape(claim)}[\"']")
+            at = [n for n, line in enumerate(lines) if own.match(line)]
+            if not at:
+                return None
+            start = at[-1 if last else 0]
+            while start and not lines[start].strip().startswith("[["):
+                start -= 1
+        for n in range(start, len(lines)):
+            if claim is not None and n > start and lines[n].strip().startswith("[["):
+                break
+            if re.match(rf"\s*\[*\[?\s*[\"']?{re.escape(key)}[\"']?\s*(=|\])", lines[n]):
+                return n + 1
+        return start + 1 if claim is not None else None
+
+    def _table(self, table: Mapping[str, Any], number: str) -> dict[str, Any]:
+        """Return one table with its values read: texts on one line, lists as tuples."""
+        raw = table.get("id")
+        name = raw if isinstance(raw, str) and raw.strip() else number
+        out: dict[str, Any] = {}
+        for key, value in table.items():
+            if key in FLAGS:
+                if not isinstance(value, bool):
+                    self.fail(name, key, f"expected true or false, found {shorten(repr(value))}")
+                out[key] = value
+            elif key in TEXTS:
+                out[key] = self._text(name, key, value)
+            elif key in LISTS:
+                items = value if isinstance(value, list) else [value]
+                if not items:
+                    self.fail(name, key, "the list is empty; leave the key out")
+                out[key] = tuple(self._text(name, key, item) for item in items)
+            else:
+                known = ", ".join((*TEXTS, *LISTS, *FLAGS))
+                self.fail(name, key, f"there is no such key; a claim has {known}")
+        for key in REQUIRED:
+            if not out.get(key):
+                self.fail(name, key, "it is missing or empty; every claim has it")
+        return out
+
+    def _text(self, name: str, key: str, value: object) -> str:
+        if not isinstance(value, str):
+            found = shorten(repr(value))
+            self.fail(name, key, f"expected a text in quotes, found {found}")
+        return " ".join(value.split())
+
+    def _claim(self, data: Mapping[str, Any], computed: Propositions) -> Claim:
+        algebra = data.get("algebra")
+        return Claim(
+            data["id"],
+            data["name"],
+            data["kind"],
+            data["statement"],
+            data.get("printed", ""),
+            computed.as_printed or self._proposition(data, "holds"),
+            computed.spoilt or self._proposition(data, "spoilt"),
+            computed.corrected or self._proposition(data, "corrected"),
+            data.get("note", ""),
+            data.get("headline", False),
+            data["section"],
+            self._fields(data, algebra),
+        )
+
+    def _proposition(self, data: Mapping[str, Any], key: str) -> Proposition | None:
+        texts = data.get(key)
+        if texts is None:
+            return None
+        given, algebra = data.get("given", ()), data.get("algebra")
+        parts = [Statement(text, given, algebra=algebra) for text in texts]
+        words = data.get(f"{key}_words", "")
+        if len(parts) > 1:
+            return Every(tuple(parts), words)
+        return Statement(texts[0], given, words, algebra)
+
+    def _fields(self, data: Mapping[str, Any], algebra: str | None) -> tuple[str, ...]:
+        """Return the columns of the claim: those it names, that of its algebra, or the panel."""
+        name = data["id"]
+        own = None
+        if algebra is not None:
+            try:
+                inside = read_setting(None, algebra).field
+            except HFieldError as error:
+                self.fail(name, "algebra", str(error))
+            own = None if inside is None else inside.name
+        if "fields" not in data:
+            return PANEL if own is None else (own,)
+        try:
+            columns = tuple(split_columns(data["fields"]))
+        except HFieldError as error:
+            self.fail(name, "fields", str(error))
+        if NO_FIELD in columns and columns != (NO_FIELD,):
+            self.fail(
+                name, "fields", f"{NO_FIELD!r} is for a claim about no field, and stands alone"
+            )
+        for column in columns:
+            if own not in (None, column):
+                self.fail(
+                    name, "fields", f"the algebra is over {own}, so {column!r} cannot be a column"
+                )
+        return columns
+
+    def _verify(self, claim: Claim, data: Mapping[str, Any]) -> None:
+        """See that each statement can be read in one of the claim's columns at least."""
+        from hfield.proving.statements.language import read_statement
+
+        if claim.as_printed is None and ("corrected" in data or "spoilt" in data):
+            self.fail(
+                claim.id, "holds", "it is missing, though the claim has a corrected or a spoilt"
+            )
+        for key in ("given", "holds", "corrected", "spoilt"):
+            for text in data.get(key, ()):
+                failed: NotationError | None = None
+                for column in claim.fields:
+                    field = None if column in (UNIVERSAL, NO_FIELD) else ring(column)
+                    try:
+                        setting = read_setting(field, data.get("algebra"))
+                        read_statement(text, setting.field, (), setting.letters, setting.constants)
+                        break
+                    except NotationError as error:
+                        failed = failed or error
+                else:
+                    self.fail(claim.id, key, str(failed))

@@ -1,0 +1,48 @@
+"""Which claims and which of their rows are decided."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from hfield.errors import HFieldError, shorten
+from hfield.ledger.claim import NO_FIELD, Claim
+
+
+class SelectionError(HFieldError, ValueError):
+    """Claims, sections or fields that do not exist or do not go together."""
+
+
+def in_section(section: str, ledger: Sequence[Claim]) -> list[Claim]:
+    """Return the claims of a section and of its subsections. Raises :class:`SelectionError`."""
+    wanted = section.strip().rstrip(".")
+    found = [c for c in ledger if f"{c.section}.".startswith(f"{wanted}.")]
+    if wanted and found:
+        return found
+    sections = ", ".join(dict.fromkeys(c.section for c in ledger))
+    raise SelectionError(f"there is no section {shorten(section)!r}; there are {sections}")
+
+
+def rows_to_decide(
+    chosen: Sequence[Claim], fields: Sequence[str], strict: bool = False
+) -> list[tuple[Claim, str]]:
+    """Pair claims with fields; no fields means all columns of each claim.
+
+    A claim about no field has its one row ``-`` and takes no field, another takes no ``-``. With
+    ``strict`` (claims named one by one) a claim about no field is given its row whatever field was
+    asked for, and a claim about fields refuses ``-`` with :class:`SelectionError`.
+    """
+    if not fields:
+        return [(claim, field) for claim in chosen for field in claim.fields]
+    rows = []
+    for claim in chosen:
+        fits = [field for field in fields if (field == NO_FIELD) == claim.fieldless]
+        if strict and not fits and claim.fieldless:
+            fits = [NO_FIELD]
+        if strict and not fits:
+            raise SelectionError(
+                f"{claim.id} is about fields and has no row {NO_FIELD!r}; name a field such as QQ"
+            )
+        rows += [(claim, field) for field in fits]
+    if not rows:
+        raise SelectionError(f"none of the claims chosen has a row for {', '.join(fields)}")
+    return rows

@@ -1,0 +1,1 @@
+"""The search for values at which a statement is false, or true."""

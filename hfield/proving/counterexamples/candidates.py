@@ -1,0 +1,304 @@
+"""Looking for a witness: values of the unknowns that make a statement false (or true).
+
+Small values come first, so that the witness found is one that people can check by hand: first the
+prime field on Python's numbers, then small elements of the field, zero divisors among them.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import islice
+from time import monotonic
+from typing import Any
+
+from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
+from hfield.product import Constants, conjugate, multiply, trace
+from hfield.proving.evaluation.compiled import Truth, World, compile_statement
+from hfield.proving.evaluation.interpretation import (
+    Interpretation,
+    PrimeInterpretation,
+    RingInterpretation,
+    bind,
+)
+from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.statements.language import Sort, Statement
+from hfield.rings.base import Ring
+from hfield.syntax import weight
+
+Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
+MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
+
+
+def holds(world: Interpretation, statement: Statement) -> bool:
+    """Tell whether hypotheses ⇒ conclusion is true under the values that ``world`` is bound to."""
+    if not all(world.truth(h) for h in statement.hypotheses):
+        return True
+    return bool(world.truth(statement.conclusion))
+
+
+class Searcher:
+    """Evaluates a statement at many places; ``wanted`` is the truth value looked for."""
+
+    def __init__(
+        self,
+        statement: Statement,
+        constants: tuple[str, str, str],
+        world: World,
+        deadline: float,
+        wanted: bool = False,
+    ) -> None:
+        self.statement, self.constants, self.world = statement, constants, world
+        self.deadline, self.wanted = deadline, wanted
+        self.fixed: Assignment = {}
+        if isinstance(world, RingInterpretation):
+            self.fixed = {text: constant(world.ring, text) for text in statement.constants}
+        self.compiled: Truth | None = None
+        self.defined = True
+        if not any(c.isalpha() for text in constants for c in text):
+            self.defined = bool(bind(world, constants, self.fixed))
+            self.compiled = compile_statement(statement, world, self.fixed)
+
+    def test(self, assignment: Assignment) -> bool:
+        """Tell whether the algebra exists there and the statement has the wanted truth value."""
+        if self.compiled is not None:
+            return self.defined and self.compiled(assignment) is self.wanted
+        if not bind(self.world, self.constants, {**self.fixed, **assignment}):
+            return False
+        return holds(self.world, self.statement) is self.wanted
+
+    def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
+        """Return the first assignment with the wanted truth value, before the deadline."""
+        for assignment in assignments:
+            if monotonic() > self.deadline:
+                return None
+            if self.test(assignment):
+                return assignment
+        return None
+
+
+def letters_in(statement: Statement, constants: tuple[str, str, str]) -> frozenset[str]:
+    """Return the unknowns that are structure constants: 0 is the last value they are given."""
+    texts = " ".join(constants)
+    return frozenset(name for name in statement.sorts if re.search(rf"\b{name}\b", texts))
+
+
+def by_weight(
+    unknowns: Sequence[tuple[str, Sort]],
+    scalars: Sequence[Any],
+    heaviest: int,
+    letters: frozenset[str] = frozenset(),
+) -> Iterator[Assignment]:
+    """Run through assignments by total weight, where ``scalars[n]`` weighs n and the first is 0.
+
+    The ``letters`` have other weights: first −1, then 1, 2 and the rest, and 0 last.
+    """
+    widths = [1 if sort is Sort.SCALAR else 4 for _, sort in unknowns]
+    names = [name for name, _ in unknowns]
+    own = nonzero_first(scalars)
+    for total in range(heaviest + 1):
+        for vector in vectors(sum(widths), total, len(scalars) - 1):
+            values, start, out = [scalars[n] for n in vector], 0, {}
+            for name, width in zip(names, widths, strict=True):
+                piece = values[start : start + width]
+                if name in letters:
+                    piece = [own[vector[start]]]
+                out[name] = piece[0] if width == 1 else tuple(piece)
+                start += width
+            yield out
+
+
+def nonzero_first(scalars: Sequence[Any]) -> list[Any]:
+    """Put 0, the first, last; and the third, −1, in front."""
+    return [*scalars[2:3], *scalars[1:2], *scalars[3:], *scalars[:1]]
+
+
+def vectors(length: int, total: int, largest: int) -> Iterator[list[int]]:
+    """Run through vectors of nonnegative integers with a given sum, none above ``largest``."""
+    if total == 0:
+        yield [0] * length
+        return
+    for zeros in range(length):  # in front of the first entry that is not 0
+        for first in range(min(total, largest), 0, -1):
+            if total - first > largest * (length - zeros - 1):
+                break
+            for rest in vectors(length - zeros - 1, total - first, largest):
+                yield [*[0] * zeros, first, *rest]
+
+
+def prime_scalars(p: int) -> list[int]:
+    """Return 0 and then small numbers of the prime field, each once."""
+    if not p:
+        return [0, 1, -1, 2, -2, 3]
+    return list(dict.fromkeys(n % p for n in (0, 1, -1, 2, -2, 3)))
+
+
+@lru_cache(maxsize=64)
+def small_scalars(field: Ring) -> tuple[Any, ...]:
+    """Return some elements of the field, 0 and 1 first; all of them if there are at most 64."""
+    if field.order is not None:
+        return tuple(islice(field.elements(), 64))
+    found: dict[Any, Any] = {}
+    candidates: list[Callable[[], Any]] = [
+        lambda: field.zero,
+        lambda: field.one,
+        lambda: field(-1),
+        lambda: field.gen,
+        lambda: field.gen + field.one,
+        lambda: field(2),
+        lambda: field.inverse(field(2)),
+        lambda: field.zero - field.gen,
+    ]
+    for make in candidates:
+        try:
+            x = make()
+        except HFieldError:  # no generator, or 2 has no inverse
+            continue
+        found.setdefault(field.key(x), x)
+    return tuple(found.values())
+
+
+@lru_cache(maxsize=256)
+def zero_divisors(field: Ring, constants: tuple[str, str, str]) -> tuple[Any, ...]:
+    """Return elements of norm 0, if the field is known to have some in this algebra."""
+    from hfield.structure.norm_forms.zero_norms import zero_norm
+
+    c = Constants(*(constant(field, text) for text in constants))
+    try:
+        found = zero_norm(field, c).element
+    except UndecidedError:
+        return ()
+    if found is None:
+        return ()
+    out = [found, conjugate(c, found)]
+    one, zero = field.one, field.zero
+    for unit in ((zero, one, zero, zero), (zero, zero, one, zero)):  # often nilpotent
+        out.append(multiply(c, found, unit))
+    s, t = (trace(c, q) for q in out[-2:])  # of found·i and found·j
+    nilpotent = multiply(c, found, (zero, t, zero - s, zero))
+    if not all(map(field.is_zero, nilpotent)):
+        out.append(nilpotent)
+    try:  # an idempotent: q² = tr(q)·q when N(q) = 0
+        factor = field.inverse(trace(c, found))
+    except NotInvertibleError:
+        return tuple(out)
+    idempotent = tuple(u * factor for u in found)
+    return (
+        *out,
+        idempotent,
+        (idempotent[0] + idempotent[0] - one, *(u + u for u in idempotent[1:])),
+    )
+
+
+def pool(field: Ring, constants: tuple[str, str, str]) -> list[Any]:
+    """Return a few telling quaternions: 0, the basis, zero divisors, small combinations."""
+    zero, one = field.zero, field.one
+    basis = [tuple(one if n == m else zero for n in range(4)) for m in range(4)]
+    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(field, constants)]
+    for x in small_scalars(field)[2:6]:
+        out.extend([(x, zero, zero, zero), (zero, x, zero, zero), (zero, one, x, zero)])
+    return out
+
+
+def from_pool(
+    unknowns: Sequence[tuple[str, Sort]], quaternions: Sequence[Any], scalars: Sequence[Any]
+) -> Iterator[Assignment]:
+    """Run through assignments of the quaternions and scalars given, small positions first."""
+    kinds = [scalars if sort is Sort.SCALAR else quaternions for _, sort in unknowns]
+    names = [name for name, _ in unknowns]
+    largest = max((len(kind) for kind in kinds), default=1) - 1
+    for total in range(largest * len(kinds) + 1):
+        for vector in vectors(len(kinds), total, largest):
+            if all(n < len(kind) for n, kind in zip(vector, kinds, strict=True)):
+                chosen = (kind[n] for n, kind in zip(vector, kinds, strict=True))
+                yield dict(zip(names, chosen, strict=True))
+
+
+def prime_search(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    p: int,
+    limit: int,
+    deadline: float,
+    wanted: bool = False,
+) -> Assignment | None:
+    """Search the prime field of characteristic p; a witness there is one over every extension.
+
+    Fields of one characteristic share the answer, so it is kept unless the time ran out.
+    """
+    if statement.constants:
+        return None
+    key = (statement, constants, p, limit, wanted)
+    if key not in _kept:
+        found = _prime_search(statement, constants, p, limit, deadline, wanted)
+        if found is None and monotonic() > deadline:
+            return None
+        if len(_kept) >= MAX_KEPT:
+            _kept.clear()
+        _kept[key] = found
+    return _kept[key]
+
+
+_kept: dict[Any, Assignment | None] = {}
+MAX_KEPT = 8_192
+
+
+def _prime_search(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    p: int,
+    limit: int,
+    deadline: float,
+    wanted: bool,
+) -> Assignment | None:
+    scalars = prime_scalars(p)
+    if not p and too_heavy(statement, MAX_FAST):
+        scalars = scalars[:3]
+    seeker = Searcher(statement, constants, PrimeInterpretation(p), deadline, wanted)
+    letters = letters_in(statement, constants)
+    places = by_weight(statement.unknowns, scalars, 12, letters)
+    return seeker.first(islice(places, limit))
+
+
+def ring_search(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    field: Ring,
+    limit: int,
+    deadline: float,
+    wanted: bool = False,
+) -> Assignment | None:
+    """Search small elements of the field, and its zero divisors."""
+    if field.order is None and too_heavy(statement, MAX_SLOW if field.gen_name else MAX_FAST):
+        return None
+    seeker = Searcher(statement, constants, RingInterpretation(field), deadline, wanted)
+    scalars = small_scalars(field)
+    letters = letters_in(statement, constants)
+    places = by_weight(statement.unknowns, scalars, 12, letters)
+    if letters:
+        return seeker.first(islice(places, 2 * limit))
+    found = seeker.first(
+        islice(from_pool(statement.unknowns, pool(field, constants), scalars), limit)
+    )
+    return seeker.first(islice(places, limit)) if found is None else found
+
+
+def too_heavy(statement: Statement, limit: int) -> bool:
+    """Tell whether evaluating at elements above 1 could grow without bound."""
+    return _heaviest(statement) > limit
+
+
+@lru_cache(maxsize=4096)
+def _heaviest(statement: Statement) -> int:
+    return max(weight(n) for n in (*statement.hypotheses, statement.conclusion))
+
+
+def witness_texts(field: Ring | None, assignment: Mapping[str, Any]) -> dict[str, list[str]]:
+    """Write an assignment so that the field reads it back; numbers of a prime field as they are."""
+
+    def text(x: Any) -> str:
+        return str(x) if field is None else field.text(x)
+
+    return {
+        name: [text(u) for u in x] if isinstance(x, tuple) else [text(x)]
+        for name, x in assignment.items()
+    }

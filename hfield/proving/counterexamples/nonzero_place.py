@@ -1,0 +1,79 @@
+"""A place where given polynomials are not 0: always found, one variable after the other."""
+
+from collections.abc import Iterator, Sequence
+from itertools import chain, count, islice
+from typing import Any
+
+from hfield.errors import HFieldError
+from hfield.proving.counterexamples.candidates import Assignment, small_scalars
+from hfield.proving.polynomials.expansion import Expanded
+from hfield.proving.polynomials.vanishing import Monomial, coefficients
+from hfield.proving.statements.language import Sort, Statement
+from hfield.rings.base import Ring, power
+
+MAX_VALUES = 1_000
+
+
+def nonzero_place(
+    statement: Statement,
+    x: Expanded,
+    polynomials: Sequence[Any],
+    field: Ring,
+    letters: frozenset[str] = frozenset(),
+) -> Assignment | None:
+    """Return values of the unknowns at which none of the polynomials is 0.
+
+    Over an infinite field there is such a place for polynomials that are not 0; over a finite one
+    for a single polynomial that is not 0 as a function. 0 is the last value for ``letters``.
+    """
+    left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
+    if not all(left):
+        return None
+    values: list[Any] = []
+    for name in x.variables[: x.unknowns]:
+        for value in values_of(field, name in letters):
+            tried = [_substitute(f, value, field) for f in left]
+            if all(tried):
+                left, values = tried, [*values, value]
+                break
+        else:
+            return None
+    out: Assignment = {}
+    rest = iter(values)
+    for name, sort in statement.unknowns:
+        out[name] = next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
+    return out
+
+
+def _substitute(f: dict[Monomial, Any], value: Any, field: Ring) -> dict[Monomial, Any]:
+    """Put a value in for the first variable."""
+    out: dict[Monomial, Any] = {}
+    for monomial, c in f.items():
+        term = c * power(field.one, value, monomial[0]) if monomial[0] else c
+        rest = monomial[1:]
+        out[rest] = out[rest] + term if rest in out else term
+    return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+
+def values_of(field: Ring, nonzero: bool = False) -> Iterator[Any]:
+    """Run through distinct elements of a field, small ones first: all, or a thousand of them.
+
+    With ``nonzero``, 0 comes last.
+    """
+    values = islice(_values(field), MAX_VALUES)
+    return chain(islice(values, 1, None), [field.zero]) if nonzero else values
+
+
+def _values(field: Ring) -> Iterator[Any]:
+    if field.order is not None:
+        yield from field.elements()
+        return
+    yield from small_scalars(field)
+    try:
+        g = field.gen if field.characteristic else field(3)
+    except HFieldError:
+        return
+    x = g * g if field.characteristic else g
+    for _ in count():
+        yield x
+        x = x * g if field.characteristic else x + field.one

@@ -1,0 +1,241 @@
+"""Deciding over a finite ring by trying every case; many at a time with numpy where there are many."""
+
+from functools import lru_cache
+from itertools import product
+from time import monotonic
+from typing import Any
+
+from hfield.errors import TooLargeError, UndecidedError
+from hfield.proving.counterexamples.candidates import Assignment, Searcher
+from hfield.proving.evaluation.compiled import World
+from hfield.proving.evaluation.interpretation import (
+    Interpretation,
+    PrimeInterpretation,
+    RingInterpretation,
+    Value,
+    bind,
+)
+from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.statements.language import Sort, Statement
+from hfield.rings.base import Ring
+
+MAX_CASES = 10**8
+FEW_CASES = 1_500  # below, a loop is faster than loading numpy
+BLOCK = 1 << 18
+MAX_TABLE = 1 << 8  # elements of a ring whose products are tabulated
+MAX_PRIME = 1 << 16  # elements of a prime field whose inverses are
+
+
+def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple[str, int]]:
+    """Return the coordinates that a case distinction runs through; others do not matter.
+
+    ``used`` are the texts of the coordinates that the statement depends on, None if not known.
+    """
+    out = []
+    for name, sort in statement.unknowns:
+        for n in range(1 if sort is Sort.SCALAR else 4):
+            text = name if sort is Sort.SCALAR else f"{name}[{n}]"
+            if used is None or text in used:
+                out.append((name, n))
+    return out
+
+
+def counterexample(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    field: Ring,
+    used: frozenset[str] | None,
+    deadline: float,
+    wanted: bool = False,
+) -> tuple[Assignment | None, int]:
+    """Return the first case in which the statement is false (or ``wanted``), and how many there are.
+
+    Raises :class:`TooLargeError` for more than 10⁸ cases, and :class:`UndecidedError` when the time
+    is over.
+    """
+    assert field.order is not None
+    places = coordinates(statement, used)
+    cases = field.order ** len(places)
+    if cases > MAX_CASES:
+        raise TooLargeError(f"{field.order}^{len(places)} cases are more than 10^8")
+    largest = MAX_PRIME if field.order == field.characteristic else MAX_TABLE
+    if cases <= FEW_CASES or field.order > largest:
+        found = _one_by_one(statement, constants, field, places, deadline, wanted)
+    else:
+        found = _in_blocks(statement, constants, field, places, deadline, wanted)
+    return found, cases
+
+
+def _assignment(
+    statement: Statement, places: list[tuple[str, int]], values: Any, zero: Any
+) -> Assignment:
+    given = dict(zip(places, values, strict=True))
+    return {
+        name: given.get((name, 0), zero)
+        if sort is Sort.SCALAR
+        else tuple(given.get((name, n), zero) for n in range(4))
+        for name, sort in statement.unknowns
+    }
+
+
+def _one_by_one(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    field: Ring,
+    places: list[tuple[str, int]],
+    deadline: float,
+    wanted: bool,
+) -> Assignment | None:
+    prime = field.is_field and field.order == field.characteristic and not statement.constants
+    elements: list[Any] = list(range(field.characteristic)) if prime else list(field.elements())
+    world: World = PrimeInterpretation(field.characteristic) if prime else RingInterpretation(field)
+    seeker = Searcher(statement, constants, world, float("inf"), wanted)
+    for n, values in enumerate(product(elements, repeat=len(places))):
+        if n % 64 == 63 and monotonic() > deadline:
+            raise UndecidedError(f"time was over after {n} cases")
+        assignment = _assignment(statement, places, values, elements[0])
+        if seeker.test(assignment):
+            return {
+                name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
+                for name, x in assignment.items()
+            }
+    return None
+
+
+def _in_blocks(
+    statement: Statement,
+    constants: tuple[str, str, str],
+    field: Ring,
+    places: list[tuple[str, int]],
+    deadline: float,
+    wanted: bool,
+) -> Assignment | None:
+    import numpy as np
+
+    table = _table(field)
+    world = _TableInterpretation(table)
+    fixed = {text: world.element(constant(field, text)) for text in statement.constants}
+    q, cases = len(table.elements), len(table.elements) ** len(places)
+    for start in range(0, cases, BLOCK):
+        if monotonic() > deadline:
+            raise UndecidedError(f"time was over after {start} of {cases} cases")
+        index = np.arange(start, min(start + BLOCK, cases))
+        digits = []
+        for _ in places:
+            index, digit = np.divmod(index, q)
+            digits.append(table.entry(digit.astype(table.kind)))
+        digits.reverse()
+        values = _assignment(statement, places, digits, world.zero)
+        defined = bind(world, constants, {**fixed, **values})
+        truth = world.truth(statement.conclusion)
+        for h in statement.hypotheses:
+            truth = world.either(world.negate(world.truth(h)), truth)
+        hit = (np.asarray(truth) == wanted) & defined
+        hits = np.flatnonzero(np.broadcast_to(hit, digits[0].array.shape))
+        if len(hits):
+            chosen = [table.elements[int(d.array[hits[0]])] for d in digits]
+            return _assignment(statement, places, chosen, field.zero)
+    return None
+
+
+class _Table:
+    """The arithmetic of a finite ring on the indices of its elements."""
+
+    def __init__(self, field: Ring) -> None:
+        import numpy as np
+
+        self.field = field
+        self.elements = list(field.elements())
+        self.prime = field.order == field.characteristic
+        self.kind: Any = np.int64 if self.prime else np.uint16
+        self.index = {field.key(x): n for n, x in enumerate(self.elements)}
+        if self.prime:  # the n-th element is then n·1
+            self.elements = [field(n) for n in range(field.characteristic)]
+            self.index = {field.key(x): n for n, x in enumerate(self.elements)}
+        else:
+            find = self.index
+            key = field.key
+            self.sum = np.array(
+                [[find[key(x + y)] for y in self.elements] for x in self.elements], self.kind
+            )
+            self.product = np.array(
+                [[find[key(x * y)] for y in self.elements] for x in self.elements], self.kind
+            )
+            self.minus = np.array([find[key(field.zero - x)] for x in self.elements], self.kind)
+        units = [field.is_unit(x) for x in self.elements]
+        self.unit = np.array(units)
+        self.inverse = np.array(
+            [
+                self.index[field.key(field.inverse(x))] if unit else 0
+                for x, unit in zip(self.elements, units, strict=True)
+            ],
+            self.kind,
+        )
+
+    def entry(self, array: Any) -> "_Entries":
+        return _Entries(self, array)
+
+
+class _Entries:
+    """An array of indices that adds and multiplies by the table."""
+
+    __slots__ = ("array", "table")
+
+    def __init__(self, table: _Table, array: Any) -> None:
+        self.table, self.array = table, array
+
+    def __add__(self, other: "_Entries") -> "_Entries":
+        t, x, y = self.table, self.array, other.array
+        return _Entries(t, (x + y) % t.field.characteristic if t.prime else t.sum[x, y])
+
+    def __neg__(self) -> "_Entries":
+        t = self.table
+        return _Entries(t, -self.array % t.field.characteristic if t.prime else t.minus[self.array])
+
+    def __sub__(self, other: "_Entries") -> "_Entries":
+        return self + -other
+
+    def __mul__(self, other: "_Entries") -> "_Entries":
+        t, x, y = self.table, self.array, other.array
+        return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
+
+
+class _TableInterpretation(Interpretation):
+    def __init__(self, table: _Table) -> None:
+        self.table = table
+        self.zero, self.one = self.element(table.field.zero), self.element(table.field.one)
+
+    def element(self, x: Any) -> _Entries:
+        import numpy as np
+
+        return self.table.entry(
+            np.array(self.table.index[self.table.field.key(x)], self.table.kind)
+        )
+
+    def number(self, value: Any) -> Value:
+        if isinstance(value, int):
+            return self.element(self.table.field(value)), True
+        x, defined = self.reciprocal(self.element(self.table.field(value.denominator)))
+        return self.element(self.table.field(value.numerator)) * x, defined
+
+    def reciprocal(self, x: _Entries) -> Value:
+        return self.table.entry(self.table.inverse[x.array]), self.table.unit[x.array]
+
+    def equal(self, differences: tuple[Any, ...], defined: Any) -> Any:
+        truth = defined
+        zero = self.zero.array
+        for d in differences:
+            truth = truth & (d.array == zero)
+        return truth
+
+    def unequal(self, differences: tuple[Any, ...], defined: Any) -> Any:
+        truth = False
+        zero = self.zero.array
+        for d in differences:
+            truth = truth | (d.array != zero)
+        return truth & defined
+
+
+@lru_cache(maxsize=16)
+def _table(field: Ring) -> _Table:
+    return _Table(field)

@@ -1,0 +1,1 @@
+"""The methods for statements that something exists."""

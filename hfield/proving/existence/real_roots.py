@@ -1,0 +1,108 @@
+"""Roots that exist in ℝ and ℂ by a theorem, though no term in what is given names them."""
+
+from time import monotonic
+from typing import Any
+
+from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
+from hfield.errors import TooLargeError
+from hfield.proving.decision import FIELD, PROVED, Decision
+from hfield.proving.polynomials.expansion import polynomial_world
+from hfield.proving.polynomials.recognition import polynomial_text
+from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.setting import Setting
+from hfield.syntax import Compare
+
+MAX_DEGREE = 200
+FARTHEST = 2**40
+
+
+def by_roots(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+    """Prove ``exists s: f(s) == g(s)`` over RR and CC where a root exists for every value given."""
+    field, node = setting.field, statement.conclusion
+    if field is None or field.name not in ("RR", "CC") or len(statement.exists) != 1:
+        return None
+    name = statement.exists[0]
+    if statement.sorts[name] is not Sort.SCALAR or statement.divides or monotonic() > deadline:
+        return None
+    if not (isinstance(node, Compare) and node.op == "=="):
+        return None
+    try:
+        world, variables, _ = polynomial_world(statement, setting.constants)
+        sides = [world.embed(world.term(side)[0]) for side in (node.left, node.right)]
+        differences = [u - v for u, v in zip(*sides, strict=True)]
+    except TooLargeError:
+        return None
+    left = [f for f in differences if f != 0]
+    if len(left) != 1 or not 1 <= left[0].degrees()[variables.index(name)] <= MAX_DEGREE:
+        return None
+    f, at = left[0], variables.index(name)
+    shown = f"{polynomial_text(f, variables)} as a polynomial in {name}"
+    by = _complex(f, at) if field.name == "CC" else _real(f, at)
+    if by is None:
+        return None
+    evidence, theorem, why = by
+    return Decision(
+        PROVED,
+        "witness",
+        steps=(f"{shown} {why}", f"so it has a root: {theorem}"),
+        scope=FIELD,
+        assumes=(theorem,),
+        evidence=evidence,
+    )
+
+
+Reason = tuple[dict[str, Any], str, str]  # evidence, theorem, words
+
+
+def _complex(f: Any, at: int) -> Reason | None:
+    lead = _coefficients(f, at)[-1]
+    if not lead.is_constant():
+        return None
+    return {"kind": "complex root"}, COMPLEX_ROOT, "has a number other than 0 in front"
+
+
+def _real(f: Any, at: int) -> Reason | None:
+    c = _coefficients(f, at)
+    degree = len(c) - 1
+    if degree % 2 and c[-1].is_constant():
+        return {"kind": "real root", "by": "odd degree"}, ODD_DEGREE, f"has the odd degree {degree}"
+    if degree == 2 and c[1] == 0 and c[2].is_constant():
+        rest = -c[0] if int(c[2].leading_coefficient()) > 0 else c[0]
+        if all(
+            coefficient > 0 and not any(int(e) % 2 for e in m) for m, coefficient in rest.terms()
+        ):
+            words = "is a multiple of its square minus a sum of squares"
+            return {"kind": "real root", "by": "square"}, REAL_ROOTS, words
+    if all(x.is_constant() for x in c):
+        ends = _sign_change([int(x.leading_coefficient()) if x != 0 else 0 for x in c])
+        if ends is not None:
+            words = f"has values of both signs, at {ends[0]} and {ends[1]}"
+            between = [str(n) for n in ends]
+            evidence = {"kind": "real root", "by": "sign change", "between": between}
+            return evidence, SIGN_CHANGE, words
+    return None
+
+
+def _coefficients(f: Any, at: int) -> list[Any]:
+    """Return the coefficients of f as a polynomial in one of its variables."""
+    parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(int(f.degrees()[at]) + 1)]
+    for exponents, c in f.terms():
+        m = list(map(int, exponents))
+        n, m[at] = m[at], 0
+        parts[n][tuple(m)] = int(c)
+    return [f.context().from_dict(part) for part in parts]
+
+
+def _sign_change(c: list[int]) -> tuple[int, int] | None:
+    """Return two integers at which Σ cₙ·xⁿ has values of different signs, or one of them 0."""
+    places = [0]
+    while places[-1] < FARTHEST:
+        places.append(2 * places[-1] or 1)
+    signs: dict[int, int] = {}
+    for n in sorted({*places, *(-n for n in places), *range(-20, 21)}, key=abs):
+        value = sum(a * n**k for k, a in enumerate(c))
+        for m, sign in signs.items():
+            if sign * value <= 0:
+                return min(m, n), max(m, n)
+        signs = {n: 1 if value > 0 else -1, **signs}
+    return None

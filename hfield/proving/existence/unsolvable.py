@@ -1,0 +1,77 @@
+"""Values of what is given at which linear equations for what is sought have no solution.
+
+Gauss's elimination at one place after the other is quick, so that many can be looked at; what is found is
+proved elsewhere.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from hfield.errors import TooLargeError
+from hfield.proving.counterexamples.candidates import Assignment
+from hfield.proving.existence.linear_systems import Row, System
+from hfield.proving.polynomials.normal_form import branches
+from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.setting import Setting
+from hfield.rings.base import Ring, power
+
+MAX_TERMS = 2_000
+
+
+def unsolvable_at(
+    statement: Statement, setting: Setting, deadline: float
+) -> Callable[[Assignment], bool] | None:
+    """Return what tells that nothing exists at a place, None where the statement is not linear."""
+    field = setting.field
+    if field is None or not field.is_field:
+        return None
+    try:
+        system = System(statement, setting, deadline)
+        found = [system.rows(branch) for branch in branches(system.formula)]
+    except TooLargeError:
+        return None
+    ways = [rows for rows in found if rows is not None]
+    if len(ways) < len(found) or sum(len(f) for w in ways for r in w for f in r) > MAX_TERMS:
+        return None
+    fixed = {text: constant(field, text) for text in statement.constants}
+
+    def none_at(place: Assignment) -> bool:
+        values = dict(fixed)
+        for name, sort in statement.unknowns:
+            x = place.get(name)
+            if x is not None:
+                own = {name: x} if sort is Sort.SCALAR else {f"{name}[{n}]": x[n] for n in range(4)}
+                values.update(own)
+        return not any(_is_solvable(rows, system.variables, values, field) for rows in ways)
+
+    return none_at
+
+
+def _is_solvable(
+    rows: Sequence[Row], variables: Sequence[str], values: Mapping[str, Any], field: Ring
+) -> bool:
+    """Tell whether linear equations have a solution, by elimination."""
+    left = [[_value(f, variables, values, field) for f in row] for row in rows]
+    width = len(left[0]) - 1 if left else 0
+    for column in range(width):
+        pivot = next((row for row in left if not field.is_zero(row[column])), None)
+        if pivot is None:
+            continue
+        left.remove(pivot)
+        factor = field.inverse(pivot[column])
+        left = [
+            [x - row[column] * factor * y for x, y in zip(row, pivot, strict=True)] for row in left
+        ]
+    return all(field.is_zero(row[-1]) for row in left)
+
+
+def _value(f: Any, variables: Sequence[str], values: Mapping[str, Any], field: Ring) -> Any:
+    total = field.zero
+    for exponents, c in f.terms():
+        term = field(int(c))
+        for name, e in zip(variables, exponents, strict=True):
+            if e:
+                term = term * power(field.one, values[name], int(e))
+        total = total + term
+    return total

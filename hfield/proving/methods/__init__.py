@@ -1,0 +1,1 @@
+"""The methods that prove a statement without quantifiers, over one ring and over all fields."""

@@ -1,0 +1,126 @@
+"""Deciding a statement without quantifiers over all fields at once."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from time import monotonic
+
+from hfield.errors import TooLargeError
+from hfield.proving.counterexamples.candidates import prime_search
+from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision
+from hfield.proving.methods import one_ring
+from hfield.proving.methods.answers import implied, scope_of_identity
+from hfield.proving.methods.implications import Proof, prove_clauses
+from hfield.proving.polynomials.expansion import Expanded, expand
+from hfield.proving.polynomials.vanishing import prime_factors
+from hfield.proving.statements.definedness import algebra_exists
+from hfield.proving.statements.language import Statement, generators
+from hfield.proving.statements.setting import Setting
+from hfield.rings import ring
+
+# Where a counterexample is looked for, in this order.
+FIELDS_TRIED = (
+    "QQ",
+    "GF(2)",
+    "GF(3)",
+    "GF(5)",
+    "GF(4)",
+    "GF(7)",
+    "GF(9)",
+    "GF(8)",
+    "QQ(I)",
+    "QQ(sqrt(2))",
+    "GF(2)(t)",
+)
+SHARE = 0.15  # of the time left, for each of them
+FEW = 150
+
+
+def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
+    """Decide over all fields; a counterexample over any of them refutes."""
+    try:
+        x: Expanded | None = expand(statement, setting.constants)
+    except TooLargeError:
+        x = None
+    if x is not None:
+        if not x.clauses:
+            return _identity(statement, x)
+        if all(c.zeros for c in x.clauses) and not _quickly(statement, setting, deadline):
+            proof = _proof(statement, setting, deadline)
+            if proof is not None:
+                return proof
+    found = counterexample(statement, setting, deadline)
+    if found is not None:
+        return found
+    tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", _why(x))
+    return Decision(UNDECIDED, "none", tried=tried)
+
+
+def _why(x: Expanded | None) -> str:
+    return "it is too large to expand" if x is None else "ideal membership of the conclusion"
+
+
+def _identity(statement: Statement, x: Expanded) -> Decision:
+    steps = (
+        f"expand both sides in the {x.unknowns} coordinates of the unknowns",
+        "all coefficients of the difference are 0 in ℤ",
+    )
+    scope = scope_of_identity(statement, x)
+    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence={"kind": "identity"})
+
+
+def _quickly(statement: Statement, setting: Setting, deadline: float) -> bool:
+    """Tell whether a small counterexample shows at once."""
+    return any(
+        prime_search(statement, setting.constants, p, FEW, deadline) is not None for p in (0, 2, 3)
+    )
+
+
+def _proof(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+    """Prove in characteristic 0, and then in each characteristic that was divided by."""
+    general = prove_clauses(statement, setting, 0, monotonic() + (deadline - monotonic()) / 2)
+    if not general.complete:
+        return None
+    parts = [general]
+    primes = prime_factors(abs(general.denominator))
+    if primes is None:
+        return None
+    for p in primes:
+        special = prove_clauses(statement, setting, p, deadline)
+        if not special.complete:
+            return None
+        parts.append(special)
+    whole = Proof(tuple(item for part in parts for item in part.items), 0, True, False)
+    decision = implied(whole, statement, setting)
+    return decision if len(parts) == 1 else replace(decision, scope=FIELDS)
+
+
+def counterexample(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+    """Look for a field over which the statement is refuted; the witness then names it as F."""
+    for there in fields_tried(statement, setting, deadline):
+        left = deadline - monotonic()
+        if left <= 0:
+            return None
+        decision = one_ring.decide(statement, there, monotonic() + max(SHARE * left, 0.1))
+        if decision.verdict == REFUTED:
+            assert there.field is not None
+            return elsewhere(decision, there.field.name)
+    return None
+
+
+def fields_tried(statement: Statement, setting: Setting, deadline: float) -> Iterator[Setting]:
+    """Run through the fields where a counterexample is looked for.
+
+    They have the structure constants, and no generator of theirs is an unknown of the statement.
+    """
+    for name in FIELDS_TRIED:
+        field = ring(name)
+        there = replace(setting, field=field)
+        clash = statement.exists and not generators(field).isdisjoint(statement.sorts)
+        if not clash and algebra_exists(statement, there, deadline):
+            yield there
+
+
+def elsewhere(decision: Decision, name: str) -> Decision:
+    """Return a refutation over one field as one over all fields."""
+    evidence = {**(decision.evidence or {}), "field": name}
+    return replace(decision, witness={**(decision.witness or {}), "F": [name]}, evidence=evidence)

@@ -1,0 +1,134 @@
+"""Decisions put together from what the procedures found."""
+
+from hfield.proving.counterexamples.candidates import Assignment, witness_texts
+from hfield.proving.decision import (
+    COMMUTATIVE_RINGS,
+    FIELD,
+    FIELDS,
+    PROVED,
+    REFUTED,
+    Decision,
+    characteristics,
+)
+from hfield.proving.methods.field_rules import rules
+from hfield.proving.methods.implications import Proof
+from hfield.proving.polynomials.expansion import Expanded
+from hfield.proving.polynomials.vanishing import common_primes
+from hfield.proving.statements.language import Statement
+from hfield.proving.statements.setting import Setting
+from hfield.rings.base import Ring
+from hfield.syntax import Compare, Logic, Node
+
+
+def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
+    """Return where all clauses are polynomial identities, over every commutative ring there is.
+
+    What divides, or compares with ``!=``, is claimed of fields alone: over F₂ × F₂ an element that is
+    not 0 need not divide.
+    """
+    fields_only = statement.divides or statement.compares_unequal
+    if not x.clauses and not x.has_constants:
+        return FIELDS if fields_only else COMMUTATIVE_RINGS
+    primes = () if fields_only else primes_of_identity(x)
+    return characteristics(list(primes)) if primes else None
+
+
+def primes_of_identity(x: Expanded) -> tuple[int, ...]:
+    """Return the characteristics of fields over which all clauses are polynomial identities."""
+    if x.has_constants or not x.clauses:
+        return ()
+    found: set[int] | None = None
+    for c in x.clauses:
+        own = {p for goal in c.goals for p in common_primes(list(goal)) or ()}
+        found = own if found is None else found & own
+    return tuple(sorted(found or ()))
+
+
+def is_conjunction_of_identities(statement: Statement) -> bool:
+    """Tell whether the statement is made of equations without division by "and" alone."""
+    return not (statement.hypotheses or statement.exists or statement.divides) and all(
+        isinstance(n, Compare) and n.op == "==" for n in _conjuncts(statement.conclusion)
+    )
+
+
+def _conjuncts(node: Node) -> list[Node]:
+    if isinstance(node, Logic) and node.op == "and":
+        return [*_conjuncts(node.left), *_conjuncts(node.right)]
+    return [node]
+
+
+def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) -> Decision:
+    """Return the decision "proved" for what holds coefficient by coefficient."""
+    p = field.characteristic
+    holds_in_p = scope in (COMMUTATIVE_RINGS, FIELDS) or (
+        scope is not None and p in _listed_characteristics(scope)
+    )
+    if not holds_in_p:
+        scope = FIELD
+    steps = [f"expand both sides in the {x.unknowns} coordinates of the unknowns"]
+    if scope in (COMMUTATIVE_RINGS, FIELDS):
+        steps.append("all coefficients of the difference are 0 in ℤ")
+    elif holds_in_p:
+        steps.append(f"all coefficients of the difference are divisible by {p}")
+    elif field.order is not None and p not in primes_of_identity(x):
+        steps.append(f"all coefficients of the difference are 0 after reducing x^{field.order} = x")
+    else:
+        steps.append(f"all coefficients of the difference are 0 in {field.name}")
+    return Decision(
+        PROVED, "identity", steps=tuple(steps), scope=scope, evidence={"kind": "identity"}
+    )
+
+
+def _listed_characteristics(scope: str) -> list[int]:
+    """Read the numbers of a scope "characteristics [...]"."""
+    inside = scope.partition("[")[2].rstrip("]")
+    return [int(n) for n in inside.split(",") if n.strip()]
+
+
+def refuted(
+    method: str,
+    field: Ring,
+    found: Assignment,
+    statement: Statement,
+    x: Expanded | None = None,
+) -> Decision:
+    """Return the refutation by the values found.
+
+    A conjunction of identities has a scope even so: the characteristics in which it does hold. Of any
+    other statement that holds over the fields of some characteristics a step says so in words.
+    """
+    witness = witness_texts(field, found)
+    shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
+    steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
+    primes = () if x is None else primes_of_identity(x)
+    scope = None
+    if primes:
+        where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
+        if is_conjunction_of_identities(statement):
+            scope = characteristics(list(primes))
+            steps.append(f"it holds exactly in {where}")
+        else:
+            steps.append(f"over fields of {where} it holds")
+    return Decision(
+        REFUTED,
+        method,
+        witness=witness,
+        steps=tuple(steps),
+        scope=scope,
+        evidence={"kind": "witness", "field": field.name, "values": witness},
+    )
+
+
+def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
+    """Return the decision "proved" by a complete proof."""
+    own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
+    used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
+    facts = [f"over {setting.algebra} {rule}" for rule in used]
+    assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
+    evidence = {
+        "kind": "implication",
+        "facts": [dict(rule.evidence) for rule in used],
+        "items": [dict(item.evidence) for item in proof.items],
+    }
+    scope, steps = proof.scope(statement), (*facts, *proof.steps)
+    return Decision(PROVED, "implication", None, steps, scope, assumes, (), evidence)

@@ -1,0 +1,259 @@
+"""Presentations: what follows from relations between letters in every associative algebra.
+
+With ``identity`` the algebra has an identity and ``e`` is it; without, ``e`` is a letter like the
+others, as Theorem 1 of the thesis prints it, and the statement may fail.
+"""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import lcm
+from time import monotonic
+from typing import Any
+
+from hfield.errors import NotationError
+from hfield.proving.decision import (
+    COMMUTATIVE_RINGS,
+    FIELD,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    characteristics,
+)
+from hfield.proving.methods.algebra_tables import Table, find_table
+from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
+from hfield.proving.polynomials.vanishing import prime_factors
+from hfield.rings import ring
+from hfield.rings.base import Ring
+from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
+
+Words = dict[str, int]
+MAX_WEIGHT = 60
+MAX_TERMS = 2_000
+
+
+def decide_presentation(
+    relations: Sequence[str | Mapping[str, int]],
+    goals: Sequence[str | Mapping[str, int]],
+    identity: bool = True,
+    field: Ring | str | None = None,
+    timeout: float = 30.0,
+) -> Decision:
+    """Decide whether the relations imply all the goals in every associative algebra.
+
+    Relations and goals are equations or polynomials in the letters e, i, j, k, as text such as
+    ``i*j*k == -e`` or as a map from words to coefficients (the empty word is the identity).
+    ``field`` restricts to algebras over fields of its characteristic. Proofs are cofactors,
+    refutations an algebra with basis e, i, j, k given by its multiplication table.
+    """
+    deadline = monotonic() + timeout
+    p = 0 if field is None else ring(field).characteristic
+    read_relations = [_read(r, identity) for r in relations]
+    read_goals = [_read(g, identity) for g in goals]
+    letters = "ijk" if identity else "eijk"
+    target = {
+        "identity": identity,
+        "relations": [_listed(r) for r in read_relations],
+        "goals": [_listed(g) for g in read_goals],
+    }
+    characteristics_tried = [0, 2] if field is None else [p]
+    for q in dict.fromkeys((0, p)):
+        proof = _prove(read_relations, read_goals, letters, q, deadline)
+        if proof is None:
+            continue
+        divided_by = lcm(*(d for _, d in proof))
+        if divided_by == 1 or (field is not None and q == p):
+            return _proved(proof, target, q)
+        if field is None:
+            characteristics_tried += prime_factors(divided_by) or []
+    for q in dict.fromkeys(characteristics_tried):
+        found = find_table(
+            "eijk", "e" if identity else None, read_relations, read_goals, q, deadline
+        )
+        if found is not None:
+            return _refuted(found, target, q, field is None)
+    return Decision(UNDECIDED, "presentation", tried=("rewriting", "tables with entries 0, ±1"))
+
+
+def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: bool = True) -> str:
+    """Write the statement that is decided, as certificates name it."""
+    letters = "i, j, k" if identity else "e, i, j, k"
+    return f"associative({letters}): {' and '.join(relations)} => {' and '.join(goals)}"
+
+
+Proof = list[tuple[Cofactors, int]]  # of each goal, with what was divided by
+_proofs: dict[Any, Proof | None] = {}
+MAX_KEPT = 256
+
+
+def _prove(
+    relations: list[Words], goals: list[Words], letters: str, p: int, deadline: float
+) -> Proof | None:
+    """Prove with a memory, since all fields ask the same; what failed for lack of time is retried."""
+    key = (letters, p, *(tuple(f.items()) for f in (*relations, *goals)), len(goals))
+    if key not in _proofs:
+        proof = _attempt(relations, goals, letters, p, deadline)
+        if proof is None and monotonic() > deadline:
+            return None
+        if len(_proofs) >= MAX_KEPT:
+            _proofs.clear()
+        _proofs[key] = proof
+    return _proofs[key]
+
+
+def _attempt(
+    relations: list[Words], goals: list[Words], letters: str, p: int, deadline: float
+) -> Proof | None:
+    system = Rewriting(relations, p, letters)
+    found = [system.member(g) for g in goals]
+    if any(f is None for f in found):
+        system.run(deadline)
+        found = [system.member(g) for g in goals]
+    out = []
+    for goal, cofactors in zip(goals, found, strict=True):
+        if cofactors is None:
+            return None
+        scale = lcm(*(Fraction(c).denominator for c in cofactors.values()))
+        whole = {place: int(c * scale) for place, c in cofactors.items()}
+        difference = multiply_out(whole, relations)
+        for word, c in goal.items():
+            difference[word] = difference.get(word, 0) - c * scale
+        if any(c % p if p else c for c in difference.values()):
+            return None
+        out.append((whole, scale))
+    return out
+
+
+def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
+    steps = []
+    entries = []
+    for (cofactors, scale), goal in zip(proof, target["goals"], strict=True):
+        terms = " + ".join(
+            f"{'' if c == 1 else f'({c})·'}{left}({_shown(target['relations'][n])}){right}"
+            for (left, n, right), c in cofactors.items()
+        )
+        steps.append(f"{'' if scale == 1 else scale}({_shown(goal)}) = {terms or 0}")
+        entries.append(
+            {
+                "cofactors": [[c, left, n, right] for (left, n, right), c in cofactors.items()],
+                "denominator": scale,
+            }
+        )
+    evidence = {"kind": "presentation", "characteristic": p, **target, "proofs": entries}
+    integral = all(scale == 1 for _, scale in proof)
+    scope = characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
+    return Decision(PROVED, "presentation", None, tuple(steps), scope, evidence=evidence)
+
+
+def _refuted(
+    found: tuple[Table, int, list[int]], target: dict[str, Any], p: int, everywhere: bool
+) -> Decision:
+    table, goal, value = found
+    names = "eijk"
+    products = {
+        names[x] + names[y]: [sign if n == at else 0 for n in range(4)]
+        for (x, y), (sign, at) in sorted(table.items())
+    }
+    shown = ", ".join(
+        f"{place} = {_shown([[c, names[n]] for n, c in enumerate(v) if c])}"
+        for place, v in products.items()
+    )
+    vector = _shown([[c, names[n]] for n, c in enumerate(value) if c])
+    steps = (
+        f"an associative algebra with basis e, i, j, k: {shown}",
+        "all relations hold in it",
+        f"{_shown(target['goals'][goal])} is {vector} there, not 0"
+        + (f", in characteristic {p}" if p else ""),
+    )
+    evidence = {
+        "kind": "algebra",
+        "characteristic": p,
+        **target,
+        "table": products,
+        "goal": goal,
+        "value": value,
+    }
+    witness = {place: [str(c) for c in v] for place, v in products.items()}
+    if everywhere:
+        witness["F"] = [f"GF({p})" if p else "QQ"]
+    return Decision(REFUTED, "algebra", witness, steps, evidence=evidence)
+
+
+def _listed(f: Words) -> list[list[Any]]:
+    return [[c, word] for word, c in f.items()]
+
+
+def _shown(f: list[list[Any]]) -> str:
+    out = ""
+    for c, word in f:
+        body = word or "1" if abs(c) == 1 else f"{abs(c)}{word}"
+        sign = "−" if c < 0 else "+"
+        out += f" {sign} {body}" if out else (f"−{body}" if c < 0 else body)
+    return out or "0"
+
+
+def _read(source: str | Mapping[str, int], identity: bool) -> Words:
+    if not isinstance(source, str):
+        for word in source:
+            if set(word) - set("eijk") or (not word and not identity):
+                raise NotationError(f"{word!r} is no word in the letters {'eijk'[identity:]}")
+        words = {w.replace("e", "") if identity else w: int(c) for w, c in source.items()}
+        return {w: c for w, c in words.items() if c}
+    node = parse(source)
+    if weight(node) > MAX_WEIGHT:
+        raise NotationError(f"{source[:60]!r} is too large for a relation")
+    reader = _Words(source, identity)
+    if isinstance(node, Compare) and node.op == "==":
+        return _sum(reader.read(node.left), reader.read(node.right), -1)
+    return reader.read(node)
+
+
+class _Words:
+    """Reads a term as a polynomial in noncommuting letters."""
+
+    def __init__(self, text: str, identity: bool) -> None:
+        self.text, self.identity = text, identity
+
+    def read(self, node: Node) -> Words:
+        """Return the polynomial."""
+        match node:
+            case Number(value) if isinstance(value, int) and (self.identity or value == 0):
+                return {"": value} if value else {}
+            case Name(name) if name in ("e", "i", "j", "k"):
+                return {"" if name == "e" and self.identity else name: 1}
+            case Negate(x):
+                return _sum({}, self.read(x), -1)
+            case Binary("*", Number(value), x) if isinstance(value, int):
+                return _sum({}, self.read(x), value)
+            case Binary("+" | "-" as op, x, y):
+                return _sum(self.read(x), self.read(y), 1 if op == "+" else -1)
+            case Binary("*", x, y):
+                return self.times(self.read(x), self.read(y), node)
+            case Power(x, n) if n > 0:
+                out = base = self.read(x)
+                for _ in range(n - 1):
+                    out = self.times(out, base, node)
+                return out
+        letters = "i, j, k and the identity e" if self.identity else "e, i, j, k (no identity)"
+        raise NotationError(
+            f"a relation is a polynomial in {letters} with integer coefficients",
+            self.text,
+            node.position,
+        )
+
+    def times(self, f: Words, g: Words, node: Node) -> Words:
+        """Return the product. Raises NotationError when it has too many terms."""
+        if len(f) * len(g) > MAX_TERMS:
+            raise NotationError("the relation has too many terms", self.text, node.position)
+        out: Words = {}
+        for v, c in f.items():
+            for w, d in g.items():
+                out[v + w] = out.get(v + w, 0) + c * d
+        return {w: c for w, c in out.items() if c}
+
+
+def _sum(f: Words, g: Words, factor: int) -> Words:
+    out = dict(f)
+    for word, c in g.items():
+        out[word] = out.get(word, 0) + factor * c
+    return {word: c for word, c in out.items() if c}

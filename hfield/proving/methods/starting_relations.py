@@ -1,0 +1,97 @@
+"""What a proof may start from besides the clause: relations of constants, and telling quaternions."""
+
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from typing import Any
+
+from hfield.product import norm
+from hfield.proving.methods.field_rules import relation
+from hfield.proving.polynomials.expansion import Expanded, polynomial_world
+from hfield.proving.polynomials.vanishing import factored, vanishes
+from hfield.proving.statements.language import BASIS, RESULT, Sort, Statement
+from hfield.proving.statements.trees import walk
+from hfield.rings.base import Ring
+from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
+
+MAX_NONZERO = 6
+MAX_QUATERNIONS = 24
+MAX_QUATERNION_TERMS = 200
+
+
+def relations_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
+    """Return the polynomials that the constants of the field satisfy, as far as they are known."""
+    out = []
+    for n in range(x.unknowns, len(x.variables)):
+        found = relation(field, x.variables[n]) if field is not None else None
+        if found is not None:
+            g = x.context.gens()[n]
+            out.append(sum((c * g**k for k, c in enumerate(found)), x.context.constant(0)))
+    return tuple(out)
+
+
+def nonzero_constants_of(
+    x: Expanded, field: Ring | None, polynomials: Iterable[Any]
+) -> tuple[Any, ...]:
+    """Return what is not 0 among the coefficients of polynomials, as polynomials in constants of the field.
+
+    Only where some constant satisfies no known relation: elsewhere a relation tells the inverses.
+    """
+    if field is None or not x.has_constants:
+        return ()
+    free = [
+        n for n in range(x.unknowns, len(x.variables)) if relation(field, x.variables[n]) is None
+    ]
+    found: dict[str, Any] = {}
+    for f in polynomials if free else ():
+        parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
+        for exponents, c in f.terms():
+            m = tuple(map(int, exponents))
+            unknown, constant = m[: x.unknowns], (0,) * x.unknowns + m[x.unknowns :]
+            parts.setdefault(unknown, {})[constant] = int(c)
+        for part in parts.values():
+            coefficient = x.context.from_dict(part)
+            for g, _ in factored(coefficient)[1]:
+                if any(g.degrees()[n] for n in free) and not vanishes(g, x, field):
+                    found.setdefault(str(g), g)
+    return tuple(sorted(found.values(), key=len)[:MAX_NONZERO])
+
+
+@lru_cache(maxsize=256)
+def quaternions_of(
+    statement: Statement, constants: tuple[str, str, str]
+) -> tuple[tuple[tuple[Any, ...], Any], ...]:
+    """Return the quaternions that occur in the statement and their vectors, each with its norm."""
+    world, _, _ = polynomial_world(statement, constants)
+    found: dict[str, tuple[tuple[Any, ...], Any]] = {}
+    nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
+    for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
+        if isinstance(node, Compare):  # the factors of a product are often compared with 0
+            node = Binary("-", node.left, node.right)
+        if not isinstance(node, Name | Binary | Power | Call) or is_scalar(node, statement.sorts):
+            continue
+        q, _ = world.term(node)
+        if not isinstance(q, tuple) or len(found) >= MAX_QUATERNIONS:
+            continue
+        if sum(map(len, q)) > MAX_QUATERNION_TERMS:
+            continue
+        for part in (q, (world.zero, *q[1:])):
+            numerators = tuple(map(world.numerator, part))
+            lifted = tuple(map(world.lift, numerators))
+            norm_of = world.numerator(norm(world.constants, lifted))
+            if any(not u.is_constant() for u in numerators):
+                found.setdefault(str(numerators), (numerators, norm_of))
+    return tuple(found.values())
+
+
+def is_scalar(term: Node, sorts: Mapping[str, Sort]) -> bool:
+    """Tell whether a term is a scalar; a constant of the field is one."""
+    match term:
+        case Name(name):
+            return sorts.get(name) is not Sort.QUATERNION and name not in BASIS
+        case Call(function, _):
+            return RESULT.get(function) is not Sort.QUATERNION
+        case Negate(x) | Power(x, _):
+            return is_scalar(x, sorts)
+        case Binary(_, x, y):
+            return is_scalar(x, sorts) and is_scalar(y, sorts)
+    return True  # a number or a coordinate

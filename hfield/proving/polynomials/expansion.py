@@ -1,0 +1,236 @@
+"""Statements as clauses about polynomials with integer coefficients.
+
+The coordinates of the unknowns become variables, ``q[0] … q[3]`` for a quaternion, ``s`` for a
+scalar; so do the letters of an algebra ``(a,b|F)`` and the constants of a field, such as its
+generator. A statement that divides is expanded with fractions of polynomials, whose denominators
+are then conditions of their own.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from flint import Ordering, fmpz_mpoly_ctx
+
+from hfield.errors import TooLargeError
+from hfield.proving.evaluation.interpretation import Interpretation, Value, bind
+from hfield.proving.polynomials.normal_form import FALSE, TRUE, Clause, Formula, clauses, literal
+from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.trees import divides_in
+from hfield.syntax import Compare, Node, parse, weight
+
+MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
+MAX_WEIGHT = 20_000
+
+
+@dataclass(frozen=True)
+class Expanded:
+    """A statement as clauses over the variables ``variables`` (their texts) of ``context``.
+
+    The first ``unknowns`` variables are coordinates, letters and scalars; the others are constants
+    of the field.
+    """
+
+    context: Any
+    variables: tuple[str, ...]
+    unknowns: int
+    clauses: tuple[Clause, ...]
+
+    @property
+    def has_constants(self) -> bool:
+        """Whether coefficients contain constants of the field."""
+        return self.unknowns < len(self.variables)
+
+
+def coordinate_names(name: str, sort: Sort) -> list[str]:
+    """Return the texts of an unknown's coordinates."""
+    return [name] if sort is Sort.SCALAR else [f"{name}[{n}]" for n in range(4)]
+
+
+@lru_cache(maxsize=2048)
+def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
+    """Expand a statement in the algebra with the constants whose texts are given.
+
+    Quantifiers are left aside: hypotheses and conclusion become one formula. Raises
+    :class:`TooLargeError` rather than begin what would not end.
+    """
+    if any(weight(node) > MAX_WEIGHT for node in (*statement.hypotheses, statement.conclusion)):
+        raise TooLargeError("the degree or the numbers are too large to expand")
+    world, variables, unknowns = polynomial_world(statement, constants)
+    hypotheses = TRUE
+    for condition in world.conditions:  # where there is no algebra, nothing is said
+        hypotheses = hypotheses & literal((condition,), False)
+    for h in statement.hypotheses:
+        hypotheses = hypotheses & world.truth(h)
+    whole = ~hypotheses | world.truth(statement.conclusion)
+    return Expanded(world.context, variables, unknowns, clauses(whole))
+
+
+def polynomial_world(
+    statement: Statement, constants: tuple[str, str, str]
+) -> tuple["Polynomials", tuple[str, ...], int]:
+    """Return the interpretation by polynomials, its variables, and how many are of unknowns."""
+    names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
+    variables = (*names, *statement.constants)
+    context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(variables))], Ordering.degrevlex)
+    divides = statement.divides or any(map(divides_in, map(parse, constants)))
+    world = (_Fractions if divides else Polynomials)(context)
+    scalars = dict(zip(variables, map(world.lift, context.gens()), strict=True))
+    values: dict[str, Any] = {name: scalars[name] for name in statement.constants}
+    for name, sort in statement.unknowns:
+        coordinates = tuple(scalars[c] for c in coordinate_names(name, sort))
+        values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
+    world.conditions = bind(world, constants, values)
+    return world, variables, len(names)
+
+
+class Budget:
+    """The work that may still be done; every product of polynomials is charged to it beforehand."""
+
+    def __init__(self) -> None:
+        self.left = MAX_WORK
+
+    def spend(self, work: int) -> None:
+        """Charge ``work`` products of terms. Raises TooLargeError when it exceeds what is left."""
+        self.left -= work
+        if self.left < 0:
+            raise TooLargeError("expanding would take too many terms")
+
+
+class Polynomials(Interpretation):
+    """Scalars are integer polynomials, statements are formulas about their zeros.
+
+    The structure constants are defined where none of the ``conditions`` is 0.
+    """
+
+    always: Any = ()
+
+    def __init__(self, context: Any) -> None:
+        self.context, self.budget = context, Budget()
+        self.conditions: tuple[Any, ...] = ()
+        self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
+
+    def lift(self, x: Any) -> Any:
+        """Turn a polynomial into a scalar."""
+        return x
+
+    def numerator(self, x: Any) -> Any:
+        """Return the polynomial whose zeros are those of x, where x is defined."""
+        return x
+
+    def number(self, value: int | Fraction) -> Value:
+        """Return a literal."""
+        return self.lift(self.context.constant(value.numerator)), ()
+
+    def reciprocal(self, x: Any) -> Value:
+        """Never reached: a statement that divides is expanded with fractions."""
+        raise AssertionError("division of polynomials without denominators")
+
+    def binary(self, op: str, x: Any, y: Any) -> Any:
+        """Compute, after charging for it."""
+        if op == "*":
+            self.budget.spend(_size(x) * _size(y))
+        return super().binary(op, x, y)
+
+    def charge(self, x: Any) -> None:
+        """Charge for a norm."""
+        self.budget.spend(_size(x) ** 2)
+
+    def truth(self, node: Node) -> Any:
+        """Evaluate a statement; that a thing is itself needs no expanding."""
+        if isinstance(node, Compare) and node.left == node.right:
+            return TRUE if node.op == "==" else FALSE
+        return super().truth(node)
+
+    def both(self, x: Any, y: Any) -> Any:
+        """Join conditions, which are tuples of polynomials that must not be 0; or formulas."""
+        if isinstance(x, tuple):
+            return x if x == y or not y else x + tuple(p for p in y if p not in x)
+        return x & y
+
+    def negate(self, x: Any) -> Any:
+        """Return the opposite formula."""
+        return ~x
+
+    def equal(self, differences: tuple[Any, ...], defined: Any) -> Formula:
+        """Return the formula "defined, and all numerators are 0"."""
+        return self._comparison(differences, defined, True)
+
+    def unequal(self, differences: tuple[Any, ...], defined: Any) -> Formula:
+        """Return the formula "defined, and some numerator is not 0"."""
+        return self._comparison(differences, defined, False)
+
+    def _comparison(self, differences: tuple[Any, ...], defined: Any, zero: bool) -> Formula:
+        f = literal((self.numerator(d) for d in differences), zero)
+        for condition in defined:
+            f = f & literal((condition,), False)
+        return f
+
+
+class _Fractions(Polynomials):
+    """Scalars are fractions of polynomials."""
+
+    def truth(self, node: Node) -> Any:
+        return Interpretation.truth(self, node)  # a thing that is not defined is not itself
+
+    def lift(self, x: Any) -> Any:
+        return Quotient(x, self.context.constant(1), self.budget)
+
+    def numerator(self, x: Any) -> Any:
+        return x.top
+
+    def number(self, value: int | Fraction) -> Value:
+        top, bottom = (self.context.constant(n) for n in (value.numerator, value.denominator))
+        return Quotient(top, bottom, self.budget), (() if bottom == 1 else (bottom,))
+
+    def reciprocal(self, x: Any) -> Value:
+        if x.top == 0:
+            return self.zero, (x.top,)
+        return Quotient(x.bottom, x.top, self.budget), (() if x.top == 1 else (x.top,))
+
+
+class Quotient:
+    """A fraction of polynomials, never reduced, so that its numerator is a matter of definition.
+
+    u/d + v/d = (u + v)/d, u/d + v/f = (u·f + v·d)/(d·f), and 0 is always 0/1.
+    """
+
+    __slots__ = ("bottom", "budget", "top")
+
+    def __init__(self, top: Any, bottom: Any, budget: Budget) -> None:
+        self.top, self.bottom, self.budget = top, bottom if top != 0 else top**0, budget
+
+    def __len__(self) -> int:
+        return len(self.top) + len(self.bottom)
+
+    def __neg__(self) -> "Quotient":
+        return Quotient(-self.top, self.bottom, self.budget)
+
+    def __add__(self, other: "Quotient") -> "Quotient":
+        return self._sum(other.top, other.bottom)
+
+    def __sub__(self, other: "Quotient") -> "Quotient":
+        return self._sum(-other.top, other.bottom)
+
+    def _sum(self, top: Any, bottom: Any) -> "Quotient":
+        if top == 0:
+            return self
+        if self.top == 0:
+            return Quotient(top, bottom, self.budget)
+        if self.bottom == bottom:
+            return Quotient(self.top + top, bottom, self.budget)
+        self._charge(top, bottom)
+        top = self.top * bottom + top * self.bottom
+        return Quotient(top, self.bottom * bottom, self.budget)
+
+    def __mul__(self, other: "Quotient") -> "Quotient":
+        self._charge(other.top, other.bottom)
+        return Quotient(self.top * other.top, self.bottom * other.bottom, self.budget)
+
+    def _charge(self, top: Any, bottom: Any) -> None:
+        self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))
+
+
+def _size(x: Any) -> int:
+    return sum(map(len, x)) if isinstance(x, tuple) else len(x)

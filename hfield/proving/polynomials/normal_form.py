@@ -1,0 +1,108 @@
+"""Formulas about zeros of polynomials, and their clauses.
+
+A statement over a field becomes "and" and "or" of two kinds of literals: all polynomials of a tuple
+are 0, or some is not. Its clauses then read "if all of these are 0, one of those tuples is 0".
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from hfield.errors import TooLargeError
+
+MAX_CLAUSES = 256
+
+
+@dataclass(frozen=True)
+class Literal:
+    """``polynomials`` are all 0 (``zero``), or they are not all 0; ``key`` is their text."""
+
+    polynomials: tuple[Any, ...] = field(compare=False)
+    zero: bool
+    key: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A literal, or ``and``/``or`` of formulas; no part for "true" (and) and for "false" (or)."""
+
+    op: str
+    parts: tuple["Formula", ...] = ()
+    literal: Literal | None = None
+
+    def __and__(self, other: "Formula") -> "Formula":
+        return Formula("and", (self, other))
+
+    def __or__(self, other: "Formula") -> "Formula":
+        return Formula("or", (self, other))
+
+    def __invert__(self) -> "Formula":
+        if self.literal is not None:
+            return literal(self.literal.polynomials, not self.literal.zero)
+        return Formula("or" if self.op == "and" else "and", tuple(~f for f in self.parts))
+
+
+TRUE, FALSE = Formula("and"), Formula("or")
+
+
+def literal(polynomials: Iterable[Any], zero: bool) -> Formula:
+    """Return the formula "all are 0" or its opposite; trivial ones become true or false."""
+    rest = tuple(p for p in polynomials if p != 0)
+    if not rest:
+        return TRUE if zero else FALSE
+    return Formula("literal", (), Literal(rest, zero, tuple(map(str, rest))))
+
+
+@dataclass(frozen=True)
+class Clause:
+    """If all polynomials of ``zeros`` vanish, then all of one of the tuples ``goals`` do."""
+
+    zeros: tuple[Any, ...]
+    goals: tuple[tuple[Any, ...], ...]
+
+
+def clauses(formula: Formula) -> tuple[Clause, ...]:
+    """Return clauses whose conjunction is the formula. Raises TooLargeError for more than 256."""
+    return tuple(_clause(c) for c in _conjunction(formula) if not _tautology(c))
+
+
+def branches(formula: Formula) -> Iterator[tuple[Literal, ...]]:
+    """Run through conjunctions of literals of which the formula is the disjunction."""
+    for c in _conjunction(~formula):
+        if not _tautology(c):
+            yield tuple(Literal(x.polynomials, not x.zero, x.key) for x in c)
+
+
+def _conjunction(f: Formula) -> list[tuple[Literal, ...]]:
+    if f.literal is not None:
+        return [(f.literal,)]
+    if f.op == "and":
+        out = [c for part in f.parts for c in _conjunction(part)]
+    else:
+        out = [()]
+        for part in f.parts:
+            right = _conjunction(part)
+            _bound(len(out) * len(right))
+            out = [a + tuple(x for x in b if x not in a) for a in out for b in right]
+    _bound(len(out))
+    return list(dict.fromkeys(out))
+
+
+def _bound(count: int) -> None:
+    if count > MAX_CLAUSES:
+        raise TooLargeError(
+            f"the statement has {count} or more clauses, more than the {MAX_CLAUSES} that are tried"
+        )
+
+
+def _tautology(literals: tuple[Literal, ...]) -> bool:
+    zeros = {x.key for x in literals if x.zero}
+    return any(not x.zero and x.key in zeros for x in literals)
+
+
+def _clause(literals: tuple[Literal, ...]) -> Clause:
+    zeros: dict[str, Any] = {}
+    for x in literals:
+        if not x.zero:
+            zeros.update(zip(x.key, x.polynomials, strict=True))
+    return Clause(tuple(zeros.values()), tuple(x.polynomials for x in literals if x.zero))

@@ -1,0 +1,94 @@
+"""What a polynomial looks like: a sum of squares, one without roots in a field, a text."""
+
+from collections.abc import Sequence
+from math import isqrt
+from typing import Any
+
+from flint import fmpq, fmpq_poly
+
+from hfield.errors import UndecidedError
+from hfield.proving.methods.field_rules import Rule
+from hfield.proving.polynomials.vanishing import constant
+from hfield.rings.base import Ring, power
+
+MAX_DEGREE = 16
+
+
+def as_squares(f: Any, rule: Rule) -> list[tuple[int, Any]] | None:
+    """Write f, up to its sign, as Σ c·m² with monomials m to which the rule applies, or None."""
+    terms = [(tuple(map(int, m)), int(c)) for m, c in f.terms()]
+    if not 1 <= len(terms) <= rule.most or any(e % 2 for m, _ in terms for e in m):
+        return None
+    if all(e == 0 for m, _ in terms for e in m):
+        return None
+    sign = 1 if terms[0][1] > 0 else -1
+    if any(c * sign < 0 for _, c in terms):
+        return None
+    context = f.context()
+    out = []
+    for m, c in terms:
+        half = context.from_dict({tuple(e // 2 for e in m): 1})
+        root = isqrt(c * sign)
+        if root * root == c * sign:
+            out.append((1, root * half))
+        elif rule.positive:
+            out.append((c * sign, half))
+        else:
+            return None
+    return out
+
+
+def has_no_root(f: Any, variables: Sequence[str], unknowns: int, field: Ring) -> bool:
+    """Tell whether f is a polynomial in one unknown that certainly has no root in the field.
+
+    Variables from ``unknowns`` on are constants of the field, as far as ``variables`` names them;
+    the rest are unknowns again.
+    """
+    degrees = [int(d) for d in f.degrees()]
+    known = slice(unknowns, len(variables))
+    free = degrees[:unknowns] + degrees[len(variables) :]
+    degree = max(free, default=0)
+    if sum(map(bool, free)) != 1 or not 2 <= degree <= MAX_DEGREE:
+        return False
+    c = [field.zero] * (degree + 1)
+    for exponents, coefficient in f.terms():
+        value = field(int(coefficient))
+        for text, n in zip(variables[known], exponents[known], strict=True):
+            value = value * power(field.one, constant(field, text), n)
+        at = sum(exponents) - sum(exponents[known])
+        c[at] = c[at] + value
+    return without_root(c, field)
+
+
+def without_root(c: Sequence[Any], field: Ring) -> bool:
+    """Tell whether Σ cₙ·xⁿ, of that degree, certainly has no root in the field."""
+    if field.is_zero(c[-1]):
+        return False
+    if field.name == "QQ":
+        f = fmpq_poly([fmpq(*map(int, field.text(x).split("/"))) for x in c])
+        return all(g.degree() > 1 for g, _ in f.factor()[1])
+    if len(c) != 3 or field.characteristic == 2:
+        return False
+    try:
+        return field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2]) is None
+    except UndecidedError:
+        return False
+
+
+def polynomial_text(polynomial: Any, names: Sequence[str]) -> str:
+    """Write a polynomial in the grammar of statements, such as ``p[0]*q[1]**2 - 2``."""
+    terms = []
+    for exponents, coefficient in polynomial.terms():
+        c = int(coefficient)
+        powers = [
+            name if e == 1 else f"{name}**{int(e)}"
+            for name, e in zip(names, exponents, strict=False)
+            if e
+        ]
+        if abs(c) != 1 or not powers:
+            powers.insert(0, str(abs(c)))
+        terms.append(("-" if c < 0 else "+", "*".join(powers)))
+    if not terms:
+        return "0"
+    head = ("-" if terms[0][0] == "-" else "") + terms[0][1]
+    return head + "".join(f" {sign} {body}" for sign, body in terms[1:])

@@ -1,0 +1,102 @@
+"""When an integer polynomial in the unknowns is 0 over a ring: as a polynomial, or as a function."""
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any
+
+from hfield.factorisation import factor
+from hfield.proving.polynomials.expansion import Expanded
+from hfield.rings.base import Ring, power
+
+Monomial = tuple[int, ...]
+
+
+def content(polynomial: Any) -> int:
+    """Return the gcd of the coefficients, 0 for the polynomial 0."""
+    return int(polynomial.content()) if polynomial != 0 else 0
+
+
+def vanishes(polynomial: Any, x: Expanded, field: Ring) -> bool:
+    """Tell whether all coefficients are 0 in the ring, constants of the field put in."""
+    if polynomial == 0:
+        return True
+    p = field.characteristic
+    if p and content(polynomial) % p == 0:
+        return True
+    return x.has_constants and not coefficients(polynomial, x, field)
+
+
+def is_nonzero_constant(polynomial: Any, x: Expanded, field: Ring) -> bool:
+    """Tell whether no unknown occurs and the value, constants of the field put in, is not 0."""
+    if any(polynomial.degrees()[: x.unknowns]):
+        return False
+    return not vanishes(polynomial, x, field)
+
+
+def vanishes_as_function(polynomial: Any, x: Expanded, field: Ring) -> bool:
+    """Tell whether the polynomial is 0 wherever it is evaluated, over a field.
+
+    Over an infinite field only the polynomial 0 is; over GF(q) exponents are first reduced by
+    ``x^q = x``, after which no polynomial but 0 is.
+    """
+    if vanishes(polynomial, x, field):
+        return True
+    if field.order is None or max(polynomial.degrees(), default=0) < field.order:
+        return False
+    return not coefficients(polynomial, x, field, field.order)
+
+
+def coefficients(
+    polynomial: Any, x: Expanded, field: Ring, order: int | None = None
+) -> Mapping[Monomial, Any]:
+    """Return the nonzero coefficients in the ring, by the exponents of the unknowns.
+
+    With ``order`` q the exponents are reduced by ``x^q = x``.
+    """
+    out: dict[Monomial, Any] = defaultdict(lambda: field.zero)
+    for exponents, coefficient in polynomial.terms():
+        monomial = exponents[: x.unknowns]
+        if order is not None:
+            monomial = tuple((n - 1) % (order - 1) + 1 if n else 0 for n in monomial)
+        value = field(int(coefficient))
+        for text, n in zip(x.variables[x.unknowns :], exponents[x.unknowns :], strict=True):
+            if n:
+                value = value * power(field.one, constant(field, text), n)
+        out[monomial] = out[monomial] + value
+    return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+
+@lru_cache(maxsize=1024)
+def constant(field: Ring, text: str) -> Any:
+    """Return the element of the field that ``text`` names."""
+    return field(text)
+
+
+def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple[Any, int]]]:
+    """Return the number and the factors, with their powers, of a polynomial that is not 0.
+
+    Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.
+    """
+    try:
+        number, powers = polynomial.factor_squarefree() if squarefree else polynomial.factor()
+    except OverflowError:
+        n = int(polynomial.content())
+        return n, [(polynomial / n, 1)]
+    return int(number), [(g, int(e)) for g, e in powers]
+
+
+def common_primes(polynomials: list[Any]) -> list[int] | None:
+    """Return the primes that divide all coefficients: the characteristics in which all vanish.
+
+    None stands for "all characteristics" or for a gcd that is hard to factor.
+    """
+    g = math.gcd(*map(content, polynomials))
+    return prime_factors(g) if g else None
+
+
+def prime_factors(n: int) -> list[int] | None:
+    """Return the primes that divide n ≥ 1, or None when that would take long."""
+    found = factor(n)
+    return None if found.rest else list(found.primes)

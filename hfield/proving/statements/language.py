@@ -1,0 +1,295 @@
+"""The statement language: what the names of a parsed statement mean, and of which sort they are.
+
+:mod:`hfield.syntax` turns text into a tree; this module gives every node a sort (quaternion,
+scalar or boolean), finds the unknowns and the constants of the field, and takes the statement
+apart into quantifiers, hypotheses and conclusion. The grammar and the meaning are written down in
+docs/language.md.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import lru_cache
+
+from hfield.errors import CoercionError, HFieldError, NotationError
+from hfield.proving.statements.printing import to_text
+from hfield.proving.statements.trees import tree_depth
+from hfield.rings.base import Ring
+from hfield.syntax import (
+    Binary,
+    Call,
+    Compare,
+    Exists,
+    Index,
+    Logic,
+    Name,
+    Negate,
+    Node,
+    Not,
+    Number,
+    Power,
+    parse,
+)
+
+QUATERNIONS = frozenset("pqruvw")
+SCALARS = frozenset("styxz")
+BASIS = ("e", "i", "j", "k")
+MAX_TREE_DEPTH = 200
+
+
+class Sort(Enum):
+    """What a term stands for; a scalar may stand wherever a quaternion may, as its multiple of e."""
+
+    QUATERNION = "quaternion"
+    SCALAR = "scalar"
+    BOOLEAN = "statement"
+
+
+RESULT = {
+    "conj": Sort.QUATERNION,
+    "inv": Sort.QUATERNION,
+    "vector": Sort.QUATERNION,
+    "comm": Sort.QUATERNION,
+    "norm": Sort.SCALAR,
+    "trace": Sort.SCALAR,
+    "scalar": Sort.SCALAR,
+}
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement that has been read: for all ``unknowns``, if ``hypotheses`` then ``conclusion``.
+
+    ``exists`` names the unknowns that are sought rather than given; they belong to ``conclusion``
+    only. ``constants`` are the terms, by their text, whose value is an element of the field, such
+    as its generator. ``node`` is the whole as a tree, ``divides`` whether ``/``, ``inv``, a decimal
+    fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
+    """
+
+    text: str
+    node: Node
+    unknowns: tuple[tuple[str, Sort], ...]
+    exists: tuple[str, ...]
+    hypotheses: tuple[Node, ...]
+    conclusion: Node
+    constants: tuple[str, ...]
+    divides: bool
+    compares_unequal: bool
+
+    def __str__(self) -> str:
+        return to_text(self.node)
+
+    def __hash__(self) -> int:
+        return hash(self.text)  # trees are long, and memories ask often
+
+    @property
+    def sorts(self) -> dict[str, Sort]:
+        """The unknowns with their sorts, in order of first appearance."""
+        return dict(self.unknowns)
+
+
+@lru_cache(maxsize=4096)
+def read_statement(
+    text: str,
+    field: Ring | None = None,
+    given: tuple[str, ...] = (),
+    letters: tuple[str, ...] = (),
+    constants: tuple[str, ...] = (),
+) -> Statement:
+    """Read ``text``, with the hypotheses ``given`` put in front of it.
+
+    ``field`` lends its generator's name. ``constants`` are the texts of an algebra's structure
+    constants, ``letters`` the names in them that are scalar unknowns. Raises
+    :class:`NotationError` with the position of the fault: of grammar, of a name that means
+    nothing, or of a sort that does not fit.
+    """
+    node = _parse(text)
+    if given:
+        for h in given:
+            _parse(h)  # so that an error shows the hypothesis alone
+        text = " => ".join(f"({part.strip()})" for part in (*given, text))
+        node = _parse(text)
+    return _Analysis(text, field, letters).run(node, constants)
+
+
+@lru_cache(maxsize=4096)
+def _parse(text: str) -> Node:
+    node = parse(text)
+    depth = tree_depth(node)
+    if depth > MAX_TREE_DEPTH:
+        raise NotationError(
+            f"the statement nests {depth} levels deep, more than the {MAX_TREE_DEPTH} that are read; "
+            "write it in parts"
+        )
+    return node
+
+
+@lru_cache(maxsize=256)
+def generators(field: Ring) -> frozenset[str]:
+    """Return the names that mean an element of the field, and win over scalar unknowns."""
+    return frozenset(field.names())
+
+
+@lru_cache(maxsize=4096)
+def is_constant_of(field: Ring, text: str) -> bool:
+    """Tell whether the field reads ``text`` as one of its elements."""
+    try:
+        field(text)
+    except (HFieldError, CoercionError):
+        return False
+    return True
+
+
+class _Analysis:
+    """One pass over the tree that checks sorts and collects what the statement is made of."""
+
+    def __init__(self, text: str, field: Ring | None, letters: tuple[str, ...]) -> None:
+        self.text, self.field = text, field
+        self.letters = frozenset(letters)
+        self.unknowns: dict[str, Sort] = {}
+        self.constants: dict[str, None] = {}
+        self.divides = self.unequal = False
+
+    def run(self, node: Node, constants: tuple[str, ...]) -> Statement:
+        hypotheses: list[Node] = []
+        conclusion = node
+        while isinstance(conclusion, Logic) and conclusion.op == "=>":
+            hypotheses.append(conclusion.left)
+            conclusion = conclusion.right
+        exists: list[str] = []
+        for h in hypotheses:
+            self.need_boolean(h)
+        given = set(self.unknowns)
+        while isinstance(conclusion, Exists):
+            for name in conclusion.names:
+                self.check_bound(name, conclusion, given, exists)
+                exists.append(name)
+            conclusion = conclusion.body
+        self.need_boolean(conclusion)
+        for name in exists:
+            if name not in self.unknowns:
+                self.unknowns[name] = self.unknown_sort(name) or Sort.SCALAR
+        for constant in constants:
+            self.term(_parse(constant))
+        return Statement(
+            text=self.text.strip(),
+            node=node,
+            unknowns=tuple(self.unknowns.items()),
+            exists=tuple(exists),
+            hypotheses=tuple(hypotheses),
+            conclusion=conclusion,
+            constants=tuple(self.constants),
+            divides=self.divides,
+            compares_unequal=self.unequal,
+        )
+
+    def check_bound(self, name: str, node: Node, given: set[str], exists: list[str]) -> None:
+        if self.unknown_sort(name) is None:
+            self.fail(f"'exists' binds an unknown, and {name!r} is none: {_UNKNOWNS}", node)
+        if name in self.letters:
+            self.fail(f"{name!r} is a letter of the algebra, so that it is given", node)
+        if name in given or name in exists:
+            self.fail(f"{name!r} is bound by 'exists' and stands for something already", node)
+
+    def fail(self, message: str, node: Node) -> None:
+        raise NotationError(message, self.text, node.position)
+
+    def unknown_sort(self, name: str) -> Sort | None:
+        if self.field is not None and name in generators(self.field):
+            return None
+        if name in QUATERNIONS:
+            return Sort.QUATERNION
+        return Sort.SCALAR if name in SCALARS or name in self.letters else None
+
+    def need_boolean(self, node: Node) -> None:
+        sort = self.sort(node)
+        if sort is not Sort.BOOLEAN:
+            self.fail(f"expected a statement such as p == q, found a {sort.value}", node)
+
+    def term(self, node: Node) -> Sort:
+        sort = self.sort(node)
+        if sort is Sort.BOOLEAN:
+            self.fail("expected a quaternion or a scalar, found a statement", node)
+        return sort
+
+    def sort(self, node: Node) -> Sort:
+        match node:
+            case Number(value):
+                self.divides |= not isinstance(value, int)
+                return Sort.SCALAR
+            case Name(name):
+                return self.name(name, node)
+            case Negate(x):
+                return self.term(x)
+            case Power(x, exponent):
+                self.divides |= exponent < 0
+                return self.term(x)
+            case Index(x, _):
+                self.term(x)
+                return Sort.SCALAR
+            case Binary(op, x, y):
+                left, right = self.term(x), self.term(y)
+                if op == "/":
+                    self.divides = True
+                    if right is Sort.QUATERNION:
+                        self.fail(
+                            "only a scalar divides: write p*inv(q) or inv(q)*p, which differ", node
+                        )
+                both = left is Sort.SCALAR and right is Sort.SCALAR
+                return Sort.SCALAR if both else Sort.QUATERNION
+            case Call(function, arguments):
+                return self.call(function, arguments, node)
+            case Compare(op, x, y):
+                self.unequal |= op == "!="
+                self.term(x)
+                self.term(y)
+                return Sort.BOOLEAN
+            case Not(x):
+                self.unequal = True
+                self.need_boolean(x)
+                return Sort.BOOLEAN
+            case Logic(_, x, y):
+                self.need_boolean(x)
+                self.need_boolean(y)
+                return Sort.BOOLEAN
+        self.fail("'exists' stands at the front, or after the last '=>' in parentheses", node)
+        raise AssertionError  # fail() does not return
+
+    def name(self, name: str, node: Node) -> Sort:
+        if name in BASIS:
+            return Sort.QUATERNION
+        sort = self.unknown_sort(name)
+        if sort is not None:
+            self.unknowns.setdefault(name, sort)
+            return sort
+        if self.field is not None and (
+            name in generators(self.field) or is_constant_of(self.field, name)
+        ):
+            self.constants.setdefault(name)
+            return Sort.SCALAR
+        mend = "" if self.field is not None else "; name a field to use its generator"
+        self.fail(f"{name!r} means nothing here: {_UNKNOWNS}{mend}", node)
+        raise AssertionError  # fail() does not return
+
+    def call(self, function: str, arguments: tuple[Node, ...], node: Node) -> Sort:
+        if function not in RESULT:
+            text = to_text(node)
+            if self.field is not None and is_constant_of(self.field, text):
+                self.constants.setdefault(text)
+                return Sort.SCALAR
+            where = "" if self.field is None else f", nor does {self.field.name} read {text!r}"
+            self.fail(
+                f"there is no function {function!r}{where}; known are {', '.join(sorted(RESULT))}",
+                node,
+            )
+        wanted = 2 if function == "comm" else 1
+        if len(arguments) != wanted:
+            self.fail(f"{function} takes {wanted} argument{'s'[: wanted - 1]}", node)
+        self.divides |= function == "inv"
+        for x in arguments:
+            self.term(x)
+        return RESULT[function]
+
+
+_UNKNOWNS = (
+    "quaternion unknowns are p q r u v w, scalar unknowns s t x y z, and the basis is e i j k"
+)

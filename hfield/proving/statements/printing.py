@@ -1,0 +1,242 @@
+"""Statements as text (which reads back to the same tree), as unicode and as LaTeX."""
+
+from fractions import Fraction
+
+from hfield.proving.statements.trees import walk
+from hfield.syntax import (
+    Binary,
+    Call,
+    Compare,
+    Exists,
+    Index,
+    Logic,
+    Name,
+    Negate,
+    Node,
+    Not,
+    Number,
+    Power,
+)
+
+# How tightly each kind of node binds; a child that binds less tightly gets parentheses.
+IFF, IMPLIES, OR, AND, NOT, COMPARE, SUM, PRODUCT, UNARY, POWER, POSTFIX = range(11)
+_LOGIC = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_UNICODE = {
+    "<=>": " ⇔ ",
+    "=>": " ⇒ ",
+    "or": " ∨ ",
+    "and": " ∧ ",
+    "==": " = ",
+    "!=": " ≠ ",
+    "+": " + ",
+    "-": " − ",
+    "*": "·",
+    "/": "/",
+}
+_LATEX = {
+    "<=>": r" \Leftrightarrow ",
+    "=>": r" \Rightarrow ",
+    "or": r" \lor ",
+    "and": r" \land ",
+    "==": " = ",
+    "!=": r" \neq ",
+    "+": " + ",
+    "-": " - ",
+    "*": r" \cdot ",
+    "/": "/",
+}
+_UNICODE_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}
+
+
+def to_text(node: Node) -> str:
+    """Write ``node`` in the language itself: ``parse(to_text(node)) == node``."""
+    return _Text(node).write(node)
+
+
+def to_unicode(node: Node) -> str:
+    """Write ``node`` for a terminal, such as ``(p·q)·r = p·(q·r)``."""
+    return _Unicode(node).write(node)
+
+
+def to_latex(node: Node) -> str:
+    r"""Write ``node`` in LaTeX's mathematics, such as ``\overline{p \cdot q}``."""
+    return _Latex(node).write(node)
+
+
+def _precedence(node: Node) -> int:
+    match node:
+        case Logic(op, _, _):
+            return _LOGIC[op]
+        case Exists():
+            return -1
+        case Not():
+            return NOT
+        case Compare():
+            return COMPARE
+        case Binary("+" | "-", _, _):
+            return SUM
+        case Binary():
+            return PRODUCT
+        case Negate():
+            return UNARY
+        case Power():
+            return POWER
+    return POSTFIX
+
+
+def _is_product(node: Node) -> bool:
+    return isinstance(node, Binary) and node.op == "*"
+
+
+class _Text:
+    """The writer; its two sisters override how single things look.
+
+    Where a product is written to the right of another, as in ``p·(q·r)``, all nested products get
+    their parentheses: then it is their order that the statement is about.
+    """
+
+    def __init__(self, node: Node) -> None:
+        self.nested = any(
+            isinstance(n, Binary) and n.op == "*" and _is_product(n.right) for n in walk(node)
+        )
+
+    def write(self, node: Node, floor: int = -1) -> str:
+        text = self.bare(node)
+        return self.group(text) if self.precedence(node) < floor else text
+
+    def precedence(self, node: Node) -> int:
+        return _precedence(node)
+
+    def bare(self, node: Node) -> str:
+        match node:
+            case Number(value):
+                return self.number(value)
+            case Name(name):
+                return self.name(name)
+            case Negate(x):
+                return self.operator("neg").strip() + self.write(x, UNARY)
+            case Power(x, exponent):
+                return self.power(self.write(x, POSTFIX), exponent)
+            case Index(x, index):
+                return self.index(self.write(x, POSTFIX), index)
+            case Call(function, arguments):
+                return self.call(function, arguments)
+            case Not(x):
+                return self.operator("not") + self.write(x, NOT)
+            case Exists(names, x):
+                return self.exists(names, self.write(x))
+            case Binary(op, x, y):
+                return self.binary(op, x, y)
+            case Compare(op, x, y):
+                return self.write(x, SUM) + self.operator(op) + self.write(y, SUM)
+            case Logic(op, x, y):
+                floor = _LOGIC[op]
+                left = floor if op in ("and", "or") else floor + 1
+                right = floor if op == "=>" else floor + 1
+                return self.write(x, left) + self.operator(op) + self.write(y, right)
+        raise AssertionError(node)
+
+    def binary(self, op: str, x: Node, y: Node) -> str:
+        floor = SUM if op in "+-" else PRODUCT
+        # A unary minus on the right would read back, but two signs in a row read badly.
+        right = max(floor + 1, POWER if isinstance(y, Negate) else 0)
+        if self.nested and op == "*" and _is_product(x):
+            floor += 1
+        return self.write(x, floor) + self.operator(op) + self.write(y, right)
+
+    def operator(self, op: str) -> str:
+        if op == "neg":
+            return "-"
+        if op == "not":
+            return "not "
+        return op if op in "*/" else f" {op} "
+
+    def group(self, text: str) -> str:
+        return f"({text})"
+
+    def number(self, value: int | Fraction) -> str:
+        if isinstance(value, int):
+            return str(value)
+        # A fraction comes from a decimal literal, so some power of ten clears its denominator.
+        places = next(n for n in range(10**5) if 10**n % value.denominator == 0)
+        digits = str(value.numerator * (10**places // value.denominator)).rjust(places + 1, "0")
+        return f"{digits[:-places]}.{digits[-places:]}" if places else f"{digits}.0"
+
+    def name(self, name: str) -> str:
+        return name
+
+    def power(self, base: str, exponent: int) -> str:
+        return f"{base}**{exponent}"
+
+    def index(self, base: str, index: int) -> str:
+        return f"{base}[{index}]"
+
+    def call(self, function: str, arguments: tuple[Node, ...]) -> str:
+        return f"{function}({', '.join(self.write(x) for x in arguments)})"
+
+    def exists(self, names: tuple[str, ...], body: str) -> str:
+        return f"exists {', '.join(names)}: {body}"
+
+
+class _Unicode(_Text):
+    def operator(self, op: str) -> str:
+        return {"neg": "−", "not": "¬"}.get(op) or _UNICODE[op]
+
+    def power(self, base: str, exponent: int) -> str:
+        return base + str(exponent).translate(_SUPERSCRIPTS)
+
+    def index(self, base: str, index: int) -> str:
+        return base + "₀₁₂₃"[index]
+
+    def call(self, function: str, arguments: tuple[Node, ...]) -> str:
+        x = arguments[0]
+        if function == "conj" and isinstance(x, Name):
+            return self.name(x.name) + "\u0304"
+        if function == "inv":
+            return self.write(x, POSTFIX) + "⁻¹"
+        inside = ", ".join(self.write(x) for x in arguments)
+        if function == "comm":
+            return f"[{inside}]"
+        return f"{_UNICODE_FUNCTIONS.get(function, function)}({inside})"
+
+    def exists(self, names: tuple[str, ...], body: str) -> str:
+        return f"∃ {', '.join(names)}: {body}"
+
+
+class _Latex(_Text):
+    def operator(self, op: str) -> str:
+        return {"neg": "-", "not": r"\lnot "}.get(op) or _LATEX[op]
+
+    def group(self, text: str) -> str:
+        return rf"\left({text}\right)"
+
+    def binary(self, op: str, x: Node, y: Node) -> str:
+        if op == "/":
+            return rf"\frac{{{self.write(x)}}}{{{self.write(y)}}}"
+        return super().binary(op, x, y)
+
+    def name(self, name: str) -> str:
+        return name if len(name) == 1 else rf"\mathrm{{{name}}}"
+
+    def power(self, base: str, exponent: int) -> str:
+        return f"{{{base}}}^{{{exponent}}}"
+
+    def index(self, base: str, index: int) -> str:
+        return f"{{{base}}}_{{{index}}}"
+
+    def call(self, function: str, arguments: tuple[Node, ...]) -> str:
+        if function == "conj":
+            return rf"\overline{{{self.write(arguments[0])}}}"
+        if function == "inv":
+            return f"{{{self.write(arguments[0], POSTFIX)}}}^{{-1}}"
+        inside = ", ".join(self.write(x) for x in arguments)
+        if function == "comm":
+            return rf"\left[{inside}\right]"
+        if function == "sqrt":
+            return rf"\sqrt{{{inside}}}"
+        name = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}.get(function, function)
+        return rf"\operatorname{{{name}}}\left({inside}\right)"
+
+    def exists(self, names: tuple[str, ...], body: str) -> str:
+        return rf"\exists\, {', '.join(names)}\colon {body}"

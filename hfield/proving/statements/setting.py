@@ -1,0 +1,139 @@
+"""Where a statement is decided: a field (or all of them) and the structure constants of the algebra."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertibleError
+from hfield.notation import split_algebra
+from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.statements.language import BASIS, QUATERNIONS, generators
+from hfield.proving.statements.printing import to_text
+from hfield.proving.statements.trees import divides_in, substitute, walk
+from hfield.rings import ring
+from hfield.rings.base import Ring
+from hfield.syntax import Call, Name, Node, parse, weight
+
+HAMILTON = ("-1", "0", "-1")
+UNNAMED = "F"
+MAX_CONSTANT_WEIGHT = 2_000
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A field, or None for all fields at once, and the texts of ``(a, t, b)``.
+
+    ``letters`` are the names in the constants that are no generators of the field: they are scalar
+    unknowns. ``names`` are the names and roots in the constants that the field reads.
+    """
+
+    field: Ring | None
+    constants: tuple[str, str, str]
+    letters: tuple[str, ...]
+
+    @property
+    def algebra(self) -> str:
+        """The algebra as text, such as ``(-1,-1|QQ)``, with F for a field that is not named."""
+        a, t, b = self.constants
+        field = UNNAMED if self.field is None else self.field.name
+        if t == "0":
+            return f"({a},{b}|{field})"
+        return f"[{a},{b}|{field})" if t == "1" else f"[{a},{b},{t}|{field})"
+
+    @property
+    def is_hamilton(self) -> bool:
+        """Whether the algebra is H(F)."""
+        return self.constants == HAMILTON
+
+
+def read_setting(field: Ring | str | None = None, algebra: str | None = None) -> Setting:
+    """Read the field and the algebra, each given by its text.
+
+    ``algebra`` may name the field itself, as in ``(-1,-3|QQ)``, or leave it open with the letter F,
+    as in ``(a,b|F)``; None stands for H. Raises :class:`NotationError` when the two disagree.
+    """
+    named = None if field is None else ring(field)
+    if algebra is None:
+        return Setting(named, HAMILTON, ())
+    return _read(named, algebra)
+
+
+def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
+    """Return the setting with terms in the place of the letters of its algebra."""
+    if not setting.letters:
+        return setting
+    own = {name: node for name, node in values.items() if name in setting.letters}
+    a, t, b = (to_text(substitute(parse(text), own)) for text in setting.constants)
+    left = tuple(name for name in setting.letters if name not in own)
+    return Setting(setting.field, (a, t, b), left)
+
+
+@lru_cache(maxsize=1024)
+def divides(setting: Setting) -> bool:
+    """Tell whether the structure constants divide by something, so that they may be undefined."""
+    return any(divides_in(parse(text)) for text in setting.constants)
+
+
+@lru_cache(maxsize=256)
+def _read(field: Ring | None, algebra: str) -> Setting:
+    a, t, b, inside = split_algebra(algebra)
+    if inside != UNNAMED:
+        own = ring(inside)
+        if field is not None and field != own:
+            raise NotationError(
+                f"the algebra {algebra} is over {own.name}, the field is {field.name}"
+            )
+        field = own
+    letters: dict[str, None] = {}
+    texts = []
+    for text in (a, t, b):
+        letters.update(dict.fromkeys(_letters(text, field)))
+        texts.append(_plain(text, field))
+    return Setting(field, (texts[0], texts[1], texts[2]), tuple(letters))
+
+
+def _plain(text: str, field: Ring | None) -> str:
+    """Return the text of a constant without blanks, in the field's own spelling where it reads it."""
+    if field is not None and not _letters(text, field):
+        try:
+            value = field(text)
+        except (CoercionError, NotInvertibleError) as error:
+            if _is_undefined(text, field):
+                return "".join(
+                    text.split()
+                )  # there is no such algebra: that is for the verdict to say
+            raise NotationError(f"the structure constant {text!r}: {error}") from error
+        return (
+            "-1"
+            if field.equal(value, field(-1)) and field.characteristic != 2
+            else field.text(value)
+        )
+    return "".join(text.split())
+
+
+def _is_undefined(text: str, field: Ring) -> bool:
+    """Tell whether a constant divides by what is no unit of the field."""
+    node = parse(text)
+    world = RingInterpretation(field)
+    leaves = (n for n in walk(node) if isinstance(n, Name | Call))
+    try:
+        world.values = {to_text(n): field(to_text(n)) for n in leaves}
+        return not world.term(node)[1]
+    except HFieldError:
+        return False
+
+
+def _letters(text: str, field: Ring | None) -> list[str]:
+    node = parse(text)
+    if weight(node) > MAX_CONSTANT_WEIGHT:
+        raise NotationError(f"the structure constant {text[:60]!r} is too large")
+    known = generators(field) if field is not None else frozenset()
+    names = [n.name for n in walk(node) if isinstance(n, Name) and n.name not in known]
+    for name in names:
+        if name in QUATERNIONS or name in BASIS or not re.fullmatch("[a-z]", name):
+            raise NotationError(
+                f"the structure constant {text!r} may use scalars only: {name!r} is none; "
+                "write letters such as a, b, s, t"
+            )
+    return names

@@ -1,0 +1,1 @@
+"""k(t): Hilbert symbols, residue fields, conics, common slots, what is inseparable."""

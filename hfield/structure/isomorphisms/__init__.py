@@ -1,0 +1,1 @@
+"""When two algebras are isomorphic, with the map; splittings."""

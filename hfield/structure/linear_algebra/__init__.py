@@ -1,0 +1,1 @@
+"""What linear algebra over the base ring decides: the centre, the radical, kernels."""

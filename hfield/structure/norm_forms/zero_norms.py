@@ -1,0 +1,189 @@
+"""Is there a nonzero element of norm 0? The one question behind division, splitting and zero divisors.
+
+Every answer is evidence: an element that was multiplied out, or a proof with its reason. The
+procedures are tried from the cheap to the deep, and the first that applies decides.
+"""
+
+import itertools
+from collections.abc import Callable, Iterator
+
+from hfield.errors import UndecidedError
+from hfield.product import Constants, Coordinates, norm
+from hfield.rings.base import INFINITY, Ring
+from hfield.rings.functions import FunctionField
+from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.norm_forms import zeros_infinite_fields, zeros_over_rings
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
+from hfield.structure.norm_forms.zeros_finite_fields import zero_norm_finite
+from hfield.structure.ramification import ramification
+
+Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
+
+
+def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
+    """Return a nonzero element of norm 0, or the proof that there is none.
+
+    Raises :class:`UndecidedError`, saying what was tried, where no procedure applies, and over
+    inexact rings, where nothing is ever proved.
+    """
+    if not ring.is_exact:
+        raise UndecidedError(
+            f"{ring.name} is inexact, so a norm is never known to be 0: ask over RR or over QQ"
+        )
+    element = _small(ring, c)
+    if element is not None:
+        return found(
+            ring, c, element, "search", "found among the elements with coordinates 0, 1, −1"
+        )
+    if not ring.is_field:
+        return zeros_over_rings.zero_norm_integral(ring, c, zero_norm)
+    if ring.is_zero(discriminant(c)):
+        return _degenerate(ring, c)
+    if ring.order is not None:
+        reason = "over a finite field the norm form of every quaternion algebra is isotropic"
+        return found(ring, c, _scaled(ring, zero_norm_finite(ring, c)), "finite field", reason)
+    form = normal_form(ring, c)
+    tried = ["elements with coordinates 0, 1, −1"]
+    for name, procedure in _PROCEDURES:
+        answer = procedure(ring, c, form)
+        if answer is not None:
+            return answer
+        tried.append(name)
+    raise UndecidedError(
+        f"whether the norm form over {ring.name} has a nontrivial zero is not decided; tried: "
+        + "; ".join(tried)
+    )
+
+
+def is_division(ring: Ring, c: Constants) -> bool:
+    """Tell whether the algebra is a division algebra, that is, whether every nonzero q has an inverse.
+
+    Over a ring that is not a field none is, for a scalar without inverse has none in the algebra
+    either. Raises :class:`UndecidedError` as :func:`zero_norm` does.
+    """
+    if not ring.is_exact:
+        raise UndecidedError(
+            f"{ring.name} is inexact, so division is not decided there: ask over RR"
+        )
+    if not ring.is_field:
+        return False
+    if ring.order is None and not ring.is_zero(discriminant(c)):
+        try:
+            places = ramification(ring, normal_form(ring, c))
+        except UndecidedError:  # a factorisation out of reach: there may be a cheaper reason
+            places = None
+        hidden = isinstance(ring, FunctionField) and ring.base.order is None  # constant algebras
+        if places or (places is not None and not hidden):
+            return bool(places)
+    return not zero_norm(ring, c)
+
+
+def _small(ring: Ring, c: Constants) -> Coordinates | None:
+    """Return an element of norm 0 with few coordinates, all 0 or ±1, or None; the first is 1."""
+    if ring.name in ("RR", "CC"):  # there zero tests are slow and square roots decide at once
+        return None
+    for q in _candidates(ring):
+        if ring.is_zero(norm(c, q)):
+            return q
+    return None
+
+
+def _candidates(ring: Ring) -> Iterator[Coordinates]:
+    units = (ring.one,) if ring.characteristic == 2 else (ring.one, ring.zero - ring.one)
+    for size in range(1, 5):
+        for support in itertools.combinations(range(4), size):
+            for signs in itertools.product(units, repeat=size - 1):
+                q = [ring.zero] * 4
+                for index, value in zip(support, (ring.one, *signs), strict=True):
+                    q[index] = value
+                w, x, y, z = q
+                yield w, x, y, z
+
+
+def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
+    """Scale an element over a field so that its first nonzero coordinate is 1."""
+    scale = ring.inverse(next(u for u in q if not ring.is_zero(u)))
+    w, x, y, z = (scale * u for u in q)
+    return w, x, y, z
+
+
+def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
+    """Answer for an algebra whose norm form is degenerate: (t² + 4a)·b = 0, over a field."""
+    _, t, b = c
+    zero, one = ring.zero, ring.one
+    if ring.is_zero(b):
+        return found(ring, c, (zero, zero, one, zero), "degenerate", "b = 0, so N(j) = −b = 0")
+    if ring.characteristic != 2:
+        q = (zero - t, ring(2), zero, zero)
+        return found(ring, c, q, "degenerate", "t² + 4a = 0, so N(2i − t) = 0")
+    # N = w² + a·x² + b·y² + ab·z²: additive, and 0 somewhere iff 1, a, b, ab depend over F²
+    return zeros_infinite_fields.inseparable(ring, c)
+
+
+def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
+    """Use a square root of i², j² or k² of the normal form: r² = i² makes r + i a zero divisor."""
+    if form.kind != "symbol":
+        return None
+    zero, one = ring.zero, ring.one
+    a, b = form.constants
+    for square, unit, name in (
+        (a, (one, zero, zero), "a"),
+        (b, (zero, one, zero), "b"),
+        (zero - a * b, (zero, zero, one), "−ab"),
+    ):
+        try:
+            root = ring.sqrt(square)
+        except UndecidedError:
+            continue
+        if root is not None:
+            reason = f"{name} = {ring.text(square)} is a square in {ring.name}"
+            return found(ring, c, form.back((root, *unit)), "square root", reason)
+    return None
+
+
+def _ordering(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
+    """Look for an ordering in which a and b are negative: there N is positive definite."""
+    if form.kind != "symbol" or ring.characteristic:
+        return None
+    count = ring.orderings.value
+    if count == 0:
+        return None
+    indices = range(int(count)) if count not in (None, INFINITY) and count < 64 else range(1)
+    for index in indices:
+        try:
+            if all(ring.sign(x, index) < 0 for x in form.constants):
+                shown = " and ".join(ring.text(x) for x in form.constants)
+                reason = (
+                    f"{shown} are negative in an ordering of {ring.name}, in which the norm is therefore "
+                    "positive for every element but 0"
+                )
+                return none("ordering", reason)
+        except UndecidedError:
+            return None
+    return None
+
+
+def _hamilton(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
+    """Decide H(F) by the level: −1 = u² + v² or not."""
+    if form.kind != "symbol" or not all(ring.is_zero(x + ring.one) for x in form.constants):
+        return None
+    level = ring.level
+    if level.value is None:
+        return None
+    if level.value > 2:
+        reason = f"−1 is not a sum of two squares: the level of {ring.name} is {level}"
+        return none("level", reason)
+    squares = (*ring.minus_one_as_squares(), ring.zero, ring.zero)
+    if len(squares) < 3:
+        return None
+    u, v = squares[:2]
+    reason = f"−1 = ({ring.text(u)})² + ({ring.text(v)})²"
+    return found(ring, c, form.back((ring.one, u, v, ring.zero)), "squares", reason)
+
+
+_PROCEDURES: list[tuple[str, Procedure]] = [
+    ("square roots of a, b and −ab", _squares),
+    ("orderings", _ordering),
+    ("the level of the field", _hamilton),
+    *zeros_infinite_fields.PROCEDURES,
+]

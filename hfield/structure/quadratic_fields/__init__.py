@@ -1,0 +1,1 @@
+"""ℚ(√d): Hilbert symbols, prime ideals, conics, common slots."""

@@ -1,0 +1,180 @@
+"""Points on conics ``a·x² + b·y² = z²`` over quadratic fields, however large a and b.
+
+The form ``z² − a·x² − b·y²`` is put on a lattice where it is good at every prime ideal. The volume of
+this lattice for the majorant |z|² + |a||x|² + |b||y|², summed over the infinite places, depends on the scale
+of the form and the discriminant of the field alone; so after reduction (LLL) nothing is left of the size
+of a and b, and a zero is among small combinations. How small depends on the majorant, which is
+therefore changed by automorphisms of the form over ℝ or ℂ, picked with a seed, until a zero turns up: a
+walk on a Hilbert modular surface, or a Bianchi threefold, whose cusps are the zeros.
+
+Compare Cremona and Rusin, "Efficient solution of rational conics", Math. Comp. 72 (2003).
+"""
+
+import cmath
+import itertools
+import math
+import operator
+import random
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import flint
+
+from hfield.errors import UndecidedError
+from hfield.rings.quadratic import QuadraticField
+from hfield.structure.minimise import Vector
+from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
+from hfield.structure.quadratic_fields.prime_ideals import coordinates
+from hfield.structure.rationals.whole_numbers import fraction
+
+TRIALS = 10_000
+_PAIRS = list(itertools.combinations_with_replacement(range(6), 2))
+_AXES = ((0, 1), (0, 2), (1, 2))
+_MONOMIALS = [  # vectors of coefficients, one of v and −v, with their products in pairs
+    (v, [v[i] * v[j] for i, j in _PAIRS])
+    for v in itertools.product((0, 1, -1), repeat=6)
+    if next((x for x in v if x), 0) == 1
+]
+Integers = list[list[int]]
+
+
+def solve_conic_quadratic(
+    field: QuadraticField, a: Any, b: Any, known: Iterable[int] = ()
+) -> tuple[Any, Any, Any]:
+    """Return ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``, for nonzero a and b in ℚ(√d).
+
+    The conic must have a point, that is, ``(a, b | ℚ(√d))`` must ramify nowhere. ``known`` may name
+    primes of the norms of a and b. Raises :class:`UndecidedError` where a norm is too hard to factor,
+    or where no point was met on the walk, which takes a discriminant of ten digits or so.
+    """
+    r, s = (math.lcm(*(u.denominator for u in coordinates(field, x))) for x in (a, b))
+    a, b = a * (r * r), b * (s * s)
+    form = [field.one, -a, -b]
+    walk = Walk(field, form, good_lattice(field, form, bad_primes(field, (a, b), known)))
+    rng = random.Random(1)
+    steps = [[int(i == j) for j in range(6)] for i in range(6)]
+    for _ in range(TRIALS):
+        for z, x, y in walk.zeros(steps):
+            return x * r, y * s, z
+        steps = walk.moved(rng)
+    raise UndecidedError(
+        f"a conic over {field.name} has points, but none was found on {TRIALS} reduced bases"
+    )
+
+
+class Walk:
+    """A lattice in F³ with a diagonal form, and as many reduced bases of it as one likes.
+
+    At a real place the coordinates, times the square roots of the coefficients, are three numbers
+    that are real or imaginary, at a complex place three complex ones. The form is the sum of their
+    squares, the majorant that of the squares of their absolute values.
+    """
+
+    def __init__(self, field: QuadraticField, form: Vector, basis: list[Vector]) -> None:
+        self.real = field.d > 0
+        rows, steps = _lll(_embedded(field, form, basis))
+        self.basis = [_combine(row, basis) for row in steps]
+        largest = max(abs(t) for row in rows for t in row)
+        numbers = [[t / largest for t in row] for row in rows]
+        if self.real:
+            self.unit = [1 if field.sign(f, n) > 0 else 1j for n in (0, 1) for f in form]
+            self.points = [[t * u for t, u in zip(row, self.unit, strict=True)] for row in numbers]
+        else:
+            self.points = [
+                [complex(s, t) for s, t in zip(row[::2], row[1::2], strict=True)] for row in numbers
+            ]
+        self.grams = _grams(field, form, self.basis)
+
+    def zeros(self, steps: Integers) -> Iterator[Vector]:
+        """Run through the zeros of the form with coefficients 0, ±1 on the basis that the steps make."""
+        change = flint.fmpz_mat(6, 6, [n for row in steps for n in row])
+        first, second = (
+            [int(g[i, j]) * (1 + (i != j)) for i, j in _PAIRS]
+            for g in (change * gram * change.transpose() for gram in self.grams)
+        )
+        for v, monomials in _MONOMIALS:
+            if not (
+                sum(map(operator.mul, first, monomials))
+                or sum(map(operator.mul, second, monomials))
+            ):
+                row = [sum(map(operator.mul, v, column)) for column in zip(*steps, strict=True)]
+                yield _combine(row, self.basis)
+
+    def moved(self, rng: random.Random) -> Integers:
+        """Return the steps to a basis that is reduced for another majorant, at random.
+
+        Planes of two axes are turned: by a real angle where the form is definite, by an imaginary one where
+        it is not, by a complex one at a complex place.
+        """
+        size = rng.uniform(0, 8)
+        points = self.points
+        for place in range(0, 3 * (1 + self.real), 3):
+            for i, j in _AXES:
+                i, j = place + i, place + j
+                turn, boost = rng.uniform(-math.pi, math.pi), rng.gauss(0, size)
+                if self.real:
+                    angle = complex(turn) if self.unit[i] == self.unit[j] else complex(0, boost)
+                else:
+                    angle = complex(turn, boost)
+                points = [_turned(v, i, j, angle) for v in points]
+        return _lll([[round(t * 2**60) for z in v for t in self._parts(z)] for v in points])[1]
+
+    def _parts(self, z: complex) -> list[float]:
+        return [z.real + z.imag] if self.real else [z.real, z.imag]
+
+
+def _turned(v: list[complex], i: int, j: int, angle: complex) -> list[complex]:
+    c, s = cmath.cos(angle), cmath.sin(angle)
+    v = list(v)
+    v[i], v[j] = c * v[i] + s * v[j], c * v[j] - s * v[i]
+    return v
+
+
+def _lll(rows: Integers) -> tuple[Integers, Integers]:
+    """Return a reduced basis and the transformation to it."""
+    reduced, steps = flint.fmpz_mat(6, 6, [t for row in rows for t in row]).lll(transform=True)
+    short, change = ([[int(t) for t in row] for row in m.tolist()] for m in (reduced, steps))
+    return short, change
+
+
+def _combine(coefficients: list[int], basis: list[Vector]) -> Vector:
+    terms = [[n * x for x in v] for n, v in zip(coefficients, basis, strict=True)]
+    return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
+
+
+def _grams(field: QuadraticField, form: Vector, basis: list[Vector]) -> list[Any]:
+    """Return integer matrices G, H: up to a factor the bilinear form is G + √d·H on the basis."""
+    entries = [
+        sum((f * x * y for f, x, y in zip(form, u, v, strict=True)), field.zero)
+        for u in basis
+        for v in basis
+    ]
+    both = [[fraction(x.terms.get(n, 0)) for x in entries] for n in (1, field.d)]
+    bottom = math.lcm(*(u.denominator for row in both for u in row))
+    top = math.gcd(*(int(u * bottom) for row in both for u in row))
+    return [flint.fmpz_mat(6, 6, [int(u * bottom) // top for u in row]) for row in both]
+
+
+def _embedded(field: QuadraticField, form: Vector, basis: list[Vector]) -> Integers:
+    """Return the real coordinates of vectors at the infinite places, scaled and rounded."""
+    numbers = [x for v in (form, *basis) for x in v]
+    bits = 64 + 2 * max(abs(int(u.p)).bit_length() for x in numbers for u in x.terms.values())
+    scale = flint.arb(2) ** bits
+    with flint.ctx.workprec(2 * bits + 64):
+        root = flint.acb(field.d).sqrt()
+        places = [root, -root] if field.d > 0 else [root]
+
+        def embed(x: Any, place: Any) -> Any:
+            return flint.acb(x.terms.get(1, 0)) + flint.acb(x.terms.get(field.d, 0)) * place
+
+        roots = [[embed(f, place).sqrt() * scale for f in form] for place in places]
+        rows = []
+        for v in basis:
+            row = []
+            for place, column in zip(places, roots, strict=True):
+                for x, r in zip(v, column, strict=True):
+                    z = embed(x, place) * r
+                    parts = [z.real + z.imag] if field.d > 0 else [z.real, z.imag]
+                    row += [int(t.mid().floor().unique_fmpz()) for t in parts]
+            rows.append(row)
+    return rows

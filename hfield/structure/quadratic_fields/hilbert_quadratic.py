@@ -1,0 +1,222 @@
+"""Hilbert symbols over quadratic number fields ℚ(√d), d squarefree, elements as pairs (u, v) = u + v√d.
+
+Above an odd prime the symbol is tame and read off a residue field; above a split 2 the completion
+is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is one place above it, and
+the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
+"""
+
+import itertools
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from hfield.errors import RingError
+from hfield.factorisation import factorise, is_prime, remove
+from hfield.structure.rationals.hilbert_rationals import _symbol
+from hfield.structure.rationals.whole_numbers import sqrt_mod
+
+Pair = tuple[Fraction, Fraction]
+
+
+@dataclass(frozen=True)
+class QuadraticPlace:
+    """A place of ℚ(√d): the prime p it lies over (0 for an infinite place) and where √d goes.
+
+    ``root`` is the image of √d modulo p (modulo 4 for p = 2) where p splits, ±1 at the two real
+    places, and None where there is one place above p. The text (``"7"``, ``"(7, sqrt(2)-3)"``,
+    ``"inf+"``, ``"inf-"``, ``"inf"``) reads back with :func:`place_of_quadratic`.
+    """
+
+    d: int
+    prime: int
+    root: int | None = None
+
+    def __str__(self) -> str:
+        if self.prime:
+            gen = "I" if self.d == -1 else f"sqrt({self.d})"
+            return str(self.prime) if self.root is None else f"({self.prime}, {gen}-{self.root})"
+        return {None: "inf", 1: "inf+", -1: "inf-"}[self.root]
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+def places_above(d: int, p: int) -> tuple[QuadraticPlace, ...]:
+    """Return the one or two places of ℚ(√d) above the prime p, or above infinity for p = 0."""
+    roots: list[int | None]
+    if p == 0:
+        roots = [1, -1] if d > 0 else [None]
+    elif p == 2:
+        roots = [1, 3] if d % 8 == 1 else [None]
+    elif d % p and pow(d, (p - 1) // 2, p) == 1:
+        r = sqrt_mod(d, p)
+        roots = [*sorted((r, p - r))]
+    else:
+        roots = [None]
+    return tuple(QuadraticPlace(d, p, r) for r in roots)
+
+
+def all_places(d: int) -> Iterator[QuadraticPlace]:
+    """Run through the places of ℚ(√d): the infinite ones, then prime by prime, without end."""
+    yield from places_above(d, 0)
+    p = 1
+    while True:
+        p += 1
+        if is_prime(p):
+            yield from places_above(d, p)
+
+
+def place_of_quadratic(d: int, place: object) -> QuadraticPlace:
+    """Read a place: a :class:`QuadraticPlace`, its text, or a prime with a single place above it."""
+    if isinstance(place, QuadraticPlace) and place.d == d:
+        return place
+    text = str(place).replace(" ", "")
+    head = text.lstrip("(").split(",")[0]
+    p = 0 if text.startswith("inf") else int(head) if head.isdecimal() else -1
+    if p == 0 or is_prime(p):
+        above = places_above(d, p)
+        for v in above:
+            if str(v).replace(" ", "") == text:
+                return v
+        names = ", ".join(f'"{v}"' for v in above)
+        raise RingError(f"{place!r} names no single place of QQ(sqrt({d})): above it lie {names}")
+    raise RingError(
+        f'{place!r} is not a place of QQ(sqrt({d})): expected "inf", a prime, or the text of a place'
+    )
+
+
+def norm(d: int, x: Pair) -> Fraction:
+    """Return the norm ``u² − d·v²`` down to ℚ."""
+    return x[0] * x[0] - d * x[1] * x[1]
+
+
+def multiply(d: int, x: Pair, y: Pair) -> Pair:
+    """Return the product of two pairs."""
+    return x[0] * y[0] + d * x[1] * y[1], x[0] * y[1] + x[1] * y[0]
+
+
+def sign(d: int, x: Pair | tuple[int, int], root: int) -> int:
+    """Return the sign of ``u + v√d`` under ``√d ↦ root·√|d|``, d > 0, root = ±1."""
+    u, v = x[0], x[1] * root
+    if u * v >= 0:
+        return (u + v > 0) - (u + v < 0)
+    larger = u * u > d * v * v
+    return (1 if u > 0 else -1) if larger else (1 if v > 0 else -1)
+
+
+def integral(x: Pair) -> tuple[int, int]:
+    """Return x times a square of an integer, with integer coordinates."""
+    if not (x[0] or x[1]):
+        raise RingError(
+            "a Hilbert symbol is defined for nonzero numbers only, and one of these is 0"
+        )
+    m = x[0].denominator * x[1].denominator
+    return int(x[0] * m * m), int(x[1] * m * m)
+
+
+def _local(v: QuadraticPlace, x: tuple[int, int]) -> tuple[int, int]:
+    """Return the valuation of x and a number in the residue class that decides its unit part.
+
+    At a split place the unit is a p-adic integer modulo 8 or p; at a ramified one modulo p with
+    respect to the uniformiser √d; at an inert one the norm of the unit is returned, which is a square
+    modulo p exactly when the unit is one in GF(p²).
+    """
+    p, d = v.prime, v.d
+    size = x[0] * x[0] - d * x[1] * x[1]
+    n, unit = remove(size, p)
+    if v.root is not None:
+        precision = n + 4
+        value = (x[0] + x[1] * p_adic_root(v, precision)) % p**precision
+        return remove(value, p)
+    if d % p:  # inert: n is even
+        return n // 2, unit % p
+    k, odd = divmod(n, 2)
+    leading = x[1] if odd else x[0]
+    return n, leading // p**k * pow(d // p, -k, p) % p
+
+
+def p_adic_root(v: QuadraticPlace, precision: int) -> int:
+    """Return the square root of d modulo ``p**precision`` (one digit less for p = 2)."""
+    p, d = v.prime, v.d
+    assert v.root is not None
+    r = v.root
+    if p == 2:
+        for k in range(3, precision + 1):
+            if (r * r - d) >> k & 1:  # r² ≡ d (mod 2ᵏ) becomes a congruence modulo 2ᵏ⁺¹
+                r += 1 << (k - 1)
+        return r
+    modulus = p
+    while modulus < p**precision:
+        modulus *= modulus
+        r = (r + d * pow(r, -1, modulus)) * pow(2, -1, modulus) % modulus
+    return r
+
+
+def is_dyadic(v: QuadraticPlace) -> bool:
+    """Tell whether this is the one place above a 2 that does not split."""
+    return v.prime == 2 and v.root is None
+
+
+def direct_symbol(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> int:
+    """Return the symbol of nonzero integers u + v√d at a place other than a lone one above 2."""
+    if not v.prime:
+        if v.root is None:
+            return 1
+        return -1 if sign(v.d, a, v.root) < 0 and sign(v.d, b, v.root) < 0 else 1
+    (alpha, u), (beta, w) = _local(v, a), _local(v, b)
+    if v.root is None and v.d % v.prime:  # inert: −1 is a square, and u, w are norms of units
+        value = (u if beta % 2 else 1) * (w if alpha % 2 else 1) % v.prime
+        return 1 if pow(value, (v.prime - 1) // 2, v.prime) == 1 else -1
+    return _symbol(v.prime, alpha, u, beta, w)
+
+
+def is_local_square(v: QuadraticPlace, x: tuple[int, int]) -> bool:
+    """Tell whether a nonzero integer u + v√d is a square in the completion at a place."""
+    p, d = v.prime, v.d
+    if not p:
+        return v.root is None or sign(d, x, v.root) > 0
+    if is_dyadic(v):
+        # of x times powers of 4 the one with valuation 2 or 3, or 4 to 7 where 2 ramifies: a root
+        # modulo 64 is close enough to one (Hensel)
+        x = 4 * x[0], 4 * x[1]
+        while (x[0] * x[0] - d * x[1] * x[1]) % 256 == 0:
+            x = x[0] // 4, x[1] // 4
+        return any(
+            (s * s + d * t * t - x[0]) % 64 == 0 == (2 * s * t - x[1]) % 64
+            for s, t in itertools.product(range(32), repeat=2)
+        )
+    n, unit = _local(v, x)
+    if n % 2:
+        return False
+    return unit % 8 == 1 if p == 2 else pow(unit, (p - 1) // 2, p) == 1
+
+
+def ramified_places_quadratic(
+    d: int, a: Pair, b: Pair, known: Iterable[int] = ()
+) -> tuple[QuadraticPlace, ...]:
+    """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last.
+
+    ``known`` may name primes of the norms of a and b. Raises :class:`UnfactoredError`.
+    """
+    x, y = integral(a), integral(b)
+    primes = {2}
+    for s in (x, y):
+        primes |= set(factorise(s[0] * s[0] - d * s[1] * s[1], known))
+    candidates = [v for p in (*sorted(primes), 0) for v in places_above(d, p)]
+    bad = [v for v in candidates if not is_dyadic(v) and direct_symbol(v, x, y) < 0]
+    lone = [v for v in candidates if is_dyadic(v)]
+    if len(bad) % 2:
+        assert lone, "the number of ramified places is even"
+        bad = lone + bad
+    return tuple(bad)
+
+
+def hilbert_symbol_quadratic(d: int, a: Pair, b: Pair, place: object) -> int:
+    """Return the Hilbert symbol of two nonzero elements at a place of ℚ(√d).
+
+    Above a 2 that does not split the norms of a and b are factored. Raises :class:`UnfactoredError`.
+    """
+    v = place_of_quadratic(d, place)
+    if is_dyadic(v):
+        return -1 if v in ramified_places_quadratic(d, a, b) else 1
+    return direct_symbol(v, integral(a), integral(b))

@@ -1,0 +1,1 @@
+"""ℚ: Hilbert symbols, conics, quadratic forms, embeddings by lattices."""

@@ -1,0 +1,142 @@
+"""Hilbert symbols over ℚ, and what follows from them: ramified places and the discriminant.
+
+The symbol ``(a, b)_v`` is 1 when ``z² = a·x² + b·y²`` has a nonzero solution in the completion at
+v, and −1 otherwise. The formulas are those of Serre, *A Course in Arithmetic*, chapter III,
+theorem 1; that a rational quaternion algebra is known by the even set of places where the symbol
+is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
+"""
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import flint
+
+from hfield.errors import RingError, shorten
+from hfield.factorisation import Factors, factorise, is_prime, known_primes, remove
+from hfield.structure.rationals.whole_numbers import crt, square_class
+
+Place = int | str
+INFINITE = "inf"
+_INFINITE_NAMES = frozenset({"inf", "oo", "∞", "infinity"})
+
+
+def place_of_q(place: Any) -> Place:
+    """Read a place of ℚ: a prime (int or text), or ``"inf"`` (also ``"oo"``, ``∞``, −1)."""
+    if isinstance(place, str) and place.strip().lower() in _INFINITE_NAMES:
+        return INFINITE
+    if isinstance(place, float) and math.isinf(place):
+        return INFINITE
+    if isinstance(place, str) and place.strip().isdecimal():
+        place = int(place)
+    if isinstance(place, (int, flint.fmpz)) and not isinstance(place, bool):
+        if place == -1:
+            return INFINITE
+        if is_prime(int(place)):
+            return int(place)
+    raise RingError(f'{shorten(repr(place))} is not a place of QQ: expected a prime or "inf"')
+
+
+def hilbert_symbol_q(a: Any, b: Any, place: Any) -> int:
+    """Return the Hilbert symbol of two nonzero rationals at a place of ℚ: 1 or −1.
+
+    Raises :class:`RingError` for a 0 or for a place that is none, :class:`CoercionError` for
+    arguments that are not rational. Nothing is factored.
+    """
+    v = place_of_q(place)
+    m, n = square_class(a), square_class(b)
+    if v == INFINITE:
+        return -1 if m < 0 and n < 0 else 1
+    assert isinstance(v, int)
+    return _symbol(v, *remove(m, v), *remove(n, v))
+
+
+def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
+    """Return the symbol of ``pᵅ·u`` and ``pᵝ·v`` at p, for u and v prime to p."""
+    if p == 2:
+        sign = (u & v) >> 1 & 1
+        if alpha & 1:
+            sign ^= v % 8 in (3, 5)
+        if beta & 1:
+            sign ^= u % 8 in (3, 5)
+        return -1 if sign else 1
+    if alpha & 1:
+        u = -u * v if beta & 1 else v
+    elif not beta & 1:
+        return 1
+    return int(flint.fmpz(u).jacobi(p))
+
+
+def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[Place, ...]:
+    """Return the places of ℚ where ``(a, b | ℚ)`` is a division algebra, primes first, ascending.
+
+    ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
+    :class:`UnfactoredError`.
+    """
+    m, n = square_class(a), square_class(b)
+    with known_primes(factors, ""):
+        in_m, in_n = factorise(m), factorise(n)
+    whole_m, whole_n = flint.fmpz(m), flint.fmpz(n)
+    primes = []
+    for p, alpha in in_m.items():
+        if p != 2:
+            beta = in_n.get(p)
+            if beta:
+                sign = _symbol(p, alpha, m // p**alpha, beta, n // p**beta)
+            else:
+                sign = whole_n.jacobi(p) if alpha & 1 else 1
+            if sign < 0:
+                primes.append(p)
+    for p, beta in in_n.items():
+        if p != 2 and beta & 1 and p not in in_m and whole_m.jacobi(p) < 0:
+            primes.append(p)
+    infinite = m < 0 and n < 0
+    if (len(primes) + infinite) & 1:  # the number of ramified places is even: reciprocity
+        primes.append(2)
+    primes.sort()
+    return (*primes, INFINITE) if infinite else tuple(primes)
+
+
+def discriminant_q(places: Iterable[Place]) -> int:
+    """Return the product of the ramified primes, the reduced discriminant over ℚ."""
+    return math.prod(p for p in places if isinstance(p, int))
+
+
+def from_ramification_q(primes: Iterable[Any], infinite: bool) -> tuple[int, int]:
+    """Return integers (a, b) such that ``(a, b | ℚ)`` ramifies exactly at the places named.
+
+    Raises :class:`RingError` unless the primes are distinct primes and the places even in number.
+    The construction is that of Voight, *Quaternion Algebras*, section 14.2: b is the product of the
+    primes up to sign, and a is, up to sign, 1 or a prime in a suitable residue class.
+    """
+    wanted = [place_of_q(p) for p in primes]
+    if INFINITE in wanted:
+        raise RingError("give the infinite place as infinite=True, not among the primes")
+    if len(set(wanted)) != len(wanted):
+        raise RingError("the same prime was named twice among the ramified places")
+    if (len(wanted) + bool(infinite)) % 2:
+        raise RingError(
+            f"an algebra over QQ ramifies at an even number of places, and {len(wanted) + infinite} were "
+            "named: add or drop one (infinite=True counts as one)"
+        )
+    ps = sorted(int(p) for p in wanted)
+    target = (*ps, *((INFINITE,) if infinite else ()))
+    sign = -1 if infinite else 1
+    b = sign * math.prod(ps)
+    for size in (1, 2, 3, 5, 7, 11, 13):
+        for a in (-size, size):
+            if (a < 0) == infinite and ramified_places_q(a, b, [*ps, 2]) == target:
+                return a, b
+    # a is a non-residue at each odd prime, and modulo 8 unramified or not at 2 as wanted
+    conditions = [(5 if 2 in ps else 1, 8)]
+    conditions += [(non_residue(p), p) for p in ps if p != 2]
+    start, step = crt(conditions)
+    q = start if sign > 0 else step - start
+    while not is_prime(q) or q in ps:
+        q += step
+    return sign * q, b
+
+
+def non_residue(p: int) -> int:
+    """Return the least quadratic non-residue modulo an odd prime."""
+    return next(r for r in range(2, p) if flint.fmpz(r).jacobi(p) == -1)

@@ -1,0 +1,69 @@
+"""Whole numbers: what Hilbert symbols, conics and orders over ℚ need to know of them."""
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, RingError, shorten
+from hfield.factorisation import Factors as Factors
+from hfield.factorisation import factorise as factorise
+from hfield.factorisation import is_prime as is_prime
+from hfield.factorisation import remove as remove
+from hfield.rings.rational import rational
+
+
+def fraction(x: Any) -> Fraction:
+    """Turn an int, a Fraction, or a FLINT integer or rational into a Fraction."""
+    number = rational(x)
+    if number is not None:
+        return Fraction(number)
+    raise CoercionError(
+        f"{shorten(repr(x))} ({type(x).__name__}) is not a rational number: "
+        "expected an int, a Fraction, or an element of QQ"
+    )
+
+
+def square_class(x: Any) -> int:
+    """Return a nonzero integer equal to the rational x up to a square: numerator · denominator."""
+    if type(x) is int:
+        n = x
+    elif type(x) is flint.fmpq:
+        n = int(x.p * x.q)
+    else:
+        f = fraction(x)
+        n = f.numerator * f.denominator
+    if not n:
+        raise RingError(
+            "a Hilbert symbol is defined for nonzero numbers only, and one of these is 0"
+        )
+    return n
+
+
+def squarefree(n: int, known: Iterable[int] = ()) -> tuple[int, int, list[int]]:
+    """Return ``(m, s, primes)`` with ``n = m·s²``, m squarefree, and the primes of m.
+
+    Raises :class:`UnfactoredError`; ``known`` are primes that may divide n.
+    """
+    m, s, primes = (1 if n > 0 else -1), 1, []
+    for p, e in factorise(n, known).items():
+        s *= p ** (e // 2)
+        if e % 2:
+            m *= p
+            primes.append(p)
+    return m, s, sorted(primes)
+
+
+def sqrt_mod(x: int, p: int) -> int:
+    """Return a square root of x modulo the prime p; x must have one."""
+    return x % 2 if p == 2 else int(flint.fmpz(x % p).sqrtmod(p))
+
+
+def crt(residues: Iterable[tuple[int, int]]) -> tuple[int, int]:
+    """Return ``(x, m)``: x has the given ``(residue, modulus)`` pairs, the moduli being coprime."""
+    x, m = 0, 1
+    for r, n in residues:
+        x += m * ((r - x) * pow(m, -1, n) % n)
+        m *= n
+    return x % m, m

@@ -1,0 +1,1 @@
+"""What an element is: properties, multiplicative order, square roots."""

@@ -1,0 +1,144 @@
+"""What once broke: files that passed for false claims, and answers whose scope claimed too much."""
+
+import json
+from typing import Any
+
+import pytest
+
+from hfield.certificates.check import Rejected, check, check_text
+from hfield.proving.prove import prove
+from tests.adversary.forging.targets import Target
+from tests.adversary.judgement import judge
+
+IDENTITY = {"kind": "identity"}
+NOTHING = {"kind": "none exists", "proof": IDENTITY}
+EMPTY = {"kind": "implication", "facts": [], "items": []}
+
+
+def over(field: str, evidence: dict[str, Any]) -> dict[str, Any]:
+    return {**evidence, "field": field}
+
+
+def place(values: dict[str, str], proof: dict[str, Any]) -> dict[str, Any]:
+    return {"kind": "place", "values": {k: [v] for k, v in values.items()}, "proof": proof}
+
+
+def part(verdict: str, evidence: dict[str, Any]) -> dict[str, Any]:
+    return {"verdict": verdict, "evidence": evidence}
+
+
+FILES = [
+    # Over QQ(x) the bound unknown x was read as the generator.
+    (Target("exists x: x == 0", None, "refuted"), over("QQ(x)", NOTHING)),
+    (Target("exists t: t*t == t", None, "refuted"), over("GF(2)(t)", NOTHING)),
+    (Target("exists x: x**2 == x", None, "refuted"), over("GF(9)", place({}, NOTHING))),
+    # A letter of the algebra was put into the statement and not into the structure constants.
+    (
+        Target("exists s: i*i == x", None, "refuted", algebra="(x,-1|F)"),
+        over("QQ(x)", place({"x": "0"}, NOTHING)),
+    ),
+    (
+        Target("exists s: i*i == a", None, "refuted", algebra="(a,-1|F)"),
+        over("QQ(t)", place({"a": "t"}, NOTHING)),
+    ),
+    # The algebra does not exist at a = 0.
+    (
+        Target("exists y: a*y == 1", "GF(3)", "refuted", algebra="(1/a,1|GF(3))"),
+        place({"a": "0"}, NOTHING),
+    ),
+    (
+        Target("exists y: a*y == 1", "QQ", "refuted", algebra="(a**-1,1|QQ)"),
+        place({"a": "0"}, NOTHING),
+    ),
+    # The algebra exists nowhere.
+    *(
+        (Target("1 == 2", "QQ", verdict, algebra=algebra), evidence)
+        for algebra in ("(1/0,-1|QQ)", "[1,1/(s-s)|QQ)", "(0/0,1|QQ)", "(0**-1,1|QQ)")
+        for verdict, evidence in (
+            ("proved", IDENTITY),
+            ("proved", EMPTY),
+            ("refuted", {"kind": "witness", "field": "QQ", "values": {}}),
+        )
+    ),
+    # "x != 0" is false over every field, and true of the generator of QQ(x).
+    (
+        Target("implies{x != 0; 2 == 0}", None, "refuted"),
+        over(
+            "QQ(x)",
+            {
+                "kind": "over",
+                "evidence": {
+                    "kind": "both",
+                    "left": part("proved", IDENTITY),
+                    "right": part("refuted", {"kind": "witness", "field": "QQ(x)", "values": {}}),
+                },
+            },
+        ),
+    ),
+    # A count of cases that is not the count.
+    (Target("s**2 == s", "GF(2)"), {"kind": "exhaustion", "cases": 0}),
+    (Target("s**3 == s", "GF(3)"), {"kind": "exhaustion", "cases": 2}),
+    (Target("s**6 == s**2", "GF(5)"), {"kind": "exhaustion", "cases": True}),
+]
+
+
+@pytest.mark.parametrize(("target", "evidence"), FILES, ids=range(len(FILES)))
+def test_the_file_is_rejected(target: Target, evidence: dict[str, Any]) -> None:
+    for method in ("identity", "implication", "exhaustion", "counterexample", "witness"):
+        with pytest.raises(Rejected) as caught:
+            check(target.certificate(evidence, method))
+        assert "the method" not in str(caught.value)
+
+
+def test_generators_may_be_named_where_the_field_is() -> None:
+    data = Target("exists s: s == x", "QQ(x)").certificate(
+        {"kind": "terms", "terms": {"s": "x"}, "proof": IDENTITY}, "witness"
+    )
+    assert check(data).verdict == "proved"
+
+
+def test_a_text_that_does_not_end_is_read_once() -> None:
+    """A million quotes with a backslash: by trying each as a beginning, this took days."""
+    for text in ('"' + '\\"' * 1_000_000, '"' * 999_999, '{"a": "' + '\\"[' * 300_000):
+        with pytest.raises(Rejected):
+            check_text(text)
+    assert check_text(json.dumps(Target("s == s").certificate(IDENTITY, "identity"))).verdict
+
+
+SCOPES = [
+    ("s != 0 => s/s + 2*s == 1", None, None),
+    ("s != 0 => s/s + 2*s == 1", "GF(2)", None),
+    ("s != 0 => s/s + 3*norm(q) == 1", "QQ", "(a,b|QQ)"),
+    ("s**3 == s => s == 0 or s == 1", "GF(8)", "(1,1|GF(8))"),
+    ("q**3 == 0 => q**2 == 0", "GF(8)", None),
+    ("p**3 == 0 => p**2 == 0", "GF(2)(t)", "(-1,b**2|GF(2)(t))"),
+    ("exists z: 2*z == 3", None, None),
+    ("exists z: 12*z == 2", None, None),
+    ("exists z: 0.2*z == 12", None, None),
+    ("exists z: 1/2*z == 4", "GF(8)", None),
+    ("exists q: 3*q == j and i*q != 0", None, None),
+    ("exists q: inv(q) == a*q", "GF(2)", "(a,-1|GF(2))"),
+    ("a == 0 => i*i == 0", "GF(3)", "(1/a,1|GF(3))"),
+    ("a != 0", "QQ", "(1/a,-1|QQ)"),
+    ("a**2 == 0 => q**0 == 0", None, "(1/a,-1|F)"),
+    ("norm(k) == a**-1", None, "(a**-1,1|F)"),
+    ("i*i == 1/a", "QQ(sqrt(-7))", "(1/a,-1|QQ(sqrt(-7)))"),
+    ("2 == 0 => a == 0", None, "(-1,1/(a-1)|F)"),
+    ("a**-1 == a**-1 or a == 0", "ZZ/12", "(1/a,-1|ZZ/12)"),
+    ("q == q", "GF(2)", "(1/2,-1|GF(2))"),
+    ("1 == 2", "QQ", "(1/0,-1|QQ)"),
+    ("exists u, z: u*(k*k) + z == q", "ZZ/8", "(a,a|ZZ/8)"),
+    ("exists p: p != 0 and norm(p) == 0", None, "(a/b,b|F)"),
+]
+
+
+@pytest.mark.parametrize(("statement", "field", "algebra"), SCOPES)
+def test_the_answer_claims_no_more_than_is_so(
+    statement: str, field: str | None, algebra: str | None
+) -> None:
+    answer = prove(statement, field, (), algebra)
+    found = answer.to_json()
+    for seed in range(3):
+        assert judge(statement, field, found["algebra"], found, seed) == []
+    if answer.certificate is not None:
+        assert check(answer.certificate).verdict == answer.verdict

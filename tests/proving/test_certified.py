@@ -1,0 +1,50 @@
+"""A verdict has a certificate that the checker accepts: statements with known verdicts, over many rings."""
+
+import pytest
+
+from hfield.errors import NotationError
+from hfield.proving.prove import prove
+from tests.proving.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL
+
+STATEMENTS = [*UNIVERSAL, *FIELDS, *FALSE, *DEPENDS]
+RINGS = [
+    None,
+    *("QQ", "RR", "CC", "GF(2)", "GF(3)", "GF(4)", "GF(5)", "GF(7)", "GF(8)", "GF(9)", "GF(13)"),
+    *("GF(25)", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-7))", "QQ(sqrt(-3))", "QQ(x)", "GF(2)(t)"),
+    *("GF(5)(t)", "ZZ", "ZZ/4", "ZZ/6", "ZZ/9", "ZZ[a,b]", "QQ[x]"),
+]
+SHARE = 7  # of the statements one in so many over each ring, others over the next
+
+
+@pytest.mark.parametrize(("n", "ring"), list(enumerate(RINGS)))
+def test_what_is_decided_has_a_certificate(n, ring):
+    decided = 0
+    for statement in STATEMENTS[n % SHARE :: SHARE]:
+        try:
+            answer = prove(statement, ring, timeout=5)
+        except NotationError:  # the generator of the field is no unknown
+            continue
+        if answer.verdict != "undecided":
+            decided += 1
+            assert answer.certificate is not None, (statement, ring, answer.why_no_certificate)
+    assert decided >= 3
+
+
+ALGEBRAS = [
+    ("norm(q) == 0 => q == 0", "(2,3|QQ)"),
+    ("a != 0", "(1/a,-1|QQ)"),
+    ("a == 0 => i*i == 0", "(1/a,1|GF(3))"),
+    ("2*q == 0 => q == 0", "(1/2,b|F)"),
+    ("a == 2", "(1/(a*a-a),1|GF(3))"),
+    ("exists s: s*a == 1", "(1/a,b|F)"),
+    ("exists s: s*a == 1", "(a,b|F)"),
+    ("exists p: p != 0 and norm(p) == 0", "(a,b|F)"),
+    ("exists u: u*q + conj(u) == s", "(1/a,b|F)"),
+    ("trace(q) == 0 => (exists u: q*u == -u*q and u != 0)", "(-1,-3|QQ)"),
+]
+
+
+@pytest.mark.parametrize(("statement", "algebra"), ALGEBRAS)
+def test_statements_about_other_algebras_are_certified(statement, algebra):
+    answer = prove(statement, algebra=algebra)
+    assert answer.certificate is not None, answer.why_no_certificate

@@ -1,0 +1,172 @@
+"""What exists linearly is decided; what exists over ℝ and ℂ by a theorem; what does not over rings."""
+
+import random
+
+import pytest
+
+from hfield.proving.decide import decide
+from hfield.proving.existence.case_distinction import by_linear_algebra
+from hfield.proving.existence.linear_systems import linear_cases
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
+from hfield.syntax import parse
+from tests.proving.small_rings import RINGS, holds
+
+FAR = float("inf")
+LINEAR = [
+    ("exists u: u + s == 0", None, "proved"),
+    ("exists u: p - u*3 == q", None, "refuted"),
+    ("3 != 0 => (exists u: p - u*3 == q)", None, "proved"),
+    ("norm(r) != 0 => (exists u: r*u == i)", None, "proved"),
+    ("r != 0 => (exists u: r*u == i)", "QQ", "proved"),
+    ("r != 0 => (exists u: r*u == i)", "GF(3)", "refuted"),
+    ("norm(p) != 0 and norm(q) != 0 => (exists u: p*u*q == r)", None, "proved"),
+    ("exists u: conj(u) + p == q", None, "proved"),
+    ("s != 0 => (exists y: s*y == 3)", None, "proved"),
+    ("exists y: s*y == 3", None, "refuted"),
+    ("exists y: s*y == 3", "GF(3)", "proved"),
+    ("exists u: p*u == u*p and u != 0", None, "proved"),
+    ("exists u: p*u - u*p == i", None, "refuted"),
+    ("exists u: p*u - u*p == i", "QQ", "refuted"),
+    ("exists u: q*u == u*q and u != 0 and trace(u) == 0", "QQ", "proved"),
+    ("exists u: q*u == -u*q and u != 0", "QQ", "refuted"),
+    ("trace(q) == 0 => (exists u: q*u == -u*q and u != 0)", "QQ", "proved"),
+    ("exists u: trace(u) == s", None, "refuted"),
+    ("exists u: trace(u) == s", "QQ(x)", "proved"),
+    ("exists u, v: u + v == p and u - v == q", "QQ", "proved"),
+    ("exists u, v: u + v == p and u - v == q", None, "refuted"),
+    ("2 != 0 => (exists u, v: u + v == p and u - v == q)", None, "proved"),
+    ("p[0] == 0 and p[1] == 0 => (exists u: i*u - u*i == p)", "RR", "proved"),
+    ("p[0] == 0 => (exists u: i*u - u*i == p)", "RR", "refuted"),
+    ("x != 0 or z != 0 => (exists s, y: s*x + y*z == 1)", None, "proved"),
+    ("exists s, y: s*x + y*z == 1", None, "refuted"),
+    ("s*y != z*x => (exists t, u: s*t + z*u[0] == 1 and x*t + y*u[0] == 2)", None, "proved"),
+    ("exists s: 17*s == 23", "QQ", "proved"),
+    ("exists u: u[2] == 12 and trace(u) == 40", "QQ", "proved"),
+    ("s != y => (exists x: s*x == y*x + 1)", None, "proved"),
+    ("y == 7 => (exists x: 1/0 == x)", "QQ", "refuted"),
+    ("exists x: p != 0", None, "refuted"),
+]
+ROOTS = [
+    ("exists s: s**3 == 2", "RR", "odd degree"),
+    ("exists s: s**3 + y*s == norm(q)", "RR", "odd degree"),
+    ("exists s: s**4 - 3*s == 5", "RR", "sign change"),
+    ("exists s: s**2 == norm(q) + 2", "RR", "square"),
+]
+NOT_SO = [
+    ("exists s: s**3 == 2", "QQ"),
+    ("exists s: s**2 == y", "RR"),
+    ("exists s: s**4 + 1 == 0", "RR"),
+    ("exists s: s**2 + s + 1 == 0", "RR"),
+    ("exists s: y*s**3 == 1", "RR"),
+    ("exists s: y*s == 1", "CC"),
+]
+
+
+@pytest.mark.parametrize(("statement", "field", "verdict"), LINEAR)
+def test_linear_existence_is_decided(statement, field, verdict):
+    assert decide(statement, field).verdict == verdict
+
+
+@pytest.mark.parametrize(("statement", "field", "by"), ROOTS)
+def test_real_roots_exist_by_a_theorem(statement, field, by):
+    decision = decide(statement, field)
+    assert decision.verdict == "proved"
+    assert decision.evidence["by"] == by
+    assert len(decision.assumes) == 1
+
+
+def test_complex_roots_exist_by_a_theorem():
+    assert decide("exists s: s**4 + s == y", "CC").evidence == {"kind": "complex root"}
+
+
+@pytest.mark.parametrize(("statement", "field"), NOT_SO)
+def test_where_no_theorem_applies_nothing_is_claimed(statement, field):
+    assert decide(statement, field, timeout=5).verdict == "refuted"
+
+
+def test_over_floats_nothing_is_proved_to_exist():
+    assert decide("exists q: q*q == -1", "RDF").verdict == "undecided"
+
+
+def systems(seed, count):
+    """Random linear conditions on u or z, with coefficients in p, s and y."""
+    rng = random.Random(seed)
+    pick = rng.choice
+    for _ in range(count):
+        sought = pick(["z", "z", "t", "u"])
+        terms = ["s", "y", "1", "2", "3", "s*y", "s - y", "y**2"]
+        given = ["0", "1", "s", "y", "s*y - 1"]
+        if sought == "u":
+            terms, given = ["s", "i", "2", "(1 + i)", "s*j"], ["0", "s", "i", "1 + j"]
+        parts = []
+        for _ in range(pick([1, 1, 2])):
+            term = f"{pick(terms)}*{sought}"
+            more = pick(["", "", f" + {pick(terms)}*{sought}", f" - {sought}*{pick(terms)}"])
+            parts.append(f"{term}{more} {pick(['==', '==', '==', '!='])} {pick(given)}")
+        body = pick([" and ", " and ", " or "]).join(parts)
+        h = pick(["", "", "s != 0 => ", "s*y == 1 => ", "s != y => ", "s == 0 or y == 0 => "])
+        yield f"{h}(exists {sought}: {body})" if h else f"exists {sought}: {body}"
+
+
+def test_random_systems_agree_with_all_cases_over_small_fields():
+    rings = {"GF(2)": "Z/2", "GF(3)": "Z/3", "GF(4)": "GF(4)", "GF(5)": "Z/5", "ZZ/4": "Z/4"}
+    by_name = {ring.name: ring for ring in RINGS}
+    verdicts = {"proved": 0, "refuted": 0, "vacuous": 0}
+    for statement in systems(7, 60):
+        for field, name in rings.items():
+            true = holds(statement, by_name[name])
+            if true is None:
+                continue
+            verdict = decide(statement, field).verdict
+            verdicts[verdict] += 1
+            assert (verdict != "refuted") == true, (statement, field)
+        general = decide(statement).verdict
+        if general == "proved":
+            fields = [ring for ring in RINGS if ring.is_field]
+            assert all(holds(statement, ring) is not False for ring in fields), statement
+    assert min(verdicts["proved"], verdicts["refuted"]) >= 20
+
+
+def test_cases_are_exact_where_all_is_linear():
+    """Wherever something exists over a small field one of the cases holds, and nowhere else."""
+    ring = next(ring for ring in RINGS if ring.name == "Z/3")
+    for statement in (
+        "exists x: s*x == y",
+        "exists x: s*x == y and y*x == s",
+        "exists x: x*s != y",
+    ):
+        setting = read_setting("GF(3)")
+        cases, exact = linear_cases(read_statement(statement, setting.field), setting, FAR)
+        assert exact
+        when = " or ".join(f"({case.when})" for case in cases)
+        assert holds(f"({statement.split(': ')[1]}) => ({when})", ring), statement
+        for case in cases:
+            terms = dict(case.terms)
+            body = statement.split(": ")[1].replace("x", f"({terms['x']})")
+            assert holds(f"({case.when}) => ({body})", ring), (statement, case)
+
+
+def test_evidence_by_cases_has_a_cover_and_a_proof_for_each():
+    evidence = decide("x != 0 or z != 0 => (exists s, y: s*x + y*z == 1)").evidence
+    assert evidence["kind"] == "cases"
+    assert evidence["cover"]["kind"] in ("identity", "implication")
+    for case in evidence["cases"]:
+        parse(case["when"])
+        assert set(case) == {"when", "terms", "proof"}
+        assert set(case["terms"]) == {"s", "y"}
+        assert case["proof"]["kind"] in ("identity", "implication")
+
+
+def test_a_place_is_named_where_nothing_exists():
+    decision = decide("exists y: s*y == 3", "QQ")
+    assert decision.witness == {"s": ["0"]}
+    assert decision.evidence["kind"] == "place"
+    assert decision.scope is None
+
+
+def test_what_is_not_linear_is_left_alone():
+    setting = read_setting("QQ")
+    read = read_statement("exists s: s**2 == y", setting.field)
+    assert linear_cases(read, setting, FAR) == ([], False)
+    assert by_linear_algebra(read, setting, FAR, None) == (None, None)
