@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
-from hfield.factorisation import is_prime
+from hfield.factorisation import is_probable_prime
 from hfield.lattices import hermite
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
 from hfield.lattices.reduction import kernel
@@ -55,7 +55,7 @@ def equivalent_of_power_norm(
     rng = random.Random(seed)
     tried = 0
     for row, norm in by_norm(ideal):
-        if norm in (prime, p, 2) or not is_prime(norm):
+        if norm in (prime, p, 2) or not is_probable_prime(norm):
             continue
         x = ideal._element(row)
         first = x.conjugate() / ideal.norm()

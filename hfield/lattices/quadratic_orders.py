@@ -15,7 +15,7 @@ from functools import lru_cache
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.factorisation import is_prime
+from hfield.factorisation import is_prime, is_probable_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.order import Order
 from hfield.quaternion import Quaternion
@@ -196,10 +196,11 @@ SMALL_PRIMES = math.prod(p for p in range(17, 200) if is_prime(p))
 
 
 def likely(m: int) -> bool:
-    """Tell whether m is a prime; most composite numbers are sorted out by their small factors."""
-    if m < 40_000:
-        return is_prime(m)
-    return math.gcd(m, SMALL_PRIMES) == 1 and is_prime(m)
+    """Tell whether m is a probable prime; most composite numbers are sorted out by their small factors.
+
+    No proof is needed: what is represented is an element, and its norm is known.
+    """
+    return (m < 40_000 or math.gcd(m, SMALL_PRIMES) == 1) and is_probable_prime(m)
 
 
 def cornacchia(d: int, m: int) -> tuple[int, int] | None:
