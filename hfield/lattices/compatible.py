@@ -43,6 +43,7 @@ def product(first: Ideal, second: Ideal) -> tuple[int, Any] | None:
 
 
 def _generator(ideal: Ideal, n: int) -> tuple[int, ...] | None:
+    """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
     content, entries = ideal._content
     for m in range(4):
         if math.gcd(int(entries[5 * m]) // (2 * int(content)), n) == 1:
