@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rotation.plane import R2, reflect2, reflection, rotate2
     from rotation.quaternions import T_q
     from rotation.rotation import Rotation
+    from rotation.warming import warm_up
 
 # Where the public names live. They are imported on first use; numba comes with the first call that needs it.
 _HOMES = {
@@ -33,6 +34,7 @@ _HOMES = {
     "plane": ["R2", "reflect2", "reflection", "rotate2"],
     "quaternions": ["T_q"],
     "rotation": ["Rotation"],
+    "warming": ["warm_up"],
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 
@@ -61,6 +63,7 @@ __all__ = [
     "slerp",
     "squad",
     "threads",
+    "warm_up",
 ]
 
 

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from rotation.errors import RotationError
 from rotation.namespaces import Array, namespace, refuse_rows
 from rotation.rotation import Rotation
 from rotation.wahba import checked, fitted
@@ -18,7 +19,7 @@ def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Arra
     source, target : array_like, shape (…, N, 3), or (3,) for a single pair
         Vectors; their lengths weigh as well.
     weights : array_like, shape (…, N), optional
-        Not negative.
+        Not negative. One may be infinite: its pair is aligned exactly, and not counted in rssd.
 
     Returns
     -------
@@ -50,6 +51,8 @@ def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotatio
     """
     a, b, w = checked(target, source, weights)
     xp = namespace(a)
+    if bool(xp.any(xp.isinf(w))):
+        raise RotationError("an infinite weight would fix a point of the motion; give a finite one")
     heaviest = xp.max(w, axis=-1, keepdims=True)
     refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
     share = w / heaviest

@@ -16,6 +16,7 @@ Array = npt.NDArray[Any]
 Layout = Literal["aos", "soa"]
 Shape = tuple[int, ...]
 
+_AXES = {"x": "[1, 0, 0]", "y": "[0, 1, 0]", "z": "[0, 0, 1]"}
 _OVERLAP_WORK = 10_000  # candidates tried for an exact answer; a harder question counts as overlap
 
 
@@ -46,6 +47,8 @@ def real(value: object, name: str) -> Array:
         return array.astype(np.float64)
     if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8):
         return array.astype(array.dtype.newbyteorder("="), copy=False)
+    if isinstance(value, str) and value.lower() in _AXES:
+        raise DTypeError(f"{name} is {value!r}; write {_AXES[value.lower()]} for that axis")
     raise DTypeError(
         f"{name} has dtype {array.dtype}; expected float32, float64 or integers: "
         f"convert with .astype(np.float64) where that is what you mean"
@@ -110,6 +113,8 @@ def destination(
     if out is None:
         new = np.empty(shape, points.dtype)
         return new, components_last(new, layout)
+    if isinstance(out, np.ma.MaskedArray):
+        raise RotationError("out is a masked array, whose mask would be wrong; give an ndarray")
     if not isinstance(out, np.ndarray):
         raise DTypeError(f"out is a {type(out).__name__}; expected a numpy array")
     if out.dtype != points.dtype:

@@ -8,12 +8,16 @@ import math
 import operator
 from typing import Any
 
+import numpy as np
+
 from rotation.errors import RotationError
-from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows
+from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows, spread
 from rotation.quaternions import canonical, normalised
 
+_TIE = 16.0  # two eigenvalues within so many units of rounding are one
+_EPS = float(np.finfo(np.float64).eps)
 
-@quiet
+
 def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
     """Return the mean of unit quaternions (…, 4) over batch axes, canonical in sign.
 
@@ -23,16 +27,31 @@ def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
         No rotations, an axis that does not exist, negative weights or weights that are all zero; or
         the largest eigenvalue is double, so that no mean is better than another.
     """
+    if weights is None and axis is None and type(q) is np.ndarray and q.size:
+        best = _of_all(q.reshape(-1, 4))
+        if best is not None:
+            return best
+    return _weighted(q, weights, axis)
+
+
+def _of_all(q: Array) -> Array | None:
+    """The mean of quaternions (n, 4), or None where there is none or a row is not finite."""
+    moment = (q.T @ q) / len(q)
+    if not math.isfinite(moment.sum()):
+        return None
+    values, vectors = np.linalg.eigh(moment)
+    if values[3] - values[2] <= _TIE * _EPS:
+        return None
+    return canonical(normalised(np.ascontiguousarray(vectors[:, 3])))
+
+
+@quiet
+def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     xp = namespace(q, weights)
     batch = tuple(q.shape[:-1])
     axes = _axes(axis, len(batch))
     w = xp.ones_like(q[..., 0]) if weights is None else floats(weights, "weights", xp)
-    try:
-        w = xp.broadcast_to(w, batch)
-    except ValueError:
-        raise RotationError(
-            f"weights of shape {tuple(w.shape)} do not broadcast to rotations of shape {batch}"
-        ) from None
+    w = spread(xp, w, batch, "weights")
     refuse_rows(w < 0.0, "the weight", "is negative")
     kept = [n for n in range(len(batch)) if n not in axes]
     shape = tuple(batch[n] for n in kept)
@@ -54,7 +73,7 @@ def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
     values, vectors = xp.linalg.eigh(xp.where(finite[..., None, None], moment, identity))
     gap = values[..., 3] - values[..., 2]
     refuse_rows(
-        finite & (gap <= 16.0 * float(xp.finfo(q.dtype).eps)),
+        finite & (gap <= _TIE * float(xp.finfo(q.dtype).eps)),
         "the mean",
         "is not determined: the rotations spread evenly about several",
     )

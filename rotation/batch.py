@@ -1,18 +1,18 @@
 """An immutable array of unit quaternions: the half of `Rotation` that knows shapes and storage."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Self
 
 import numpy as np
 
-from rotation.errors import DTypeError, RotationError
+from rotation.errors import DTypeError, MemberError, RotationError
 from rotation.namespaces import Array, is_numpy, namespace
 
 
 class Batch:
     """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
 
-    __slots__ = ("_q",)
+    __slots__ = ("__weakref__", "_q")
     # numpy must not distribute `array * rotation` over the array's entries.
     __array_ufunc__ = None
 
@@ -96,10 +96,21 @@ class Batch:
         ------
         RotationError
             There are none, or their other axes differ.
+        MemberError
+            Something among them is no rotation; it is a DTypeError and a RotationError.
         """
+        if not isinstance(rotations, Batch | Iterable):
+            raise MemberError(
+                f"concatenate takes rotations, one after the other, not a {type(rotations).__name__}"
+            )
         members = [rotations] if isinstance(rotations, Batch) else list(rotations)
-        if not members or not all(isinstance(r, Batch) for r in members):
-            raise RotationError("concatenate takes a sequence of at least one Rotation")
+        if not members:
+            raise RotationError("concatenate takes at least one Rotation")
+        for n, r in enumerate(members):
+            if not isinstance(r, Batch):
+                raise MemberError(
+                    f"concatenate takes rotations; number {n} is a {type(r).__name__}"
+                )
         xp = namespace(*(r._q for r in members))
         parts = [r._q[None, :] if r.single else r._q for r in members]
         if len({part.shape[1:] for part in parts}) > 1:

@@ -65,6 +65,11 @@ def poison(coordinates: Coordinates) -> Array:
     return reduce(add, (0.0 * c for c in coordinates))
 
 
+def unchanging(xp: Any, coordinates: Coordinates) -> Array:
+    """Return −0, which changes no sum, for rows of finite coordinates, and NaN for all others."""
+    return reduce(add, (-0.0 * xp.abs(c) for c in coordinates))
+
+
 def sum_of_squares(coordinates: Any) -> Array:
     """Return ``Σ c²``."""
     return reduce(add, (c * c for c in coordinates))

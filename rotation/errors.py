@@ -22,5 +22,9 @@ class DTypeError(HFieldError, TypeError):
     """An array of a kind that is not rotated, such as complex numbers, booleans or objects."""
 
 
+class MemberError(DTypeError, RotationError):
+    """Something else among rotations that are joined: a wrong type in a list that is no list of rotations."""
+
+
 class ForeignArrayError(HFieldError, TypeError):
     """An array of another library where only numpy arrays are taken."""

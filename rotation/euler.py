@@ -6,16 +6,16 @@ first, then y, then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
 """
 
 import math
-from functools import reduce
+from functools import cache, reduce
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 from rotation.angles import radians, to_degrees
 from rotation.coordinates import Coordinates, join, length, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, floats, namespace, quiet
+from rotation.namespaces import Array, expect_last, floats, namespace
 from rotation.quaternions import multiplied, steadied
-from rotation.rowwise import in_pieces
+from rotation.rowwise import Formula
 
 
 class Sequence(NamedTuple):
@@ -33,7 +33,14 @@ def sequence(seq: str) -> Sequence:
     RotationError
         Not one to three of the letters xyz or XYZ, both cases mixed, or a letter next to itself.
     """
-    if not isinstance(seq, str) or not 1 <= len(seq) <= 3 or set(seq.lower()) - set("xyz"):
+    if isinstance(seq, str):
+        return _read(seq)
+    raise RotationError(f"sequence {seq!r}: a text such as 'ZYX' is expected")
+
+
+@cache
+def _read(seq: str) -> Sequence:
+    if not 1 <= len(seq) <= 3 or set(seq.lower()) - set("xyz"):
         raise RotationError(
             f"sequence {seq!r}: one to three letters are expected, of XYZ (intrinsic) or xyz (extrinsic)"
         )
@@ -48,7 +55,6 @@ def sequence(seq: str) -> Sequence:
     return Sequence(tuple("xyz".index(c) for c in seq.lower()), seq.isupper())
 
 
-@quiet
 def from_euler(seq: str, angles: Any, degrees: bool = False) -> Array:
     """Return the unit quaternions of Euler angles.
 
@@ -72,7 +78,12 @@ def from_euler(seq: str, angles: Any, degrees: bool = False) -> Array:
     if len(axes) == 1 and a.ndim < 2:
         a = a[..., None]
     expect_last(a, (len(axes),), f"angles for the sequence {seq!r}")
-    return in_pieces(lambda a: _from_euler(a, axes, intrinsic, degrees), a)
+    return _making(axes, intrinsic, bool(degrees))(a)
+
+
+@cache
+def _making(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
+    return Formula(_from_euler, (len(axes),), parameters=(axes, intrinsic, degrees))
 
 
 def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
@@ -86,7 +97,6 @@ def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool)
     return join(xp, steadied(reduce(multiplied, turns if intrinsic else turns[::-1])))
 
 
-@quiet
 def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
     """Return the Euler angles (…, 3) of unit quaternions (…, 4).
 
@@ -105,7 +115,12 @@ def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
     axes, intrinsic = sequence(seq)
     if len(axes) != 3:
         raise RotationError(f"sequence {seq!r}: three letters are needed to hold every rotation")
-    return in_pieces(lambda q: _to_euler(q, axes, intrinsic, degrees), q)
+    return _reading(axes, intrinsic, bool(degrees))(q)
+
+
+@cache
+def _reading(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
+    return Formula(_to_euler, (4,), parameters=(axes, intrinsic, degrees))
 
 
 def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
@@ -124,8 +139,8 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
     )
     start = _wrapped(xp, plus - minus)
     end = sign * _wrapped(xp, plus + minus)
-    angles = join(xp, (end, middle, start) if intrinsic else (start, middle, end))
-    return to_degrees(angles) if degrees else angles
+    angles = (end, middle, start) if intrinsic else (start, middle, end)
+    return join(xp, tuple(map(to_degrees, angles)) if degrees else angles)
 
 
 def _folded(q: Array, axes: tuple[int, ...]) -> tuple[Coordinates, Array | None, float]:

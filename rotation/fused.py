@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rotation import kernels
+from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, by_euler, write
 from rotation.angles import radians
 from rotation.arrays import (
     Array,
@@ -20,8 +21,12 @@ from rotation.arrays import (
     real,
     require_nonzero,
 )
+from rotation.batch import Batch
 from rotation.euler import sequence
 from rotation.kernels.single import matrix_of_axis_angle, matrix_of_quaternion
+from rotation.matrices import TO_MATRIX
+from rotation.namespaces import expect_numpy, quiet
+from rotation.quaternions import normalised
 
 
 def rotate(
@@ -30,6 +35,7 @@ def rotate(
     angle: npt.ArrayLike,
     out: Array | None = None,
     layout: Layout = "aos",
+    degrees: bool = False,
 ) -> Array:
     """Rotate points about axes through the origin (thesis, section 2.2, Theorem 5).
 
@@ -38,11 +44,13 @@ def rotate(
     points, axis : array_like, shape (…, 3), or (3, …) for ``layout="soa"``
         An axis may have any length but zero, from the smallest float to the largest.
     angle : array_like, shape (…)
-        In radians, counterclockwise seen against the axis. The sine is right to 2⁻⁵² at any size.
+        Counterclockwise seen against the axis. The sine is right to 2⁻⁵² at any size.
     out : ndarray, optional
         Where to write the result: the points themselves, or memory that overlaps no argument.
     layout : {"aos", "soa"}
         Whether components come last or first, in points, axis and out alike.
+    degrees : bool
+        The angles are in degrees, not radians.
 
     Returns
     -------
@@ -63,6 +71,12 @@ def rotate(
     t = real(angle, "angle")
     batch = common_batch(points=points_batch, axis=axis_batch, angle=t.shape)
     result, target = destination(out, batch, p, (a, t), layout)
+    if degrees:
+        t = quiet(radians)(np, t.astype(np.float64, copy=False))
+    if result.size <= 3 * FEW:
+        if write(ABOUT_AXIS, target, *_checked(out, p, a), t, p):
+            require_nonzero(a, "axis")
+        return result
     if a.size == 3 and t.size == 1:
         require_nonzero(a, "axis")
         kernels.one(p, matrix_of_axis_angle(a.reshape(3), t.reshape(())), target)
@@ -75,7 +89,10 @@ def rotate(
 
 
 def rotate_quat(
-    points: npt.ArrayLike, q: npt.ArrayLike, out: Array | None = None, layout: Layout = "aos"
+    points: npt.ArrayLike,
+    q: "npt.ArrayLike | Batch",
+    out: Array | None = None,
+    layout: Layout = "aos",
 ) -> Array:
     """Rotate points by quaternions, ``v ↦ q v q⁻¹`` (thesis, section 2.2.5, Theorem 6).
 
@@ -83,7 +100,7 @@ def rotate_quat(
     ----------
     points : array_like, shape (…, 3), or (3, …) for ``layout="soa"``
     q : array_like, shape (…, 4), or (4, …) for ``layout="soa"``
-        Scalar first, of any length but zero: the length makes no difference.
+        Scalar first, of any length but zero: the length makes no difference. A `Rotation` is taken too.
     out, layout
         As in `rotate`.
 
@@ -100,9 +117,19 @@ def rotate_quat(
         As in `rotate`.
     """
     p, points_batch = components(points, 3, "points", layout)
-    r, q_batch = components(q, 4, "q", layout)
+    if isinstance(q, Batch):
+        expect_numpy("rotate_quat", q._q)
+        r, q_batch = q._q, q.shape
+    else:
+        r, q_batch = components(q, 4, "q", layout)
     batch = common_batch(points=points_batch, q=q_batch)
     result, target = destination(out, batch, p, (r,), layout)
+    if result.size <= 3 * FEW:
+        unit = normalised(r)
+        single = unit.size == 4
+        m = TO_MATRIX(unit.reshape(4)) if single else unit
+        write(BY_MATRIX if single else BY_QUATERNION, target, m, p)
+        return result
     if r.size == 4:
         require_nonzero(r, "quaternion")
         kernels.one(p, matrix_of_quaternion(r.reshape(4)), target)
@@ -153,14 +180,23 @@ def rotate_euler(
     batch = common_batch(points=points_batch, angles=angles_batch)
     result, target = destination(out, batch, p, (a,), layout)
     if degrees:
-        a = radians(np, a.astype(np.float64, copy=False))
+        a = quiet(radians)(np, a.astype(np.float64, copy=False))
     turns = axes[::-1] if intrinsic else axes
+    if result.size <= 3 * FEW:
+        write(by_euler(turns, intrinsic), target, a, p)
+        return result
     if len(turns) < 3:  # the rest are no turns at all
         a = a[..., ::-1] if intrinsic else a
         a = np.concatenate([a, np.zeros((*angles_batch, 3 - len(turns)), a.dtype)], axis=-1)
         turns, intrinsic = (*turns, 0, 0), False
     kernels.euler(p, a, (turns[0], turns[1], turns[2]), intrinsic, target)
     return result
+
+
+def _checked(out: Array | None, points: Array, axes: Array) -> tuple[Array, ...]:
+    if _in_place(out, points):
+        require_nonzero(axes, "axis")
+    return (axes,)
 
 
 def _in_place(out: Array | None, points: Array) -> bool:

@@ -4,24 +4,24 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from rotation import kernels
 from rotation.angles import radians
-from rotation.compensated import total, two_product
 from rotation.coordinates import Coordinates, join, split, unit
 from rotation.namespaces import (
     Array,
     expect_last,
     finfo,
     floats,
-    is_numpy,
     namespace,
     quiet,
     refuse_rows,
 )
-from rotation.rowwise import MANY, in_pieces
+from rotation.rowwise import Formula, rarely, tell
 
 # How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
 TOLERANCE = {64: 1e-6, 32: 1e-3}  # by the bits of a float
+
+# What to add to a number of at most 1 and take away again, to round it to a multiple of 2⁻²⁶ or 2⁻¹¹.
+_GRID = {64: 1.5 * 2.0**26, 32: 1.5 * 2.0**12}
 
 Entries = list[list[Array]]
 
@@ -77,41 +77,52 @@ def to_matrix(q: Array) -> Array:
     N(q) is computed with twice the digits, and how far it is from 1 is taken off each entry: an entry is
     right to 2⁻⁵², and the matrix orthogonal.
     """
-    if is_numpy(namespace(q)) and q.size > 4 * MANY:
-        m, left = kernels.matrices(q)
-        if not left:
-            return m
-    return in_pieces(_to_matrix, q)
+    return TO_MATRIX(q)
 
 
 def _to_matrix(q: Array) -> Array:
+    return _assemble(namespace(q), matrix_entries(q))
+
+
+def matrix_entries(q: Array) -> Entries:
+    """Return the entries of the matrices of `to_matrix`, row by row, each of shape (…)."""
     xp = namespace(q)
-    w, x, y, z = split(q)
-    (ww, we), (xx, xe), (yy, ye), (zz, ze) = (two_product(xp, c, c) for c in (w, x, y, z))
-    high, low = total([(ww, we), (xx, xe), (yy, ye), (zz, ze)])
-    more = ((1.0 - high) - low) / high  # 1/N(q) − 1
+    c = split(q)
+    # Upper halves on a grid so coarse that squares and sums of theirs are exact; the rest is small.
+    grid = _GRID[finfo(xp, c[0]).bits]
+    upper = [(a + grid) - grid for a in c]
+    ww, xx, yy, zz = (h * h for h in upper)
+    fma = getattr(xp, "fma", None)
+    if fma is None:
+        we, xe, ye, ze = ((a - h) * (a + h) for a, h in zip(c, upper, strict=True))
+    else:
+        we, xe, ye, ze = (fma(a, a, -h) for a, h in zip(c, (ww, xx, yy, zz), strict=True))
+    wx, yz, wx_low, yz_low = ww + xx, yy + zz, we + xe, ye + ze
+    off = ((wx + yz) - 1.0) + (wx_low + yz_low)  # N(q) − 1
 
-    def entry(half: Array) -> Array:
-        return 2.0 * half + (2.0 * half) * more
+    def plus(a: Array, b: Array, rest: Array) -> Array:
+        return a * b + rest if fma is None else fma(a, b, rest)
 
-    def cosine(plus: Array, minus: Array) -> Array:
-        """Plus less minus, by the smaller of them: it loses less."""
-        return xp.where(minus < plus, 1.0 - entry(minus), entry(plus) - 1.0)
+    def cosine(high: Array, low: Array) -> Array:
+        return high + plus(-high, off, low)
 
-    wx, yz = (ww + xx) + (we + xe), (yy + zz) + (ye + ze)
-    wy, xz = (ww + yy) + (we + ye), (xx + zz) + (xe + ze)
-    wz, xy = (ww + zz) + (we + ze), (xx + yy) + (xe + ye)
-    return _assemble(
-        xp,
-        [
-            [cosine(wx, yz), entry(x * y - w * z), entry(x * z + w * y)],
-            [entry(x * y + w * z), cosine(wy, xz), entry(y * z - w * x)],
-            [entry(x * z - w * y), entry(y * z + w * x), cosine(wz, xy)],
-        ],
-    )
+    def sine(a: Array, b: Array, other: Array) -> Array:
+        rough = plus(a, b, other)
+        return plus(-rough, off, rough)
+
+    w, x, y, z = c
+    x2, y2 = x + x, y + y
+    wz, wy, wx2 = (w + w) * z, (w + w) * y, (w + w) * x
+    return [
+        [cosine(wx - yz, wx_low - yz_low), sine(x2, y, -wz), sine(x2, z, wy)],
+        [sine(x2, y, wz), cosine((ww - xx) + (yy - zz), (we - xe) + (ye - ze)), sine(y2, z, -wx2)],
+        [sine(x2, z, -wy), sine(y2, z, wx2), cosine((ww - xx) - (yy - zz), (we - xe) - (ye - ze))],
+    ]
 
 
-@quiet
+TO_MATRIX = Formula(_to_matrix, (4,))
+
+
 def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
     """Return the unit quaternions (…, 4) of rotation matrices (…, 3, 3).
 
@@ -136,7 +147,11 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
     tolerance = TOLERANCE[_bits(matrix, xp)]
     if orthonormalize:
         m = _scaled(xp, m)
-    faults = in_pieces(_faults, m, rank=2)
+    else:
+        q, faulty = _FROM_MATRIX[tolerance].told(m)
+        if not faulty:
+            return q
+    faults = _FAULTS(m)
     refuse_rows(
         faults[..., 0] < 0.0,
         "the matrix",
@@ -150,15 +165,24 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
             "the matrix",
             f"is not orthogonal to within {tolerance:g}; orthonormalize=True takes the nearest rotation",
         )
-    return in_pieces(_from_matrix, m, rank=2)
+        return q
+    return _FROM_MATRIX[tolerance](m)
 
 
-def _from_matrix(m: Array) -> Array:
+def _from_matrix(m: Array, tolerance: float) -> Array:
     xp = namespace(m)
-    r = _polished(xp, _entries(m))
+    r = _entries(m)
+    tell(xp, (_determinant(r) < 0.0) | (_off(xp, r) > tolerance))
+    r = _polished(xp, r)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     q = unit(xp, _dominant_row(xp, r))
     return join(xp, tuple(xp.where(finite, c, xp.nan * c) for c in q))
+
+
+_FROM_MATRIX = {
+    tolerance: Formula(_from_matrix, (3, 3), parameters=(tolerance,))
+    for tolerance in TOLERANCE.values()
+}
 
 
 def _bits(matrix: Any, xp: Any) -> int:
@@ -166,6 +190,7 @@ def _bits(matrix: Any, xp: Any) -> int:
     return 32 if getattr(matrix, "dtype", None) == xp.float32 else 64
 
 
+@quiet
 def _scaled(xp: Any, m: Array) -> Array:
     """Matrices whose largest entry is 1, so that no determinant over- or underflows."""
     largest = xp.max(xp.abs(m), axis=(-2, -1), keepdims=True)
@@ -175,11 +200,18 @@ def _scaled(xp: Any, m: Array) -> Array:
 def _faults(m: Array) -> Array:
     """The determinant, and how far ``RᵀR`` is from 1; both NaN unless all entries are finite."""
     r = _entries(m)
-    (a, b, c), (d, e, f), (g, h, i) = r
-    determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    determinant = _determinant(r)
     xp = namespace(m)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     return join(xp, tuple(xp.where(finite, x, xp.nan * x) for x in (determinant, _off(xp, r))))
+
+
+_FAULTS = Formula(_faults, (3, 3))
+
+
+def _determinant(r: Entries) -> Array:
+    (a, b, c), (d, e, f), (g, h, i) = r
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 
 
 def _gram(r: Entries) -> tuple[Array, ...]:
@@ -201,25 +233,34 @@ def _off(xp: Any, r: Entries) -> Array:
 def _polished(xp: Any, r: Entries) -> Entries:
     """The nearest orthogonal matrices to nearly orthogonal ones, by Newton and Schulz, row by row."""
     rough = _off(xp, r) > 8.0 * float(finfo(xp, r[0][0]).eps)
-    for _ in range(3):  # 1e-3 → 1e-6 → 1e-12 → exact
-        if not bool(xp.any(rough)):
-            break
-        xx, yy, zz, xy, xz, yz = _gram(r)
-        gram = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-        r = [
-            [
-                xp.where(
-                    rough,
-                    1.5 * x - 0.5 * reduce(add, (p * q for p, q in zip(row, c, strict=True))),
-                    x,
-                )
-                for x, c in zip(row, gram, strict=True)
-            ]
-            for row in r
+
+    def steps() -> tuple[Array, ...]:
+        better = r
+        for _ in range(3):  # 1e-3 → 1e-6 → 1e-12 → exact
+            better = _newton(better)
+        return tuple(
+            xp.where(rough, x, y)
+            for row, old in zip(better, r, strict=True)
+            for x, y in zip(row, old, strict=True)
+        )
+
+    flat = rarely(xp, rough, steps, tuple(x for row in r for x in row))
+    return [list(flat[n : n + 3]) for n in (0, 3, 6)]
+
+
+def _newton(r: Entries) -> Entries:
+    xx, yy, zz, xy, xz, yz = _gram(r)
+    gram = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    return [
+        [
+            1.5 * x - 0.5 * reduce(add, (p * q for p, q in zip(row, c, strict=True)))
+            for x, c in zip(row, gram, strict=True)
         ]
-    return r
+        for row in r
+    ]
 
 
+@quiet
 def _nearest(xp: Any, m: Array) -> Array:
     """The orthogonal polar factor of matrices of nonnegative determinant; NaN rows stay."""
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))[..., None, None]

@@ -12,14 +12,16 @@ from typing import Any
 
 import numpy as np
 
-from rotation import scalars
 from rotation.arrays import real
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
+from rotation.native import tracing
+from rotation.native.tracing import Lanes, Rows
 
 Array = Any  # an array of any library that follows the standard
 
 quiet = np.errstate(all="ignore")
 
+_FLOAT64 = np.dtype(np.float64)
 _PLAIN = (int, float, list, tuple, type(None))
 
 
@@ -51,11 +53,6 @@ def is_numpy(xp: Any) -> bool:
     return xp is np
 
 
-def is_plain(xp: Any) -> bool:
-    """Return whether a namespace computes at once, so that its conditions can be asked."""
-    return xp is np or xp is scalars
-
-
 def finfo(xp: Any, number: Array) -> Any:
     """Return the limits of the kind of float that a coordinate has."""
     return xp.finfo(getattr(number, "dtype", None))
@@ -72,8 +69,8 @@ def _own_namespace(value: Any) -> Any:
     kind = type(value)
     if kind is np.ndarray or isinstance(value, np.ndarray | np.generic):
         return np
-    if kind is scalars.Row:
-        return scalars
+    if kind in (Lanes, Rows):
+        return tracing
     if kind in _PLAIN or isinstance(value, int | float | complex | str | bytes | Sequence):
         return None
     if hasattr(value, "__array_namespace__"):
@@ -108,11 +105,17 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     RotationError
         Nested lists of unequal lengths.
     """
+    if type(value) is np.ndarray and value.dtype is _FLOAT64 and (xp is None or xp is np):
+        return value
     xp = namespace(value) if xp is None else xp
     if is_numpy(xp):
         return real(value, what).astype(np.float64, copy=False)
     array = xp.asarray(value)
     if xp.isdtype(array.dtype, "real floating"):
+        if xp.finfo(array.dtype).bits < 32:
+            raise DTypeError(
+                f"{what} has dtype {array.dtype}, too coarse for rotations; convert to float32 or float64"
+            )
         return array
     if xp.isdtype(array.dtype, "integral"):
         return xp.astype(array, xp.zeros(()).dtype)  # the library's default precision
@@ -121,9 +124,21 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
 
 def expect_last(array: Array, shape: tuple[int, ...], what: str) -> None:
     """Raise `RotationError` unless the last axes of ``array`` have ``shape``."""
-    if tuple(array.shape[max(array.ndim - len(shape), 0) :]) != shape:
+    if tuple(array.shape[-len(shape) :]) != shape:
         wanted = ", ".join(map(str, shape))
         raise RotationError(f"{what} has shape {tuple(array.shape)}; expected (…, {wanted})")
+
+
+def spread(xp: Any, array: Array, shape: tuple[int, ...], what: str) -> Array:
+    """Return ``array`` broadcast to ``shape``; raises `RotationError` where it does not, in any library."""
+    own = tuple(array.shape)
+    try:
+        fits = np.broadcast_shapes(own, shape) == shape
+    except ValueError:
+        fits = False
+    if not fits:
+        raise RotationError(f"{what} of shape {own} do not broadcast to {shape}")
+    return xp.broadcast_to(array, shape)
 
 
 def first_row(bad: Array) -> tuple[int, ...] | None:

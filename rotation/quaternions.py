@@ -10,13 +10,12 @@ from typing import Any
 from hfield import product as formula
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
-from rotation.namespaces import Array, expect_last, floats, is_plain, namespace, quiet, refuse_zeros
-from rotation.rowwise import in_pieces
+from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_zeros
+from rotation.rowwise import Formula, rarely, tell
 
 HAMILTON = formula.Constants(-1.0, 0.0, -1.0)
 
 
-@quiet
 def normalised(q: Any) -> Array:
     """Return quaternions divided by their modulus, whatever its size from 1e-300 to 1e300.
 
@@ -33,21 +32,33 @@ def normalised(q: Any) -> Array:
     """
     q = floats(q, "quaternions")
     expect_last(q, (4,), "quaternions")
-    refuse_zeros(q, "quaternion")
-    return in_pieces(_normalised, q)
+    units, zeros = _NORMALISED.told(q)
+    if zeros:
+        refuse_zeros(q, "quaternion")
+    return units
 
 
 def _normalised(q: Array) -> Array:
     xp, c = namespace(q), split(q)
     norm = sum_of_squares(c)
-    exact = xp.abs(norm - 1.0) <= 4.0 * float(xp.finfo(q.dtype).eps)
-    if is_plain(xp) and xp.all((norm > 1e-200) & (norm < 1e200)):  # no square was rounded off
-        modulus = xp.where(exact, 1.0, xp.sqrt(norm))
-        return join(xp, tuple(a / modulus for a in c))
-    return join(xp, tuple(xp.where(exact, a, b) for a, b in zip(c, unit(xp, c), strict=True)))
+    tell(xp, norm == 0.0)
+    info = xp.finfo(q.dtype)
+    exact = xp.abs(norm - 1.0) <= 4.0 * float(info.eps)
+    modulus = xp.where(exact, xp.ones_like(norm), xp.sqrt(norm))
+    wide = float(info.max) ** 0.6
+    far = ~((norm > 1.0 / wide) & (norm < wide))  # squares may have been rounded off, or NaN
+    return join(
+        xp, rarely(xp, far, lambda: _brought_near(xp, c, exact), tuple(a / modulus for a in c))
+    )
 
 
-@quiet
+def _brought_near(xp: Any, c: Coordinates, exact: Array) -> Coordinates:
+    return tuple(xp.where(exact, a, b) for a, b in zip(c, unit(xp, c), strict=True))
+
+
+_NORMALISED = Formula(_normalised, (4,))
+
+
 def product(p: Array, q: Array) -> Array:
     """Return the unit quaternions ``p·q``: the rotation that applies q first, then p.
 
@@ -59,11 +70,14 @@ def product(p: Array, q: Array) -> Array:
         Unit quaternions.
     """
     namespace(p, q)  # of two libraries it raises
-    return in_pieces(_product, p, q)
+    return _PRODUCT(p, q)
 
 
 def _product(p: Array, q: Array) -> Array:
     return join(namespace(p), steadied(multiplied(split(p), split(q))))
+
+
+_PRODUCT = Formula(_product, (4,), (4,))
 
 
 def multiplied(p: Coordinates, q: Coordinates) -> Coordinates:
@@ -79,15 +93,26 @@ def steadied(c: Coordinates) -> Coordinates:
 
 def inverse(q: Array) -> Array:
     """Return the conjugates of unit quaternions, which undo them (thesis, Definition 3 and 4)."""
-    return in_pieces(
-        lambda q: join(namespace(q), formula.conjugate(HAMILTON, split(q))),
-        q,
-    )
+    return _INVERSE(q)
+
+
+def _inverse(q: Array) -> Array:
+    return join(namespace(q), formula.conjugate(HAMILTON, split(q)))
+
+
+_INVERSE = Formula(_inverse, (4,))
 
 
 def canonical(q: Array) -> Array:
     """Return of q and −q, which turn space alike, the one whose first nonzero coordinate is positive."""
-    return in_pieces(lambda q: join(namespace(q), upright(namespace(q), split(q))), q)
+    return _CANONICAL(q)
+
+
+def _canonical(q: Array) -> Array:
+    return join(namespace(q), upright(namespace(q), split(q)))
+
+
+_CANONICAL = Formula(_canonical, (4,))
 
 
 def upright(xp: Any, c: Coordinates) -> Coordinates:
@@ -97,19 +122,20 @@ def upright(xp: Any, c: Coordinates) -> Coordinates:
     return tuple(xp.where(sign < 0.0, -a, a) for a in c)
 
 
-@quiet
 def angle(q: Array) -> Array:
     """Return the angle of rotation in [0, π], accurate for the smallest and the largest."""
-
-    def of_rows(q: Array) -> Array:
-        xp = namespace(q)
-        w, *u = split(q)
-        return 2.0 * xp.atan2(length(xp, tuple(u)), xp.abs(w))
-
-    return in_pieces(of_rows, q)
+    return _ANGLE(q)
 
 
-@quiet
+def _angle(q: Array) -> Array:
+    xp = namespace(q)
+    w, *u = split(q)
+    return 2.0 * xp.atan2(length(xp, tuple(u)), xp.abs(w))
+
+
+_ANGLE = Formula(_angle, (4,))
+
+
 def power(q: Array, exponent: Any) -> Array:
     """Return the rotation about the same axis by ``exponent`` times the angle in [0, π].
 
@@ -123,25 +149,30 @@ def power(q: Array, exponent: Any) -> Array:
     return direct_power(canonical(q), exponent)
 
 
-@quiet
 def direct_power(q: Array, exponent: Any) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
     namespace(q, exponent)  # of two libraries it raises
     common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
 
-    def of_rows(q: Array) -> Array:
-        xp = namespace(q)
-        w, *u = split(q)
-        n = length(xp, tuple(u))
-        half = xp.atan2(n, w) * exponent
-        turning = n > 0.0
-        # Without an axis, at ±1, nothing turns.
-        ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), 0.0 * n)
-        cosine = xp.where(n == 0.0, xp.ones_like(half), xp.cos(half))
-        return join(xp, (cosine, *(ratio * c for c in u)))
+    if isinstance(exponent, int | float):
+        exponent = namespace(q).asarray(float(exponent), dtype=q.dtype)
+    return _POWER(q, exponent)
 
-    # Exponents of their own keep the whole array together: they broadcast as they like.
-    return in_pieces(of_rows, q) if isinstance(exponent, int | float) else of_rows(q)
+
+def _power(q: Array, exponent: Array) -> Array:
+    exponent = exponent[...]
+    xp = namespace(q)
+    w, *u = split(q)
+    n = length(xp, tuple(u))
+    half = xp.atan2(n, w) * exponent
+    turning = n > 0.0
+    # Without an axis, at ±1, nothing turns.
+    ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), 0.0 * n)
+    cosine = xp.where(n == 0.0, xp.ones_like(half), xp.cos(half))
+    return join(xp, (cosine, *(ratio * c for c in u)))
+
+
+_POWER = Formula(_power, (4,), ())
 
 
 @quiet

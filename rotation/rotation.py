@@ -6,11 +6,12 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import quaternions, sampling
+from rotation.acting import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, real
 from rotation.batch import expect_rotations
 from rotation.conversions import Conversions
-from rotation.errors import ForeignArrayError
-from rotation.matrices import to_matrix
+from rotation.errors import DTypeError, ForeignArrayError
+from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, quiet
 
 
@@ -75,14 +76,32 @@ class Rotation(Conversions):
 
     def __mul__(self, other: object) -> Self:
         if not isinstance(other, Rotation):
+            _refuse_scipy(other)
             return NotImplemented
         return self._of(_paired(self, other, quaternions.product))
+
+    def __rmul__(self, other: object) -> Any:
+        _refuse_scipy(other)
+        return NotImplemented
+
+    def __matmul__(self, other: object) -> Any:
+        if isinstance(other, Rotation):
+            raise DTypeError(
+                "p @ q is not defined for rotations; write p * q, which applies q first"
+            )
+        raise DTypeError("r @ points is not defined for rotations; write r.apply(points)")
+
+    def __rmatmul__(self, other: object) -> Any:
+        raise DTypeError(
+            "points @ r is not defined for rotations; write r.apply(points, inverse=True)"
+        )
 
     def __pow__(self, exponent: Any) -> Self:
         if not isinstance(exponent, int | float):
             exponent = floats(exponent, "exponent", namespace(self._q, exponent))
-        elif abs(exponent) == 1:
-            return self.inv() if exponent < 0 else self
+        elif abs(exponent) == 1:  # nothing is rounded; the sign is that of all other powers
+            q = quaternions.canonical(self._q)
+            return self._of(quaternions.inverse(q) if exponent < 0 else q)
         return self._of(quaternions.power(self._q, exponent))
 
     def inv(self) -> Self:
@@ -120,13 +139,15 @@ class Rotation(Conversions):
         return hash(tuple(float(c) for c in quaternions.canonical(self._q)))
 
     def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Any:
-        """Return where the angle from one rotation to the other is at most ``atol`` (radians)."""
+        """Return where the angle from one rotation to the other is at most ``atol``.
+
+        ``atol`` is in radians, or in degrees with ``degrees=True``.
+        """
         expect_rotations(other=other)
         return (self.inv() * other).magnitude(degrees) <= atol
 
     # Points
 
-    @quiet
     def apply(self, points: Any, inverse: bool = False, out: Any = None) -> Array:
         """Rotate points: ``R·v``.
 
@@ -148,6 +169,24 @@ class Rotation(Conversions):
         DTypeError
             Points or ``out`` of another type.
         """
+        q = self._q
+        if type(q) is np.ndarray and out is None and type(points) in (np.ndarray, list, tuple):
+            v = points if type(points) is np.ndarray else real(points, "points")
+            if (
+                v.dtype.char == "d"
+                and v.ndim
+                and v.shape[-1] == 3
+                and v.size <= 3 * FEW
+                and (q.ndim == 1 or v.ndim == 1 or q.shape[:-1] == v.shape[:-1])
+            ):
+                if q.ndim > 1:
+                    return (BY_INVERSE if inverse else BY_QUATERNION)(q, v)
+                m = TO_MATRIX(q)
+                return BY_MATRIX(m.T if inverse else m, v)
+        return self._applied(points, inverse, out)
+
+    @quiet
+    def _applied(self, points: Any, inverse: bool, out: Any) -> Array:
         q = quaternions.inverse(self._q) if inverse else self._q
         xp = namespace(q, points)
         if is_numpy(xp):
@@ -158,6 +197,7 @@ class Rotation(Conversions):
             raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")
         v = floats(points, "points", xp)
         expect_last(v, (3,), "points")
+        common_batch(points=tuple(v.shape[:-1]), rotations=self.shape)
         # A product of matrices could be computed in reduced precision on a GPU; these sums are not.
         turned = xp.sum(to_matrix(q) * v[..., None, :], axis=-1)
         return xp.astype(turned, v.dtype)
@@ -205,7 +245,9 @@ class Rotation(Conversions):
         return self._of(running_products(self._q, frame))
 
     @classmethod
-    def align_vectors(cls, a: Any, b: Any, weights: Any = None) -> tuple[Self, Array]:
+    def align_vectors(
+        cls, a: Any, b: Any, weights: Any = None, return_sensitivity: bool = False
+    ) -> Any:
         """Return the rotation that takes vectors ``b`` closest to vectors ``a``, and how close.
 
         Minimises ``Σ w‖a − R·b‖²`` (Wahba's problem); see `rotation.align`.
@@ -214,23 +256,39 @@ class Rotation(Conversions):
         ----------
         a, b : array_like, shape (…, N, 3) or (3,)
         weights : array_like, shape (…, N), optional
-            Not negative.
+            Not negative. One may be infinite, in one set of numpy arrays: its pair is aligned exactly.
+        return_sensitivity : bool
+            Return the sensitivity as well.
 
         Returns
         -------
         rotation : Rotation, shape (…)
         rssd : array (…)
-            The square root of that sum at its least.
+            The square root of that sum at its least, without the pair of infinite weight.
+        sensitivity : array (…, 3, 3)
+            Only if asked for: times the variance of the vectors' errors the covariance of the error of R,
+            a rotation vector in the axes of a.
 
         Raises
         ------
         RotationError
             Shapes or weights that do not fit, or vectors that determine no rotation.
         """
-        from rotation.wahba import checked, fitted
+        from rotation.wahba import checked, fitted, sensitivity
 
-        q, rssd = fitted(*checked(a, b, weights))
+        vectors = checked(a, b, weights)
+        q, rssd = fitted(*vectors)
+        if return_sensitivity:
+            return cls._of(q), rssd, sensitivity(q, *vectors)
         return cls._of(q), rssd
+
+
+def _refuse_scipy(other: object) -> None:
+    """Raise DTypeError for scipy's rotations, which have the same name and other conventions."""
+    if type(other).__module__.startswith("scipy."):
+        raise DTypeError(
+            "one rotation is scipy's, the other is ours: convert with Rotation.from_scipy(r) or r.to_scipy()"
+        )
 
 
 def _paired(p: Rotation, q: Rotation, operation: Callable[[Array, Array], Array]) -> Array:

@@ -1,65 +1,168 @@
-"""Formulas on whole arrays, row by row the same: long numpy arrays in pieces, one row by itself.
+"""Formulas on whole arrays, row by row the same: as machine code where it can be, else by the array library.
 
-A formula of a hundred operations on a million rows reads and writes memory a hundred times; on pieces
-that stay in the processor's cache it does so once. On one row it is a hundred calls of numpy; with
-Python's own floats it takes a tenth of the time.
+A formula of a hundred operations on numpy arrays is a hundred calls, and on long ones a hundred passes over
+memory. `Formula` compiles it on its first use, in some hundredths of a second, into one loop
+over rows: for one rotation and for a million. Arrays of other libraries take the formula as it stands.
 """
 
+import itertools
 from collections.abc import Callable
+from threading import Lock
 from typing import Any
 
 import numpy as np
 
-from rotation.namespaces import Array
-from rotation.scalars import Row
+from rotation.kernels.pool import share, threads
+from rotation.namespaces import Array, quiet
+from rotation.native import assembling
 
-MANY = 50_000  # rows for which it pays to import numba, where there is a kernel
-_ROWS = 16384
+_ROWS = 16384  # a piece: it stays in the processor's cache
+_MUCH = 200_000  # numbers that are worth a second thread
+_FLOAT64 = np.dtype(np.float64)
+_lock = Lock()
 
 
-def in_pieces(formula: Callable[..., Array], *arrays: Array, rank: int = 1) -> Array:
-    """Return ``formula(*arrays)``, computed piece by piece, or with Python's floats, where faster.
+class Formula:
+    """A function of rows of numbers, ``formula(*arrays, *parameters)``, each of its rows on its own.
 
     Parameters
     ----------
     formula : callable
-        Treats every row alike and on its own. It asks its arguments for their namespace.
-    *arrays : array, shapes (…, *components)
-        Of one array library; their batch shapes broadcast.
-    rank : int
-        The number of axes of one row.
+        Written against the namespace of its arguments, without a branch on their values.
+    *shapes : tuple of int
+        Of one row of each array.
+    parameters : tuple
+        What is the same for all rows, and no array.
     """
-    for a in arrays:
-        if type(a) is not np.ndarray or a.ndim != rank:
-            break
-    else:
-        return _on_one_row(formula, arrays)
-    batches = {a.shape[: a.ndim - rank] for a in arrays}
-    rows = max(int(np.prod(b, dtype=np.int64)) for b in batches)
-    if rows <= _ROWS or not all(isinstance(a, np.ndarray) for a in arrays):
-        return formula(*arrays)
-    batch = np.broadcast_shapes(*batches)
-    if len(batches) > 1 and any(b and b != batch for b in batches):
-        return formula(*arrays)
-    flat = [a if a.ndim == rank else a.reshape(rows, *a.shape[a.ndim - rank :]) for a in arrays]
-    result: Any = None
-    for start in range(0, rows, _ROWS):
-        piece = slice(start, start + _ROWS)
-        part = formula(*(a if a.ndim == rank else a[piece] for a in flat))
-        if result is None:
-            result = np.empty((rows, *part.shape[1:]), part.dtype)
-        result[piece] = part
-    return result.reshape(*batch, *result.shape[1:])
+
+    __slots__ = ("_formula", "_function", "_parameters", "_row", "_shapes")
+
+    def __init__(
+        self,
+        formula: Callable[..., Array],
+        *shapes: tuple[int, ...],
+        parameters: tuple[Any, ...] = (),
+    ) -> None:
+        self._formula, self._shapes, self._parameters = formula, shapes, parameters
+        self._function: Callable[..., int] | None = None
+        self._row: tuple[int, ...] = ()
+
+    def __call__(self, *arrays: Array) -> Array:
+        """Return the values, of the batch shape that all arrays broadcast to."""
+        return self.told(*arrays)[0]
+
+    def told(self, *arrays: Array) -> tuple[Array, bool]:
+        """Return the values, and whether a row may be one of which the formula has something to tell."""
+        for a in arrays:
+            if type(a) is not np.ndarray or a.dtype is not _FLOAT64:
+                return self._plainly(arrays), True
+        function = self._function or self._compiled()
+        if function is None:
+            return self._plainly(arrays), True
+        batch: tuple[int, ...] = ()
+        for a, shape in zip(arrays, self._shapes, strict=True):
+            own = a.shape[: a.ndim - len(shape)]
+            if own != batch:
+                batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
+        out = np.empty(batch + self._row)
+        if out.size > _MUCH:
+            status = self._shared(function, arrays, batch, out)
+        else:
+            status = function(*arrays, out)
+            if status == 1:
+                status = function(*self._straightened(arrays, batch), out)
+        return out if out.ndim else out[()], status == 2
+
+    def _compiled(self) -> Callable[..., int] | None:
+        """Return the machine code, or None where there can be none."""
+        if not assembling.available():
+            return None
+        with _lock:
+            if self._function is None:
+                function, self._row = assembling.assembled(
+                    self._formula, self._shapes, self._parameters
+                )
+                self._function = function
+        return self._function
+
+    def _straightened(self, arrays: tuple[Array, ...], batch: tuple[int, ...]) -> list[Array]:
+        """Return the arrays in one piece each, of the batch shape or of one row."""
+        straight = []
+        for a, shape in zip(arrays, self._shapes, strict=True):
+            own = a.shape[: a.ndim - len(shape)]
+            one = all(n == 1 for n in own)
+            wide = a if one or own == batch else np.broadcast_to(a, batch + shape)
+            straight.append(np.require(wide, np.float64, ["C", "A"]))
+        return straight
+
+    def _shared(
+        self,
+        function: Callable[..., int],
+        arrays: tuple[Array, ...],
+        batch: tuple[int, ...],
+        out: Array,
+    ) -> int:
+        """Compute piece by piece, in as many threads as there are."""
+        rows = out.size // int(np.prod(self._row, dtype=np.int64))
+        flat = [
+            a.reshape(-1, *shape)
+            for a, shape in zip(self._straightened(arrays, batch), self._shapes, strict=True)
+        ]
+        result = out.reshape(rows, *self._row)
+        starts = iter(range(0, rows, _ROWS))
+
+        def work(_: int) -> bool:
+            told = False
+            for start in starts:
+                piece = slice(start, start + _ROWS)
+                status = function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
+                told |= status == 2
+            return told
+
+        pieces = rows // (2 * _ROWS) + 1
+        return 2 if share(work, pieces if threads() > 1 else 1, (flat, result)) else 0
+
+    @quiet
+    def _plainly(self, arrays: tuple[Array, ...]) -> Array:
+        """Compute by the arrays' own library; long numpy arrays piece by piece."""
+        parameters = self._parameters
+        rows = max(
+            int(np.prod(a.shape[: a.ndim - len(shape)], dtype=np.int64))
+            for a, shape in zip(arrays, self._shapes, strict=True)
+        )
+        if rows <= _ROWS or not all(isinstance(a, np.ndarray) for a in arrays):
+            return self._formula(*arrays, *parameters)
+        own = [a.shape[: a.ndim - len(s)] for a, s in zip(arrays, self._shapes, strict=True)]
+        batch = np.broadcast_shapes(*own)
+        if any(b not in ((), batch) for b in own):
+            return self._formula(*arrays, *parameters)
+        flat = [
+            a if not b else a.reshape(rows, *s)
+            for a, b, s in zip(arrays, own, self._shapes, strict=True)
+        ]
+        parts = []
+        for start in itertools.takewhile(lambda n: n < rows, itertools.count(0, _ROWS)):
+            piece = slice(start, start + _ROWS)
+            parts.append(
+                self._formula(
+                    *(a[piece] if b else a for a, b in zip(flat, own, strict=True)), *parameters
+                )
+            )
+        result = np.concatenate(parts)
+        return result.reshape(*batch, *result.shape[1:])
 
 
-def _on_one_row(formula: Callable[..., Array], arrays: tuple[Array, ...]) -> Array:
-    """Compute with Python's floats, unless there is inf or NaN, or they come up: numpy has rules for them."""
-    rows = [Row(a) for a in arrays]
-    for row in rows:
-        if not row.finite:
-            return formula(*arrays)
-    try:
-        result = formula(*rows)
-    except (ArithmeticError, ValueError):
-        return formula(*arrays)
-    return result if isinstance(result, np.ndarray) else np.float64(result)
+def rarely(
+    xp: Any, condition: Array, compute: Callable[[], tuple[Array, ...]], usual: tuple[Array, ...]
+) -> tuple[Array, ...]:
+    """Return ``compute()``, which is needed only where ``condition`` holds, or ``usual`` if nowhere."""
+    if xp is np:
+        return compute() if condition.any() else usual
+    branch = getattr(xp, "rarely", None)
+    return compute() if branch is None else branch(condition, compute, usual)
+
+
+def tell(xp: Any, condition: Array) -> None:
+    """Have `Formula.told` answer True if the condition holds in a row; by numpy it always does."""
+    if hasattr(xp, "tell"):
+        xp.tell(condition)

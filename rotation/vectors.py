@@ -7,28 +7,31 @@ not overflow.
 import math
 from typing import Any
 
-import numpy as np
-
-from rotation import kernels
 from rotation.angles import radians, to_degrees
 from rotation.arrays import common_batch
 from rotation.compensated import Pair, angle, norm, quotient, sine_and_cosine, two_product
-from rotation.coordinates import Coordinates, factor, join, length, poison, split, unit
+from rotation.coordinates import (
+    Coordinates,
+    factor,
+    join,
+    length,
+    poison,
+    split,
+    sum_of_squares,
+    unit,
+)
 from rotation.namespaces import (
     Array,
     expect_last,
     floats,
-    is_numpy,
-    is_plain,
     namespace,
     quiet,
     refuse_zeros,
 )
 from rotation.quaternions import multiplied, upright
-from rotation.rowwise import MANY, in_pieces
+from rotation.rowwise import Formula, rarely
 
 
-@quiet
 def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
     """Return the unit quaternions of rotation vectors of shape (…, 3).
 
@@ -37,18 +40,7 @@ def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
     """
     v = floats(vectors, "rotation vectors")
     expect_last(v, (3,), "rotation vectors")
-    if is_numpy(namespace(v)) and v.size > 3 * MANY:
-        return _compiled(v, degrees)
-    return in_pieces(lambda v: _from_rotvec(v, degrees), v)
-
-
-def _compiled(v: Array, degrees: bool) -> Array:
-    """The same, for what is worth a compiled loop; what that leaves out is done by the formula."""
-    q, left = kernels.rotation_vectors(v, math.radians(1.0) if degrees else 1.0)
-    if left:
-        rows = np.isnan(q[..., 0])
-        q[rows] = in_pieces(lambda v: _from_rotvec(v, degrees), v[rows])
-    return q
+    return _FROM_ROTVEC[bool(degrees)](v)
 
 
 def _from_rotvec(v: Array, degrees: bool) -> Array:
@@ -72,24 +64,29 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     return join(xp, (xp.where(turning, cosine[0] + cosine[1], xp.ones_like(f)) + spoilt, *u))
 
 
+_FROM_ROTVEC = [Formula(_from_rotvec, (3,), parameters=(degrees,)) for degrees in (False, True)]
+
+
 def _sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     """As pairs in the first quadrant, beyond it rounded."""
     a, b = angle
     near = a < 0.5 * math.pi
     zero = xp.zeros_like(a)
     (s, s_low), (c, c_low) = sine_and_cosine(xp, (xp.where(near, a, zero), b))
-    if is_plain(xp) and xp.all(near):
-        return (s, s_low), (c, c_low)
-    sa, ca, sb, cb = xp.sin(a), xp.cos(a), xp.sin(b), xp.cos(b)
-    sine = xp.where(near, s, sa * cb + ca * sb)
-    cosine = xp.where(near, c, ca * cb - sa * sb)
-    return (sine, xp.where(near, s_low, zero)), (cosine, xp.where(near, c_low, zero))
+
+    def beyond() -> Coordinates:
+        sa, ca, sb, cb = xp.sin(a), xp.cos(a), xp.sin(b), xp.cos(b)
+        sine = xp.where(near, s, sa * cb + ca * sb)
+        cosine = xp.where(near, c, ca * cb - sa * sb)
+        return sine, xp.where(near, s_low, zero), cosine, xp.where(near, c_low, zero)
+
+    s, s_low, c, c_low = rarely(xp, ~near, beyond, (s, s_low, c, c_low))
+    return (s, s_low), (c, c_low)
 
 
-@quiet
 def to_rotvec(q: Array, degrees: bool = False) -> Array:
     """Return the rotation vectors, of lengths in [0, π], of unit quaternions of shape (…, 4)."""
-    return in_pieces(lambda q: _to_rotvec(q, degrees), q)
+    return _TO_ROTVEC[bool(degrees)](q)
 
 
 def _to_rotvec(q: Array, degrees: bool) -> Array:
@@ -104,13 +101,13 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
     ratio, rest = quotient(xp, 2.0 * half[0], n)
     rest = rest + 2.0 * half[1] / n[0]
     products = (two_product(xp, ratio, a) for a in c)
-    v = join(
-        xp,
-        tuple(
-            xp.where(turning, p + (e + rest * a), a) for (p, e), a in zip(products, c, strict=True)
-        ),
+    v = tuple(
+        xp.where(turning, p + (e + rest * a), a) for (p, e), a in zip(products, c, strict=True)
     )
-    return to_degrees(v) if degrees else v
+    return join(xp, tuple(map(to_degrees, v)) if degrees else v)
+
+
+_TO_ROTVEC = [Formula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
 @quiet
@@ -128,20 +125,29 @@ def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
     refuse_zeros(v, "axis")
     a = floats(angle, "angles", xp)
     common_batch(axes=tuple(v.shape[:-1]), angles=tuple(a.shape))
-    return in_pieces(lambda r: _from_axis_angle(r, degrees), join(xp, (*split(v), a)))
+    return _FROM_AXIS_ANGLE[bool(degrees)](v, a)
 
 
-def _from_axis_angle(rows: Array, degrees: bool) -> Array:
-    xp = namespace(rows)
-    *v, a = split(rows)
+def _from_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
+    xp = namespace(axis)
+    v, a = split(axis), angle[...]
     half = 0.5 * (radians(xp, a) if degrees else a)
-    c, s = xp.cos(half) + poison(tuple(v)), xp.sin(half)
-    return join(xp, (c, *(s * x for x in unit(xp, tuple(v)))))
+    c, s = xp.cos(half) + poison(v), xp.sin(half)
+    return join(xp, (c, *(s * x for x in unit(xp, v))))
 
 
-@quiet
+_FROM_AXIS_ANGLE = [
+    Formula(_from_axis_angle, (3,), (), parameters=(degrees,)) for degrees in (False, True)
+]
+
+
 def to_axis_angle(q: Array, degrees: bool = False) -> tuple[Array, Array]:
     """Return unit axes (…, 3) and angles (…) in [0, π]; the identity has the axis z and the angle 0."""
+    both = _TO_AXIS_ANGLE[bool(degrees)](q)
+    return both[..., :3], both[..., 3]
+
+
+def _to_axis_angle(q: Array, degrees: bool) -> Array:
     xp = namespace(q)
     w, *u = upright(xp, split(q))
     c = tuple(u)
@@ -151,36 +157,50 @@ def to_axis_angle(q: Array, degrees: bool = False) -> tuple[Array, Array]:
     zero, one = xp.zeros_like(n), xp.ones_like(n)
     axis = (xp.where(still, zero, x), xp.where(still, zero, y), xp.where(still, one, z))
     angle = 2.0 * xp.atan2(n, w)
-    return join(xp, axis), to_degrees(angle) if degrees else angle
+    return join(xp, (*axis, to_degrees(angle) if degrees else angle))
 
 
-@quiet
+_TO_AXIS_ANGLE = [Formula(_to_axis_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
+
+
 def from_mrp(parameters: Any) -> Array:
     """Return the unit quaternions of modified Rodrigues parameters (…, 3): ``tan(angle/4)·axis``."""
     v = floats(parameters, "modified Rodrigues parameters")
     expect_last(v, (3,), "modified Rodrigues parameters")
-    return in_pieces(_from_mrp, v)
+    return _FROM_MRP(v)
 
 
 def _from_mrp(v: Array) -> Array:
+    """With t the length, ``(1 − t², 2·v) / (1 + t²)``; long v are divided by a power of two first."""
     xp = namespace(v)
     c = split(v)
-    n = length(xp, c)
-    half = 2.0 * xp.atan(n) + poison(c)
-    turning = n > 0.0
-    ratio = xp.sin(half) / xp.where(turning, n, xp.ones_like(n))
-    return join(xp, (xp.cos(half), *(xp.where(turning, ratio, 0.5 * half) * a for a in c)))
+    f = factor(xp, c)
+    f = xp.where(f < 1.0, f, xp.ones_like(f))  # short ones may vanish when squared
+    scaled = tuple(f * a for a in c)
+    square, one = sum_of_squares(scaled), f * f
+    whole = one + square
+    spoilt = poison(c)
+    return join(
+        xp,
+        ((one - square) / whole + spoilt, *(2.0 * a * (f / whole) + spoilt for a in scaled)),
+    )
+
+
+_FROM_MRP = Formula(_from_mrp, (3,))
 
 
 def to_mrp(q: Array) -> Array:
     """Return the modified Rodrigues parameters, of lengths in [0, 1], of unit quaternions."""
-    return in_pieces(_to_mrp, q)
+    return _TO_MRP(q)
 
 
 def _to_mrp(q: Array) -> Array:
     xp = namespace(q)
     w, *u = upright(xp, split(q))
     return join(xp, tuple(c / (1.0 + w) for c in u))
+
+
+_TO_MRP = Formula(_to_mrp, (4,))
 
 
 @quiet

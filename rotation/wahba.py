@@ -6,11 +6,23 @@ singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley 
 
 from typing import Any
 
+import numpy as np
+
 from rotation.coordinates import length, split
 from rotation.errors import RotationError
 from rotation.matrices import from_matrix, to_matrix
-from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_rows
-from rotation.vectors import between
+from rotation.namespaces import (
+    Array,
+    expect_last,
+    floats,
+    is_numpy,
+    namespace,
+    quiet,
+    refuse_rows,
+    spread,
+)
+from rotation.quaternions import product
+from rotation.vectors import between, from_axis_angle
 
 
 def checked(a: Any, b: Any, weights: Any) -> tuple[Array, Array, Array]:
@@ -29,10 +41,86 @@ def checked(a: Any, b: Any, weights: Any) -> tuple[Array, Array, Array]:
     return a, b, _weights(xp, weights, a)
 
 
+def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
+    """Return the answer where one pair weighs infinitely: it is aligned exactly, the others as may be.
+
+    None where all weights are finite. About the certain pair's direction the rest is one angle:
+    ``atan2(Σ w·a·(u × b'), Σ w·a·b' − (a·u)(b'·u))`` with b' the vectors b after the first turn.
+
+    Raises
+    ------
+    RotationError
+        Arrays that are not numpy's or more than one set of vectors; two infinite weights, or one at a
+        vector that is zero.
+    """
+    if not is_numpy(namespace(w)) or not np.isinf(w).any():
+        if not is_numpy(namespace(w)) and bool(namespace(w).any(namespace(w).isinf(w))):
+            raise RotationError("infinite weights are taken with numpy arrays only")
+        return None
+    if w.ndim > 1 or np.isinf(w).sum() > 1:
+        raise RotationError(
+            "one infinite weight is taken, in one set of vectors: a second pair cannot be exact as well"
+        )
+    if np.isnan(w).any() or not (np.isfinite(a).all() and np.isfinite(b).all()):
+        return np.full(4, np.nan), np.float64(np.nan)
+    n = int(np.argmax(np.isinf(w)))
+    if not (a[n].any() and b[n].any()):
+        raise RotationError(f"vector {n} has infinite weight and is zero: it has no direction")
+    first = between(b[n], a[n])
+    rest = np.arange(len(w)) != n
+    weights = w[rest]
+    heaviest = weights.max(initial=0.0)
+    q = first
+    if heaviest > 0.0:
+        others, turned = _scaled(np, a[rest]), _scaled(np, b[rest]) @ to_matrix(first).T
+        axis = a[n] / float(length(np, split(a[n])))
+        share = weights / heaviest
+        sine = np.sum(share * (others * np.cross(axis, turned)).sum(axis=-1))
+        cosine = np.sum(
+            share * ((others * turned).sum(axis=-1) - (others @ axis) * (turned @ axis))
+        )
+        q = product(from_axis_angle(axis, np.arctan2(sine, cosine)), first)
+    image = b @ to_matrix(q).T
+    return q, np.sqrt(np.sum(weights * ((a - image)[rest] ** 2).sum(axis=-1)))
+
+
+@quiet
+def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
+    """Return the sensitivity of a fit, shape (…, 3, 3).
+
+    ``mean(w)·(tr(P)·1 − P)⁻¹`` with ``P = Σ w·a·(R·b)ᵀ``: times the variance of the vectors' errors (relative
+    to their weights) it is the covariance of the error of R, a rotation vector in the axes of a.
+
+    Raises
+    ------
+    RotationError
+        A weight is infinite, or the vectors of a set are of one line, such as a single pair.
+    """
+    xp = namespace(a)
+    if a.shape[-2] < 2 or bool(xp.any(xp.isinf(w))):
+        raise RotationError(
+            "sensitivity is that of a fit of several vectors with finite weights; this is none"
+        )
+    turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
+    p = xp.matmul(xp.matrix_transpose(a * w[..., None]), turned)
+    trace = p[..., 0, 0] + p[..., 1, 1] + p[..., 2, 2]
+    information = trace[..., None, None] * xp.eye(3, dtype=p.dtype) - p
+    values = xp.linalg.svdvals(information)
+    refuse_rows(
+        values[..., 2] <= 16.0 * float(xp.finfo(p.dtype).eps) * values[..., 0],
+        "the set of vectors",
+        "leaves the angle about one line free, so its sensitivity is infinite",
+    )
+    return xp.mean(w, axis=-1)[..., None, None] * xp.linalg.inv(information)
+
+
 @quiet
 def fitted(a: Array, b: Array, w: Array) -> tuple[Array, Array]:
     """Return the quaternions (…, 4) that take b closest to a, and the roots of the sums that remain."""
     xp = namespace(a)
+    exact = certain(a, b, w)
+    if exact is not None:
+        return exact
     q = _best(xp, a, b, w)
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
     rests = xp.sqrt(w) * length(xp, split(a - turned))
@@ -45,12 +133,7 @@ def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
     if weights is None:
         return xp.ones_like(vectors[..., 0])
     w = floats(weights, "weights", xp)
-    try:
-        w = xp.broadcast_to(w, vectors.shape[:-1])
-    except ValueError:
-        raise RotationError(
-            f"weights of shape {tuple(w.shape)} do not broadcast to {tuple(vectors.shape[:-1])}"
-        ) from None
+    w = spread(xp, w, tuple(vectors.shape[:-1]), "weights")
     refuse_rows(w < 0.0, "the weight", "is negative")
     return w
 

@@ -33,7 +33,8 @@ class View:
     def eye(self) -> Floats:
         """The eye, homogeneous (4,): (position, 1), or (direction towards it, 0) for parallel rays."""
         rows = self.matrix[[0, 1, 3]]
-        minors = [np.linalg.det(np.delete(rows, n, axis=1)) for n in range(4)]
+        thirds = (np.delete(rows, n, axis=1) for n in range(4))
+        minors = [a @ np.cross(b, c) for a, b, c in thirds]  # no division, whatever the rows are
         eye = np.array([-minors[0], minors[1], -minors[2], minors[3]])
         eye = -eye if eye[3] < 0 else eye
         length = float(np.linalg.norm(eye[:3]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
 from pathlib import Path
 
 from hfield.certificates.check import Established, Pin, check_text
@@ -10,6 +11,7 @@ from hfield.certificates.json_text import MAX_BYTES
 from hfield.certificates.rejection import Rejected, one_line
 from hfield.commands.output import open_output
 from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.commands.second_judge import FLAG_HELP, Verdict, coq_verdicts, exit_status
 from hfield.errors import HFieldError, shorten
 
 HELP = (
@@ -46,6 +48,7 @@ def configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="exit with 0 also where a certificate assumes what it does not prove",
     )
+    parser.add_argument("--coq", action="store_true", help=FLAG_HELP)
     add_format(parser, "plain", "json")
     add_output(parser)
 
@@ -54,20 +57,29 @@ def run(args: Namespace) -> int:
     """Check every file, report, and return the exit status."""
     pin = _pin(args)
     outcomes = [(name, _check(name, pin)) for name in args.files]
+    accepted = [name for name, outcome in outcomes if isinstance(outcome, Established)]
+    coq = coq_verdicts(accepted) if args.coq else {}
     with open_output(args.output) as out:
         if args.format == "json":
-            results = [_json(name, outcome) for name, outcome in outcomes]
+            results = [_json(name, outcome, coq.get(name)) for name, outcome in outcomes]
             out.write_json({"schema": "hfield-check/1", "results": results})
         else:
             out.write(
-                "\n".join(f"{one_line(name)}: {_told(outcome)}" for name, outcome in outcomes)
+                "\n".join(
+                    f"{one_line(name)}: {_told(outcome, coq.get(name))}"
+                    for name, outcome in outcomes
+                )
             )
+    return exit_status(coq, _exit_status(outcomes, args.allow_assumptions))
+
+
+def _exit_status(outcomes: Sequence[tuple[str, Outcome]], allow_assumptions: bool) -> int:
     if any(isinstance(outcome, UnreadableError) for _, outcome in outcomes):
         return 2
     if any(isinstance(outcome, Rejected) for _, outcome in outcomes):
         return 1
     assuming = any(isinstance(x, Established) and x.assumptions for _, x in outcomes)
-    return ASSUMING if assuming and not args.allow_assumptions else 0
+    return ASSUMING if assuming and not allow_assumptions else 0
 
 
 Outcome = Established | Rejected | UnreadableError
@@ -140,15 +152,15 @@ def _pin(args: Namespace) -> Pin | None:
         raise UsageError(f"--statement: {error}") from None
 
 
-def _told(outcome: Outcome) -> str:
+def _told(outcome: Outcome, coq: Verdict | None) -> str:
     """Return the lines on a file, those after the first set in."""
     if isinstance(outcome, Established):
-        return "\n  ".join(outcome.lines())
+        return "\n  ".join([*outcome.lines(), *([str(coq)] if coq else [])])
     word = "rejected: " if isinstance(outcome, Rejected) else ""
     return word + " ".join(str(outcome).split())
 
 
-def _json(name: str, outcome: Outcome) -> dict[str, object]:
+def _json(name: str, outcome: Outcome, coq: Verdict | None) -> dict[str, object]:
     if not isinstance(outcome, Established):
         return {"file": name, "accepted": False, "reason": str(outcome)}
     return {
@@ -163,4 +175,5 @@ def _json(name: str, outcome: Outcome) -> dict[str, object]:
         "theorems": list(outcome.theorems),
         "assumptions": list(outcome.assumptions),
         "vacuous": list(outcome.vacuous),
+        **({"coq": {"verdict": coq.word, "reason": coq.reason}} if coq else {}),
     }

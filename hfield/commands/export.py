@@ -1,15 +1,20 @@
-"""``hfield export``: what is proved for all fields, as a file for the proof assistant Coq."""
+"""``hfield export``: certificates, and what is proved for all fields, as a file for Coq."""
 
 from __future__ import annotations
 
+import json
+import re
 from argparse import ArgumentParser, Namespace
+from pathlib import Path
 
 from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError
+from hfield.errors import shorten
 
 HELP = (
     "Write a file for Coq with what is proved for all fields: the theorems of the ledger, and "
-    "statements of your own. Coq itself is not needed; `coqc FILE` checks the file. Exit status: "
+    "statements of your own; or with certificates, each as a theorem about its statement that its "
+    "evidence proves. Coq itself is not needed; `coqc FILE` checks the file. Exit status: "
     "0 all that was named is in the file, 1 something is not, 2 bad usage."
 )
 
@@ -34,11 +39,19 @@ def configure(parser: ArgumentParser) -> None:
         metavar="ID",
         help="only this claim of the ledger, by id or name; may be repeated",
     )
+    parser.add_argument(
+        "--certificate",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="CERT",
+        help="these certificates, and of the ledger only the claims that are named",
+    )
 
 
 def run(args: Namespace) -> int:
     """Write the file, tell how many theorems it has and what was left out."""
-    from hfield.coq.export import export_statements
+    from hfield.coq.export import Export, export_certificates, export_statements
     from hfield.coq.ledger import export_ledger
     from hfield.ledger.registry import find
 
@@ -47,9 +60,11 @@ def run(args: Namespace) -> int:
     if args.algebra is not None and not args.statement:
         raise UsageError("--algebra is about statements: add --statement S")
     chosen = list(dict.fromkeys(find(name) for name in args.claim))
+    certificates = _certificates(args.certificate)
     with open_output(args.coq) as out:
-        own = export_statements(args.statement, args.algebra)
-        whole = export_ledger(chosen) + own
+        own = export_certificates(certificates) + export_statements(args.statement, args.algebra)
+        ledger = Export(()) if certificates and not chosen else export_ledger(chosen)
+        whole = ledger + own
         out.write(whole.text)
     named = own.left if not chosen else whole.left
     for left in whole.left:
@@ -64,3 +79,19 @@ def run(args: Namespace) -> int:
     else:
         print(f"{args.coq}: {summary}")
     return int(bool(named))
+
+
+def _certificates(files: list[str]) -> dict[str, object]:
+    """Read certificates, by names for their theorems. Raises UsageError for what is no JSON file."""
+    out: dict[str, object] = {}
+    for file in files:
+        base = name = "certificate_" + re.sub(r"[^0-9A-Za-z]+", "_", Path(file).stem)
+        number = 1
+        while name in out:
+            number += 1
+            name = f"{base}_{number}"
+        try:
+            out[name] = json.loads(Path(file).read_text(encoding="utf-8"))
+        except (OSError, ValueError, RecursionError) as error:
+            raise UsageError(f"--certificate {shorten(file)}: {shorten(str(error))}") from error
+    return out

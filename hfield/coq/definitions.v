@@ -1,4 +1,5 @@
-From Coq Require Import ZArith Ring Ring_theory Ring_polynom InitialRing Field Decidable.
+From Coq Require Ncring Ncring_tac.
+From Coq Require Import QArith Qround Qcanon ZArith Znumtheory List Bool Lia Ring Ring_theory Ring_polynom InitialRing Field Decidable.
 
 (* ---------------------------------------------------------------------------------------------- *)
 (* Definitions. The operations of a ring stand together in one record; that they are those of a    *)

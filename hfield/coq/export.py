@@ -1,32 +1,37 @@
-"""The file for Coq: definitions, what is proved by hand there, the ledger, a session's statements.
+"""The file for Coq: definitions, what is proved by hand there, and a theorem for each certificate.
 
 Nothing here needs Coq. What the file claims is worth something only once ``coqc`` has read it, and
 ``Print Assumptions`` at its end shows what each theorem rests on.
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.resources import files
+from typing import Any
 
-from hfield.coq.facts import NoProofError
-from hfield.coq.theorems import ASSOCIATIVE, FIELDS, RINGS, Theorem, theorem
+from hfield.coq.terms import NotCoveredError
+from hfield.coq.theorem import Theorem, comment_text, theorem
 from hfield.errors import HFieldError, shorten
 from hfield.proving.decision import PROVED, VACUOUS
 from hfield.proving.prove import Answer, prove
 
-# Each section of the file: what stands in it by hand, and the theorems over these rings.
-SECTIONS = (
-    ("rings.v", RINGS, "Commutative_rings"),
-    ("fields.v", FIELDS, "Fields"),
-    ("multilinear.v", "", "Multilinear_maps"),
-    ("presentations.v", ASSOCIATIVE, "Associative_rings"),
-)
+# What every file begins with; theorems of the first kind stand in the section that rings.v opens.
+BY_HAND = ("rings.v", "fields.v", "multilinear.v", "presentations.v")
+ENDS = {
+    "rings.v": "End Commutative_rings.",
+    "fields.v": "End Fields.",
+    "multilinear.v": "End Multilinear_maps.",
+    "presentations.v": "End Associative_rings.\nEnd Presentations.",
+}
+JUDGE = ("statements.v", "evidence.v", "values.v", "direct.v", "judged.v", "models.v", "judges.v")
 HEADER = """\
 Quaternion algebras: theorems for Coq, written by `hfield export --coq`. Check them with
-`coqc FILE.v` (Coq 8.16 or later). They are about any commutative ring, any field, any associative
-ring. The last line prints what all of them rest on: "Closed under the global context", no axiom."""
+`coqc FILE.v` (Coq 8.16 or later). The last line prints what all of them rest on: "Closed under the
+global context", no axiom. The theorems of certificates stand at the end; what comes before are
+definitions, theorems about any commutative ring and any field that were proved by hand, and the
+proof that the computations with evidence are right."""
 
 
 @dataclass(frozen=True)
@@ -52,16 +57,15 @@ class Export:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names of all theorems and lemmas of the file, in its order."""
-        return tuple(re.findall(r"^(?:Theorem|Lemma) (\w+)", self.body, re.MULTILINE))
+        """The names of all theorems and lemmas about quaternions, in the order of the file."""
+        hand = "\n".join(_piece(file) for file in BY_HAND)
+        return (*_stated(hand), *(t.name for t in self.theorems))
 
     @cached_property
     def body(self) -> str:
         """The file without its last lines, which print the assumptions."""
-        parts = [_comment(HEADER), _piece("definitions.v")]
-        for file, room, section in SECTIONS:
-            parts += [_piece(file), *(f"{t}\n" for t in self.theorems if t.room == room)]
-            parts.append(f"End {section}.\n")
+        parts = [_comment(HEADER), library(self.theorems)]
+        parts += [f"{t}\n" for t in self.theorems if not t.place]
         if self.by_hand:
             lines = (f"{claim}: {theorem}" for claim, theorem in self.by_hand)
             parts.append(_comment("\n".join(["Claims proved by hand, under these names:", *lines])))
@@ -73,7 +77,11 @@ class Export:
     @property
     def text(self) -> str:
         """The file: its last command prints what all theorems together assume."""
-        used = "".join(f"  let _ := @{name} in\n" for name in self.names)
+        inside = {*_stated(_piece("presentations.v"))} | {
+            t.name for t in self.theorems if t.place == "presentations.v"
+        }
+        shown = (f"Presentations.{name}" if name in inside else name for name in self.names)
+        used = "".join(f"  let _ := @{name} in\n" for name in shown)
         everything = (
             f"Definition all_theorems : True :=\n{used}  I.\nPrint Assumptions all_theorems.\n"
         )
@@ -87,6 +95,18 @@ class Export:
         )
 
 
+def library(theorems: Iterable[Theorem] = ()) -> str:
+    """Return what stands in every file, with those of the theorems that stand in one of its sections."""
+    placed = [t for t in theorems if t.place]
+    parts = [_piece("definitions.v")]
+    for file in BY_HAND:
+        parts.append(_piece(file))
+        parts += [f"{t}\n" for t in placed if t.place == file]
+        parts.append(ENDS[file] + "\n")
+    parts += [_piece(file) for file in JUDGE]
+    return "\n".join(parts)
+
+
 def export_statements(statements: Sequence[str], algebra: str | None = None) -> Export:
     """Prove statements for all fields and export those that are proved.
 
@@ -96,7 +116,7 @@ def export_statements(statements: Sequence[str], algebra: str | None = None) -> 
 
 
 def export_session(answers: Iterable[Answer]) -> Export:
-    """Export the answers of :func:`hfield.prove` that are proved for all fields."""
+    """Export the answers of :func:`hfield.prove` that are proved."""
     theorems: list[Theorem] = []
     left: list[Left] = []
     for number, answer in enumerate(answers, 1):
@@ -108,21 +128,30 @@ def export_session(answers: Iterable[Answer]) -> Export:
     return Export(tuple(theorems), tuple(left))
 
 
+def export_certificates(certificates: Mapping[str, Any]) -> Export:
+    """Export certificates, by names for their theorems."""
+    theorems: list[Theorem] = []
+    left: list[Left] = []
+    for name, data in certificates.items():
+        try:
+            theorems.append(theorem(name, data))
+        except HFieldError as error:
+            text = data.get("statement") if isinstance(data, dict) else None
+            left.append(Left(name, text if isinstance(text, str) else "?", str(error)))
+    return Export(tuple(theorems), tuple(left))
+
+
 def theorem_of(name: str, answer: Answer, words: str = "") -> Theorem:
-    """Return one answer as a theorem. Raises :class:`NoProofError` or :class:`TooLargeError`."""
-    if answer.field is not None:
-        raise NoProofError(f"decided over {answer.field} only, not for all fields")
+    """Return one answer as a theorem. Raises :class:`NotCoveredError` or :class:`TooLargeError`."""
     if answer.verdict not in (PROVED, VACUOUS):
-        raise NoProofError(f"{answer.verdict}, so this is no theorem")
-    where = "" if answer.setting.is_hamilton else f", in {answer.setting.algebra}"
-    scope = f" [proved over {answer.decision.scope}]" if answer.decision.scope else ""
-    comment = comment_text(f"{words}{answer.text}{where}{scope}")
-    return theorem(name, comment, answer.statement, answer.setting, answer.decision)
+        raise NotCoveredError(f"{answer.verdict}, so this is no theorem")
+    if answer.certificate is None:
+        raise NotCoveredError(f"there is no certificate: {answer.why_no_certificate}")
+    return theorem(name, answer.certificate, words)
 
 
-def comment_text(text: str) -> str:
-    """Return a text that can stand in a comment of Coq."""
-    return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+def _stated(text: str) -> list[str]:
+    return re.findall(r"^(?:Theorem|Lemma) (\w+)", text, re.MULTILINE)
 
 
 def _piece(file: str) -> str:

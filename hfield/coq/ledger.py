@@ -2,18 +2,17 @@
 
 from collections.abc import Iterator, Sequence
 
-from hfield.coq.export import Export, Left, comment_text, theorem_of
-from hfield.coq.facts import NoProofError
-from hfield.coq.presented import counterexample, presented
-from hfield.coq.theorems import Theorem
+from hfield.coq.export import Export, Left
+from hfield.coq.terms import NotCoveredError
+from hfield.coq.theorem import Theorem, theorem
 from hfield.errors import HFieldError
-from hfield.ledger.claim import Claim, Proposition
-from hfield.ledger.presented import RELATIONS, Presented
+from hfield.ledger.certificate import certificate
+from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
+from hfield.ledger.presented import Presented
 from hfield.ledger.propositions import Equivalence, Every, Implication, Only, Over, Statement
 from hfield.ledger.real import Analysis, Angles
 from hfield.ledger.registry import claims
 from hfield.proving.decision import PROVED, REFUTED
-from hfield.proving.prove import prove
 
 # Claims that are no statements of the language, and the theorems of the file that say the same.
 BY_HAND = {
@@ -93,19 +92,15 @@ def _is_candidate(part: Proposition) -> bool:
 
 
 def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
-    words = f"{claim.id}: "
-    if isinstance(part, Statement):
-        return theorem_of(name, prove(part.formula, given=part.given), words)
-    if not isinstance(part, Presented):
+    if not isinstance(part, Statement | Presented):
         raise NoStatementError("this is no statement of the language")
     decision = part.decide(None)
-    evidence = decision.evidence or {}
-    if decision.verdict == PROVED:
-        comment = comment_text(words + part.text)
-        return presented(name, comment, RELATIONS, part.goals, evidence)
-    comment = comment_text(f"{words}refuted is: {part.text}")
-    return counterexample(f"{name}_fails", comment, RELATIONS, part.goals, evidence)
+    data = certificate(part, decision, UNIVERSAL)
+    if data is None:
+        raise NotCoveredError("it has no certificate")
+    name = f"{name}_fails" if decision.verdict == REFUTED else name
+    return theorem(name, data, f"{claim.id}: ")
 
 
-class NoStatementError(NoProofError):
+class NoStatementError(NotCoveredError):
     """A proposition that cannot be translated, since it is not written in the language."""

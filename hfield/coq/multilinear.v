@@ -35,7 +35,7 @@ Fixpoint multilinear d : maps d -> Prop :=
 Fixpoint same_on_basis d : maps d -> maps d -> Prop :=
   match d with
   | O => fun f g => f = g
-  | S m => fun f g => forall l, l < n -> same_on_basis m (f (basis l)) (g (basis l))
+  | S m => fun f g => forall l, (l < n)%nat -> same_on_basis m (f (basis l)) (g (basis l))
   end.
 
 Lemma same_refl : forall d f, same d f f.
@@ -62,7 +62,7 @@ Proof.
   induction d as [| d agree]; cbn; [tauto |].
   intros f g [Lf [Zf Mf]] [Lg [Zg Mg]]; split.
   - intros B v. destruct (span v) as [c ->].
-    assert (part : forall m, m <= n -> same d (f (sum c m)) (g (sum c m))).
+    assert (part : forall m, (m <= n)%nat -> same d (f (sum c m)) (g (sum c m))).
     { induction m as [| m step]; intro small; cbn.
       - apply (same_trans _ _ _ _ Zf), same_sym, Zg.
       - apply (same_trans _ _ _ _ (Lf _ _ _)). apply same_sym.

@@ -3,7 +3,8 @@
 (* Every associative ring with identity, commutative or not.                                      *)
 (* ---------------------------------------------------------------------------------------------- *)
 
-From Coq Require Import Ncring Ncring_tac.
+Module Presentations.
+Import Ncring Ncring_tac.
 
 Section Associative_rings.
 Context {R : Type} `{laws : Ring R}.

@@ -1,64 +1,98 @@
-"""Theorem 1 of the thesis in Coq: what follows from relations in every associative ring.
+"""Statements about all associative algebras in Coq: what follows from relations, and tables against it.
 
-The cofactors of the decision become a sum of ``left * (l - r) * right`` over the relations. Where
-the identity is not assumed, the table that refutes the claim becomes a counterexample over every
+The cofactors of a certificate become a sum of ``left * (l - r) * right`` over the relations. Where
+the identity is not assumed, the table that refutes a claim becomes a counterexample over every
 commutative ring.
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from hfield.coq.facts import NoProofError
-from hfield.coq.theorems import ASSOCIATIVE, RINGS, Theorem
-from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse
+from hfield.coq.cofactors import MismatchError
+from hfield.coq.judgement import IN_ASSOCIATIVE, IN_RINGS, Proved
+from hfield.coq.rooms import room_of
+from hfield.coq.terms import NotCoveredError
+from hfield.proving.statements.setting import Setting
+from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse
 
 PLACES = ("re", "im", "jm", "km")
 
 
-def presented(
-    name: str,
-    comment: str,
-    relations: Sequence[str],
-    goals: Sequence[str],
-    evidence: Mapping[str, Any],
-) -> Theorem:
-    """Write what was proved by rewriting as a theorem about associative rings with identity.
+def is_presentation(text: str) -> bool:
+    """Tell whether a statement is one about all associative algebras."""
+    return re.match(r"\s*associative\s*\(", text) is not None
 
-    Raises :class:`NoProofError` when the proof is one for a single characteristic.
+
+def presentation(
+    name: str, text: str, setting: Setting, verdict: str, evidence: Mapping[str, Any]
+) -> Proved:
+    """Prove what a verdict on a presentation says, over every ring: it holds for algebras over one.
+
+    Raises :class:`NotCoveredError` when the proof is one for a single characteristic.
     """
+    m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL)
+    letters = "".join(m[1].split()) if m else ""
+    tree = parse(m[2]) if m else None
+    if letters not in ("i,j,k", "e,i,j,k") or not isinstance(tree, Logic) or tree.op != "=>":
+        raise MismatchError("expected associative(i, j, k): relations => goals")
+    if setting.field is not None:
+        room_of(setting.field)
+    relations, goals = _equations(tree.left), _equations(tree.right)
+    kind = evidence["kind"]
+    if (kind, verdict) == ("presentation", "proved"):
+        if letters != "i,j,k":
+            raise NotCoveredError("consequences of relations without an identity")
+        return _consequence(relations, goals, evidence)
+    if (kind, verdict) == ("algebra", "refuted"):
+        if letters == "i,j,k":
+            raise NotCoveredError("a table against a statement with an identity")
+        if setting.field is not None:
+            raise NotCoveredError("a table over one field")
+        return _counterexample(name, relations, goals, evidence)
+    raise MismatchError(f"evidence of the kind {kind!r} does not show that this is {verdict}")
+
+
+def _equations(node: Node) -> list[Compare]:
+    if isinstance(node, Logic) and node.op == "and":
+        return _equations(node.left) + _equations(node.right)
+    if not isinstance(node, Compare) or node.op != "==":
+        raise MismatchError("relations and goals are equations")
+    return [node]
+
+
+def _consequence(
+    relations: Sequence[Node], goals: Sequence[Node], evidence: Mapping[str, Any]
+) -> Proved:
     proofs = evidence["proofs"]
+    if len(proofs) != len(goals):
+        raise MismatchError("there are not as many proofs as goals")
     if evidence["characteristic"] or any(p["denominator"] != 1 for p in proofs):
-        raise NoProofError("the proof divides by integers, so it is not one for every ring")
-    hypotheses = [_text(parse(r)) for r in relations]
-    conclusion = " /\\\n  ".join(_text(parse(g)) for g in goals)
+        raise NotCoveredError("the proof divides by integers, so it is not one for every ring")
+    hypotheses = [_text(r) for r in relations]
+    conclusion = " /\\\n  ".join(_text(g) for g in goals)
     names = [f"h{n + 1}" for n in range(len(hypotheses))]
     lines = [f"intros i j k {' '.join(names)}; repeat split."]
     for proof in proofs:
         sum_of = "nil"
         for c, left, n, right in reversed(proof["cofactors"]):
+            if not set(left + right) <= set("ijk"):
+                raise MismatchError("a cofactor is no word in i, j, k")
             sum_of = f"(cons ({_factor(c, left)}) ({_word(right)}) {names[n]} {sum_of})"
         lines.append(f"- combine {sum_of}.")
     text = " ->\n  ".join(["forall i j k : R,\n  " + hypotheses[0], *hypotheses[1:], conclusion])
-    return Theorem(name, ASSOCIATIVE, comment, text, _script(lines))
+    return Proved(text, tuple(lines), place=IN_ASSOCIATIVE)
 
 
-def counterexample(
-    name: str,
-    comment: str,
-    relations: Sequence[str],
-    goals: Sequence[str],
-    evidence: Mapping[str, Any],
-) -> Theorem:
-    """Write a refuting table as a theorem: associative, bilinear, all relations, but not the goal.
-
-    Raises :class:`NoProofError` when the table is one for a single characteristic.
-    """
+def _counterexample(
+    name: str, relations: Sequence[Node], goals: Sequence[Compare], evidence: Mapping[str, Any]
+) -> Proved:
+    """Write a refuting table as a theorem: associative, bilinear, all relations, but not the goal."""
     at = next(n for n, c in enumerate(evidence["value"]) if c)
     value = int(evidence["value"][at])
     if evidence["characteristic"]:
-        raise NoProofError("the table refutes the claim in a single characteristic only")
-    goal = parse(goals[evidence["goal"]])
-    assert isinstance(goal, Compare)
+        raise NotCoveredError("the table refutes the claim in a single characteristic only")
+    goal = goals[evidence["goal"]]
     product = f"{name}_product"
     definition = (
         f"Definition {product} (p q : quaternion R) := Quaternion\n"
@@ -69,7 +103,7 @@ def counterexample(
         f"(forall p q r, {product} ({product} p q) r = {product} p ({product} q r))",
         f"(forall s p q r, {product} ((s [.] p) [+] q) r = (s [.] {product} p r) [+] {product} q r)",
         f"(forall s p q r, {product} r ((s [.] p) [+] q) = (s [.] {product} r p) [+] {product} r q)",
-        *(_equation(parse(r), product) for r in relations),
+        *(_equation(r, product) for r in relations),
         f"(num {abs(value)} <> 0 -> {_product(goal.left, product)} <> {_product(goal.right, product)})",
     ]
     sign = "1" if value > 0 else "- (1)"
@@ -78,12 +112,7 @@ def counterexample(
         f"intros N E; apply N; unfold {product} in E.",
         f"combine (cons ({sign}) (f_equal {PLACES[at]} E) nil).",
     ]
-    text = " /\\\n  ".join(parts)
-    return Theorem(name, RINGS, comment, text, _script(lines), before=definition)
-
-
-def _script(lines: Sequence[str]) -> str:
-    return "\n".join(["Proof.", *(f"  {line}" for line in lines), "Qed."])
+    return Proved(" /\\\n  ".join(parts), tuple(lines), (definition,), IN_RINGS)
 
 
 # --- words in an associative ring ----------------------------------------------------------------
@@ -104,7 +133,7 @@ def _text(node: Node) -> str:
             return f"{_inner(x)} {op} {_inner(y)}"
         case Power(x, n) if n > 0:
             return " * ".join([_inner(x)] * n)
-    raise NoProofError("this is no polynomial in the letters with integer coefficients")
+    raise NotCoveredError("this is no polynomial in the letters with integer coefficients")
 
 
 def _inner(node: Node) -> str:
@@ -160,4 +189,4 @@ def _product(node: Node, product: str) -> str:
             return f"([-] {_product(x, product)})"
         case Binary("*", x, y):
             return f"({product} {_product(x, product)} {_product(y, product)})"
-    raise NoProofError("the counterexample is written for products of letters only")
+    raise NotCoveredError("the counterexample is written for products of letters only")

@@ -1,8 +1,8 @@
-"""Terms of the language in Coq's notation, each with its value as polynomials.
+"""Terms of the language in Coq's notation, as data for its computations, and with their numerators.
 
 The text is what Coq reads: it follows the tree node by node, so that the theorem says what the
-statement says. The value only serves to find the proof. A divisor d brings a variable of its own
-for ``inv d``, which the equation ``d·inv d = 1`` ties to d where d is known not to be 0.
+statement says. The data is the same tree again, which Coq turns into that text by itself. The
+numerator is a polynomial that the evidence may speak of; it only helps to find hints.
 """
 
 from collections.abc import Sequence
@@ -10,37 +10,41 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from flint import Ordering, fmpz_mpoly_ctx
-
-from hfield.errors import TooLargeError
+from hfield.coq.numerators import Numerators
+from hfield.errors import HFieldError, TooLargeError
 from hfield.product import Constants, conjugate, multiply, norm, trace
-from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.trees import walk
-from hfield.syntax import Binary, Call, Compare, Index, Name, Negate, Node, Number, Power, parse
+from hfield.proving.statements.language import Sort
+from hfield.syntax import Binary, Call, Index, Name, Negate, Node, Number, Power, parse
 
-MAX_SIZE = 50_000  # leaves of a coordinate once everything is unfolded, as Coq has to read it
+MAX_SIZE = 200_000  # leaves of a coordinate once everything is unfolded
 MAX_EXPONENT = 500
 MAX_BITS = 2_000  # of a number
-MAX_TERMS = 200_000  # of the polynomials multiplied here
-SPARE = 12  # inverses beyond those of divisors: of what the proof finds not to be 0
 COORDINATES = ("re", "im", "jm", "km")
+PLACES = ("at_e", "at_i", "at_j", "at_k")
 HAMILTON = ("-1", "0", "-1")
 ATOM, APPLICATION, PRODUCT, SUM = range(4)
 
 
+class NotCoveredError(HFieldError, NotImplementedError):
+    """A certificate that is not translated; the message says what is not covered."""
+
+
 @dataclass(frozen=True)
 class Term:
-    """A term of Coq, its value (a polynomial, or a tuple of four), and where it has one.
+    """A term of Coq, its data and its value: a numerator, or a tuple of four.
 
-    ``conditions`` are the scalars that must not be 0. ``size`` counts the leaves of a coordinate
-    when all definitions are unfolded, ``level`` tells how loosely the text binds.
+    ``conditions`` are the scalars that must have an inverse. ``size`` counts the leaves of a
+    coordinate when all definitions are unfolded, ``level`` tells how loosely the text binds, and
+    ``closed`` whether no unknown occurs.
     """
 
     text: str
+    data: str
     value: Any
     size: int = 1
     conditions: tuple["Term", ...] = ()
     level: int = ATOM
+    closed: bool = False
 
     @property
     def is_scalar(self) -> bool:
@@ -52,6 +56,11 @@ class Term:
         """The text as the argument of a function."""
         return self.within(ATOM)
 
+    @property
+    def argument(self) -> str:
+        """The data as the argument of a function."""
+        return f"({self.data})" if " " in self.data else self.data
+
     def within(self, level: int) -> str:
         """Return the text, in parentheses if it binds more loosely than ``level``."""
         return self.text if self.level <= level else f"({self.text})"
@@ -60,59 +69,68 @@ class Term:
 class Terms:
     """Translates the terms of one statement, in one algebra."""
 
-    def __init__(self, statement: Statement, constants: Sequence[str]) -> None:
-        nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
-        divisors = sum(isinstance(n, Binary | Call | Power | Number | Compare) for n in nodes)
-        self.atoms: list[str] = []
-        for name, sort in statement.unknowns:
-            self.atoms += [name] if sort is Sort.SCALAR else [f"{c} {name}" for c in COORDINATES]
-        self.known = len(self.atoms)
-        self.inverses: dict[str, int] = {}
-        self.room = self.known + min(divisors, 40) + SPARE
-        self.context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(self.room)], Ordering.degrevlex)
-        self.gens = self.context.gens()
-        self.names = self._unknowns(statement)
+    def __init__(
+        self,
+        unknowns: Sequence[tuple[str, Sort]],
+        found: Sequence[tuple[str, Sort]],
+        constants: Sequence[str],
+    ) -> None:
+        self.given, self.found = list(unknowns), list(found)
+        atoms = []
+        for name, sort in self.ordered:
+            atoms += [name] if sort is Sort.SCALAR else [f"{name}[{n}]" for n in range(4)]
+        self.numerators = Numerators(atoms)
+        self.names = self._unknowns()
+        # Letters are scalars whatever is found later; constants see the given unknowns only.
         parts = [self.term(parse(text)) for text in constants]
-        if any(part.conditions for part in parts):
-            raise TooLargeError("structure constants that divide are not exported")
         self.constants = Constants(*(part.value for part in parts))
+        self.defined = tuple({c.text: c for part in parts for c in part.conditions}.values())
+        self.parts = parts
         shown = " ".join(part.inner for part in parts)
         self.algebra = "H" if tuple(constants) == HAMILTON else f"(Algebra {shown})"
-        self.weight = max(part.size for part in parts)
+        self.weight = 1 if self.algebra == "H" else max(part.size for part in parts)
 
-    def _unknowns(self, statement: Statement) -> dict[str, Term]:
-        out, at = {}, 0
-        for name, sort in statement.unknowns:
-            width = 1 if sort is Sort.SCALAR else 4
-            value = self.gens[at] if width == 1 else tuple(self.gens[at : at + 4])
-            out[name] = Term(name, value)
-            at += width
-        zero, one = self.integer(0), self.integer(1)
-        for n, name in enumerate("eijk"):
-            coordinates = tuple(one if m == n else zero for m in range(4))
-            out[name] = Term(name, coordinates)
+    @property
+    def ordered(self) -> list[tuple[str, Sort]]:
+        """The unknowns, quaternions first, those that are found after those that are given."""
+        out: list[tuple[str, Sort]] = []
+        for sort in (Sort.QUATERNION, Sort.SCALAR):
+            for group in (self.given, self.found):
+                out += [(name, s) for name, s in group if s is sort]
         return out
 
-    def integer(self, n: int) -> Any:
-        """Return an integer as a polynomial."""
-        return self.context.constant(n)
-
-    def inverse_of(self, d: Term) -> Any:
-        """Return the variable that stands for ``inv d``. Raises TooLargeError when there is none left."""
-        if d.text not in self.inverses:
-            if len(self.atoms) == self.room:
-                raise TooLargeError("too many things are divided by, or found not to be 0")
-            self.inverses[d.text] = len(self.atoms)
-            self.atoms.append(f"inv {d.inner}")
-        return self.gens[self.inverses[d.text]]
+    def _unknowns(self) -> dict[str, Term]:
+        n = self.numerators
+        zero, one = n.number(0), n.number(1)
+        out, counts = {}, {Sort.QUATERNION: 0, Sort.SCALAR: 0}
+        for letter, place in zip("eijk", PLACES, strict=True):
+            value = tuple(one if x == letter else zero for x in "eijk")
+            out[letter] = Term(letter, f"QBasis {place}", value, closed=True)
+        for name, sort in self.ordered:
+            k = counts[sort]
+            counts[sort] += 1
+            if sort is Sort.SCALAR:
+                out[name] = Term(name, f"SVar {k}", n.atom(name))
+            else:
+                value = tuple(n.atom(f"{name}[{m}]") for m in range(4))
+                out[name] = Term(name, f"QVar {k}", value)
+        return out
 
     def embed(self, x: Term) -> Term:
         """Return a scalar as a multiple of e."""
         if not x.is_scalar:
             return x
-        zero = self.integer(0)
+        zero = self.numerators.number(0)
         value = (x.value, zero, zero, zero)
-        return Term(f"embed {x.inner}", value, x.size, x.conditions, APPLICATION)
+        return Term(
+            f"embed {x.inner}",
+            f"QEmbed {x.argument}",
+            value,
+            x.size,
+            x.conditions,
+            APPLICATION,
+            x.closed,
+        )
 
     def term(self, node: Node) -> Term:
         """Translate a term. Raises :class:`TooLargeError` for what would be too large to check."""
@@ -125,30 +143,37 @@ class Terms:
         match node:
             case Number(value):
                 return self.number(value)
-            case Name(name):
+            case Name(name) if name in self.names:
                 return self.names[name]
+            case Name(name):
+                raise NotCoveredError(f"{name!r} names a constant of the field")
             case Negate(operand):
                 x = self.term(operand)
                 negative = -x.value if x.is_scalar else tuple(-u for u in x.value)
                 inner = x.within(APPLICATION)
                 inner = f"({inner})" if inner in ("0", "1") else inner
                 text = f"{'-' if x.is_scalar else '[-]'} {inner}"
-                return Term(text, negative, x.size, x.conditions, SUM)
+                data = f"{'SNeg' if x.is_scalar else 'QNeg'} {x.argument}"
+                return Term(text, data, negative, x.size, x.conditions, SUM, x.closed)
             case Binary(op, left, right):
                 return self.binary(op, self.term(left), self.term(right))
             case Power(base, exponent):
                 return self.power(self.term(base), exponent)
             case Index(base, index):
                 return self.coordinate(self.term(base), index)
-            case Call(function, arguments):
-                return self.call(function, [self.term(x) for x in arguments])
+            case Call(
+                "conj" | "norm" | "trace" | "inv" | "scalar" | "vector" | "comm" as f, arguments
+            ):
+                return self.call(f, [self.term(x) for x in arguments])
+            case Call(function, _):
+                raise NotCoveredError(f"{function}(...) is a constant of the field")
         raise AssertionError(node)
 
     def coordinate(self, x: Term, n: int) -> Term:
         """Return the coordinate number n."""
         x = self.embed(x)
-        text = f"{COORDINATES[n]} {x.inner}"
-        return Term(text, x.value[n], x.size, x.conditions, APPLICATION)
+        text, data = f"{COORDINATES[n]} {x.inner}", f"SCoordinate {PLACES[n]} {x.argument}"
+        return Term(text, data, x.value[n], x.size, x.conditions, APPLICATION, x.closed)
 
     def number(self, value: int | Fraction) -> Term:
         """Return a literal."""
@@ -157,38 +182,44 @@ class Terms:
         n = int(value)
         if n.bit_length() > MAX_BITS:
             raise TooLargeError(f"a number has more than {MAX_BITS} bits")
-        text = str(n) if n in (0, 1) else f"num {n}" if n > 0 else f"num ({n})"
+        shown = str(n) if n >= 0 else f"({n})"
+        text = str(n) if n in (0, 1) else f"num {shown}"
         level = ATOM if n in (0, 1) else APPLICATION
-        return Term(text, self.integer(n), max(2 * n.bit_length(), 1), level=level)
+        own = self.numerators.number(n)
+        return Term(
+            text, f"SNum {shown}", own, max(2 * n.bit_length(), 1), level=level, closed=True
+        )
 
     def binary(self, op: str, x: Term, y: Term) -> Term:
         """Return a sum, difference, product or quotient."""
         conditions = _joined(x, y)
-        size = x.size + y.size
+        size, closed = x.size + y.size, x.closed and y.closed
         if op == "/":
-            value, conditions = self.inverse_of(y), _joined(x, y, (y,))
+            value, conditions = self.numerators.inverse(y.value), _joined(x, y, (y,))
             result = x.value * value if x.is_scalar else tuple(u * value for u in x.value)
-            return _infix(x, "/" if x.is_scalar else "[/]", y, result, size, conditions)
+            data = f"{'SDiv' if x.is_scalar else 'QOver'} {x.argument} {y.argument}"
+            sign = "/" if x.is_scalar else "[/]"
+            return _infix(x, sign, y, data, result, size, conditions, closed)
+        letter = {"+": "Add", "-": "Sub", "*": "Mul"}[op]
         if x.is_scalar and y.is_scalar:
-            self._bound(x, y, op)
             value = {"+": x.value.__add__, "-": x.value.__sub__, "*": x.value.__mul__}[op](y.value)
-            return _infix(x, op, y, value, size, conditions)
+            data = f"S{letter} {x.argument} {y.argument}"
+            return _infix(x, op, y, data, value, size, conditions, closed)
         if op in "+-":
             x, y = self.embed(x), self.embed(y)
             pairs = zip(x.value, y.value, strict=True)
             sums = tuple(u + v if op == "+" else u - v for u, v in pairs)
-            return _infix(x, f"[{op}]", y, sums, size, conditions)
-        self._bound(x, y, op)
+            data = f"Q{letter} {x.argument} {y.argument}"
+            return _infix(x, f"[{op}]", y, data, sums, size, conditions, closed)
         if x.is_scalar or y.is_scalar:
             s, q = (x, y) if x.is_scalar else (y, x)
-            return _infix(s, "[.]", q, tuple(s.value * u for u in q.value), size, conditions)
+            scaled = tuple(s.value * u for u in q.value)
+            data = f"QScale {s.argument} {q.argument}"
+            return _infix(s, "[.]", q, data, scaled, size, conditions, closed)
         size = 5 * (size + 3 * self.weight)
         product = multiply(self.constants, x.value, y.value)
-        return _infix(x, f"[*{self.algebra}]", y, product, size, conditions)
-
-    def _bound(self, x: Term, y: Term, op: str) -> None:
-        if op == "*" and _length(x) * _length(y) > MAX_TERMS:
-            raise TooLargeError(f"a product has more than {MAX_TERMS} terms")
+        data = f"QMul {x.argument} {y.argument}"
+        return _infix(x, f"[*{self.algebra}]", y, data, product, size, conditions, closed)
 
     def power(self, x: Term, n: int) -> Term:
         """Return a power; the zeroth is 1."""
@@ -196,25 +227,28 @@ class Terms:
             raise TooLargeError(f"the exponent {n} is larger than {MAX_EXPONENT}")
         if n < 0:
             x, n = self.inverse(x), -n
-        one = self.number(1) if x.is_scalar else self.names["e"]
-        out = Term(one.text, one.value, conditions=x.conditions)
+        out = self.number(1) if x.is_scalar else self.names["e"]
         for m in range(n):
             out = x if m == 0 else self.binary("*", x, out)
             if out.size > MAX_SIZE:
                 raise TooLargeError(f"the power {n} is too large to unfold")
+        value, size = out.value, out.size
         text = f"pow {x.inner} {n}" if x.is_scalar else f"qpow {self.algebra} {x.inner} {n}"
-        return Term(text, out.value, out.size, out.conditions, APPLICATION)
+        data = f"{'SPow' if x.is_scalar else 'QPow'} {x.argument} {n}"
+        return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
 
     def inverse(self, x: Term) -> Term:
         """Return the inverse of a scalar or a quaternion."""
         divisor = x if x.is_scalar else self.call("norm", [x])
-        value = self.inverse_of(divisor)
+        value = self.numerators.inverse(divisor.value)
         conditions = _joined(x, divisor, (divisor,))
         if x.is_scalar:
-            return Term(f"inv {x.inner}", value, x.size, conditions, APPLICATION)
+            data = f"SInv {x.argument}"
+            return Term(f"inv {x.inner}", data, value, x.size, conditions, APPLICATION, x.closed)
         bar = tuple(u * value for u in conjugate(self.constants, x.value))
         size = divisor.size + 2 * x.size
-        return Term(f"qinv {self.algebra} {x.inner}", bar, size, conditions, APPLICATION)
+        text = f"qinv {self.algebra} {x.inner}"
+        return Term(text, f"QInv {x.argument}", bar, size, conditions, APPLICATION, x.closed)
 
     def call(self, function: str, arguments: list[Term]) -> Term:
         """Return the value of a function of the language."""
@@ -228,37 +262,38 @@ class Terms:
                 y = self.embed(arguments[1])
                 xy, yx = (self.binary("*", *pair) for pair in ((x, y), (y, x)))
                 value = tuple(u - v for u, v in zip(xy.value, yx.value, strict=True))
-                text, size = f"{x.inner} {y.inner}", xy.size + yx.size
-                return self._applied("comm", text, value, size, _joined(x, y))
+                text = f"comm {self.algebra} {x.inner} {y.inner}"
+                data, size = f"QComm {x.argument} {y.argument}", xy.size + yx.size
+                closed = x.closed and y.closed
+                return Term(text, data, value, size, _joined(x, y), APPLICATION, closed)
             case "vector":
-                text, value = f"vector {x.inner}", (self.integer(0), *x.value[1:])
-                return Term(text, value, x.size, x.conditions, APPLICATION)
+                value = (self.numerators.number(0), *x.value[1:])
+                text, data = f"vector {x.inner}", f"QVector {x.argument}"
+                return Term(text, data, value, x.size, x.conditions, APPLICATION, x.closed)
             case "conj":
-                value, size = conjugate(c, x.value), x.size + 2 * self.weight
+                value, size, data = conjugate(c, x.value), x.size + 2 * self.weight, "QConj"
             case "trace":
-                value, size = trace(c, x.value), 3 * x.size + self.weight
+                value, size, data = trace(c, x.value), 3 * x.size + self.weight, "STrace"
             case _:
-                self._bound(x, x, "*")
-                value, size = norm(c, x.value), 14 * (x.size + self.weight)
-        return self._applied(function, x.inner, value, size, x.conditions)
-
-    def _applied(
-        self, function: str, text: str, value: Any, size: int, conditions: tuple[Term, ...]
-    ) -> Term:
-        return Term(f"{function} {self.algebra} {text}", value, size, conditions, APPLICATION)
+                value, size, data = norm(c, x.value), 14 * (x.size + self.weight), "SNorm"
+        text, data = f"{function} {self.algebra} {x.inner}", f"{data} {x.argument}"
+        return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
 
 
 def _infix(
-    x: Term, sign: str, y: Term, value: Any, size: int, conditions: tuple[Term, ...]
+    x: Term,
+    sign: str,
+    y: Term,
+    data: str,
+    value: Any,
+    size: int,
+    conditions: tuple[Term, ...],
+    closed: bool,
 ) -> Term:
     """Join two terms; all operators associate to the left."""
     level = SUM if sign.strip("[]") in ("+", "-") else PRODUCT
     text = f"{x.within(level)} {sign} {y.within(level - 1)}"
-    return Term(text, value, size, conditions, level)
-
-
-def _length(x: Term) -> int:
-    return len(x.value) if x.is_scalar else sum(map(len, x.value))
+    return Term(text, data, value, size, conditions, level, closed)
 
 
 def _joined(x: Term, y: Term, more: tuple[Term, ...] = ()) -> tuple[Term, ...]:

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from rotation.arrays import Array
-from rotation.kernels import uncompiled
+from rotation.kernels import twins, uncompiled
+from rotation.kernels.announcing import announce
 from rotation.kernels.memory import parameters, plan, straightened
 from rotation.kernels.pool import share, threads
 
@@ -22,10 +23,8 @@ __all__ = [
     "contains_zero",
     "cumulative",
     "euler",
-    "matrices",
     "one",
     "quaternions",
-    "rotation_vectors",
     "threads",
 ]
 
@@ -67,34 +66,17 @@ def contains_zero(array: Array) -> bool:
     return _run("contains_zero", LIGHT, (array,), (array.shape[-1], array.dtype.type(0)), False)
 
 
-def rotation_vectors(vectors: Array, unit: float) -> tuple[Array, bool]:
-    """Return the quaternions ``(…, 4)`` of rotation vectors in angles of ``unit`` radians.
-
-    Those that the loop leaves to others have w = NaN; told is whether there are any.
-    """
-    v = np.require(vectors, np.float64, ["C", "A"])
-    q = np.empty((*v.shape[:-1], 4))
-    return q, _run("rotation_vectors", HEAVY, (v, q), (0.0, unit))
-
-
-def matrices(q: Array) -> tuple[Array, bool]:
-    """Return the matrices ``(…, 3, 3)`` of quaternions of norm about 1, and whether they are left to do."""
-    q = np.require(q, np.float64, ["C", "A"])
-    m = np.empty((*q.shape[:-1], 9))
-    left = _run("matrices", HEAVY, (q, m), (0.0,))
-    return m.reshape(*q.shape[:-1], 3, 3), left
-
-
 def cumulative(q: Array) -> Array:
     """Return ``q[0]``, ``q[1]·q[0]``, ``q[2]·q[1]·q[0]``, … for ``q`` of shape ``(N, 4)``, normalised.
 
     The running product is kept in twice the precision, so errors do not add up over its length.
     """
-    from rotation.kernels.compiled.cumulative import cumulative as compute
-
     q = np.ascontiguousarray(q, np.float64)
     result = np.empty_like(q)
-    compute(q, result)
+    kernel = _kernel("cumulative")
+    if kernel is None:
+        return twins.cumulative(q)
+    kernel(q, result)
     return result
 
 
@@ -129,4 +111,6 @@ def _kernel(name: str) -> Any:
 
     if config.DISABLE_JIT:
         return None
-    return getattr(import_module(f"rotation.kernels.compiled.{name}"), name)
+    kernel = getattr(import_module(f"rotation.kernels.compiled.{name}"), name)
+    announce(kernel)
+    return kernel

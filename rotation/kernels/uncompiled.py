@@ -15,9 +15,6 @@ def run(name: str, operands: tuple[Array, ...], arguments: tuple[Any, ...]) -> b
     """Do what the kernel ``name`` does with these operands and arguments, and answer as it does."""
     if name == "contains_zero":
         return _contains_zero(operands[0])
-    if name in ("rotation_vectors", "matrices"):
-        operands[-1].fill(np.nan)  # all are left to the formula
-        return True
     points, *parameters, out = operands
     v, *given = (a.astype(np.float64) for a in (points, *parameters))
     with np.errstate(all="ignore"):

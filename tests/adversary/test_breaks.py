@@ -75,6 +75,14 @@ FILES = [
             },
         ),
     ),
+    # A term that is not defined makes "not" true.
+    *(
+        (
+            Target("exists y: not (y == y)", "GF(2)"),
+            {"kind": "terms", "terms": {"y": term}, "proof": IDENTITY},
+        )
+        for term in ("0.5", "1/0", "0**-1", "norm(inv(0*e))", "1/(1 + 1)")
+    ),
     # A count of cases that is not the count.
     (Target("s**2 == s", "GF(2)"), {"kind": "exhaustion", "cases": 0}),
     (Target("s**3 == s", "GF(3)"), {"kind": "exhaustion", "cases": 2}),
@@ -95,6 +103,34 @@ def test_generators_may_be_named_where_the_field_is() -> None:
         {"kind": "terms", "terms": {"s": "x"}, "proof": IDENTITY}, "witness"
     )
     assert check(data).verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("statement", "terms"),
+    [
+        ("exists y: s*y == 1 or s == 0", {"y": "1/s"}),
+        ("exists u, z: u*s + z == s*u + 1", {"u": "s*i", "z": "1"}),
+    ],
+)
+def test_terms_for_all_that_exists_binds(statement: str, terms: dict[str, str]) -> None:
+    target = Target(statement, "QQ")
+    evidence = {"kind": "terms", "terms": terms, "proof": IDENTITY}
+    assert check(target.certificate(evidence, "witness")).scope == "field"
+    for name in terms:
+        less = {
+            "kind": "terms",
+            "terms": {n: terms[n] for n in terms if n != name},
+            "proof": IDENTITY,
+        }
+        with pytest.raises(Rejected, match="lacks"):
+            check(target.certificate(less, "witness"))
+
+
+def test_an_element_shows_existence_over_its_field_alone() -> None:
+    evidence = {"kind": "witness", "field": "QQ", "values": {"y": ["2"]}}
+    assert check(Target("exists y: y*y == 4").certificate(evidence, "witness")).scope == "field"
+    with pytest.raises(Rejected):
+        check(Target("exists y: y*y == 4", None).certificate(evidence, "witness"))
 
 
 def test_a_text_that_does_not_end_is_read_once() -> None:

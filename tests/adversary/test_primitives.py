@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from hfield.certificates.facts import is_square
 from hfield.certificates.polynomials import (
     MAX_EXPONENT,
+    MAX_TEXT,
     Names,
     add,
     divide,
@@ -365,3 +366,30 @@ def test_squares_of_rational_numbers():
         assert is_square(ring, x * x)
         assert not is_square(ring, -x * x) or not x
         assert is_square(ring, x * x + Fraction(1, b**2)) is (a == 0)
+
+
+def test_bounds_are_where_they_are_said_to_be():
+    """What is as large as allowed is read, and one more is not."""
+    top = 1 << 16_000
+    for written, fine in (
+        ("9" * 4_000, True),
+        ("9" * 4_001, False),
+        (f"{1 << 8_000}*{(1 << 8_000) - 1}", True),
+        (f"{1 << 8_000}*{1 << 8_000}", False),
+        ("s**65536", True),
+        ("s**65537", False),
+        ("s**000001", True),
+        ("s**0000001", False),
+        (" " * (MAX_TEXT - 1) + "s", True),
+        (" " * MAX_TEXT + "s", False),
+    ):
+        if fine:
+            assert NAMES.read(written, "f")
+        else:
+            with pytest.raises(Rejected):
+                NAMES.read(written, "f")
+    one = NAMES.read("1", "f")
+    assert add({}, one, top - 1) == {next(iter(one)): top - 1}
+    with pytest.raises(Rejected):
+        add({}, one, top)
+    assert divide({}, one) == {}

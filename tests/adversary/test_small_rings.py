@@ -25,14 +25,14 @@ def test_axioms(ring: Table) -> None:
 def invariants(ring: Table) -> object:
     """What isomorphic rings have in common."""
     squares = np.diagonal(ring.times)
-    zero_products = np.sort((ring.times == 0).sum(axis=1)).tolist()
-    orders = sorted(
-        next(n for n in range(1, 17) if _multiple(ring, x, n) == 0) for x in range(ring.order)
+    zero_products = sorted((ring.times == 0).sum(axis=1).tolist())
+    additive = sorted(
+        sum(_multiple(ring, x, n) == 0 for n in range(1, 17)) for x in range(ring.order)
     )
-    products = sorted(np.unique(ring.times, return_counts=True)[1].tolist())
-    doubles = sorted(int(ring.plus[x, x] == s) for x, s in enumerate(squares))
-    roots = sorted((squares == 0).nonzero()[0].size for _ in "1")
-    return (ring.order, zero_products, orders, products, doubles, roots)
+    values = sorted(np.unique(ring.times, return_counts=True)[1].tolist())
+    idempotents = sum(int(s) == x for x, s in enumerate(squares))
+    doubled = sorted(int(ring.plus[x, x] == s) for x, s in enumerate(squares))
+    return ring.order, zero_products, additive, values, idempotents, doubled
 
 
 def _multiple(ring: Table, x: int, n: int) -> int:

@@ -3,10 +3,12 @@
 import copy
 import json
 import random
+from itertools import product
 from typing import Any
 
 import pytest
 
+from hfield import QQ, H
 from hfield.certificates.check import Pin, check, check_text
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import Certificate, decided
@@ -172,10 +174,13 @@ def test_presentations() -> None:
 
 
 def test_lists_of_tuples_must_be_complete() -> None:
-    from hfield.proving.multilinear import decide_multilinear
-
-    decision = decide_multilinear("(p*q)*r == p*(q*r)", "QQ")
-    data = with_(method="multilinear", evidence=dict(decision.evidence or {}))
+    basis = dict(zip("eijk", H(QQ).basis, strict=True))
+    tuples = [
+        [x + y + z, [int(c) for c in (basis[x] * basis[y] * basis[z]).coordinates]]
+        for x, y, z in product("eijk", repeat=3)
+    ]
+    evidence = {"kind": "multilinear", "unknowns": ["p", "q", "r"], "tuples": tuples}
+    data = with_(method="multilinear", evidence=evidence)
     assert check(data)
     for n in (0, 17, 63):
         spoilt = copy.deepcopy(data)

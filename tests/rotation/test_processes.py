@@ -130,7 +130,10 @@ def installed(target: Path) -> Path:
     return target
 
 
-ONE = "import rotation.fused as f; print(f.rotate_quat([1.0, 2.0, 3.0], (1.0, 1.0, 1.0, 1.0)))"
+ONE = (
+    "import numpy as np, rotation.fused as f; v = np.tile([1.0, 2.0, 3.0], (60_000, 1)); "
+    "print(f.rotate_quat(v, (1.0, 1.0, 1.0, 1.0))[-1])"
+)
 
 
 def test_nowhere_to_write_a_cache(tmp_path: Path) -> None:

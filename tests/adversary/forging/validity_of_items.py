@@ -52,25 +52,35 @@ class Polynomials:
 
 
 def implication(new: Any, old: Any, data: Certificate) -> bool:
-    """The new items are valid, and there is one for each of the old."""
-    if new["facts"] != old["facts"]:
+    """The new items are valid, and there is one for each of the old that is needed."""
+    if not all(fact in old["facts"] or _is_idle(fact, new["items"]) for fact in new["facts"]):
         return False
     field = None if data["field"] is None else ring(data["field"])
     p = 0 if field is None else field.characteristic
+    both = {"items": [*new["items"], *old["items"]], "old": old}
     for item in new["items"]:
-        P = Polynomials(
-            {"items": [*new["items"], *old["items"]], "old": old}, item["characteristic"] or p
-        )
+        P = Polynomials(both, item["characteristic"] or p)
         if item not in old["items"] and not _item(item, P, data):
             return False
     for item in old["items"]:
-        P = Polynomials(
-            {"items": [*new["items"], *old["items"]], "old": old}, item["characteristic"] or p
-        )
+        P = Polynomials(both, item["characteristic"] or p)
         trivial = "member" in item and _among(item["member"], item["zero"], P)
+        if (
+            field is not None
+        ):  # where a constant other than 0 would have to be 0, nothing is to be shown
+            constants = [P.read(z) for z in item["zero"]]
+            trivial |= any(z.is_constant() and not P.zero(z) for z in constants)
         if not trivial and not any(_serves(mine, item, P) for mine in new["items"]):
             return False
     return True
+
+
+def _is_idle(fact: Any, items: Any) -> bool:
+    """Tell whether no step uses a fact, or none more of it than it says."""
+    steps = [s for item in items for s in item.get("steps", ()) if s["step"] == fact["form"]]
+    if fact["form"] != "squares" or fact.get("most") is not None:
+        return not steps and "cases" not in str(items)
+    return all(c == 1 for step in steps for c in step["coefficients"])
 
 
 def _among(f: str, texts: list[str], P: Polynomials) -> bool:

@@ -1,0 +1,114 @@
+"""Running ``coqc``: what stands in every file is compiled once, then each theorem by itself."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from hfield.coq.export import Export, library
+from hfield.coq.theorem import Theorem
+from hfield.errors import HFieldError
+
+CLOSED = "Closed under the global context"
+LIBRARY = "HFieldJudge"
+MAX_MESSAGE = 600
+
+
+class CoqMissingError(HFieldError, OSError):
+    """There is no ``coqc``."""
+
+
+class Coqc:
+    """``coqc`` in a folder of its own, as a context: the library is compiled on entering."""
+
+    def __init__(self) -> None:
+        program = shutil.which("coqc")
+        if program is None:
+            raise CoqMissingError(
+                "coqc is not installed (Debian: apt-get install --no-install-recommends coq)"
+            )
+        self.program = program
+        self._folder: TemporaryDirectory[str] | None = None
+
+    def __enter__(self) -> Coqc:
+        self._folder = TemporaryDirectory(prefix="hfield-coq-")
+        self.folder = Path(self._folder.name)
+        done = self._run(LIBRARY, library())
+        if done.returncode:
+            self.__exit__()
+            raise HFieldError(f"coqc does not read its own library: {_message(done.stderr)}")
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._folder is not None:
+            self._folder.cleanup()
+
+    def _run(self, name: str, text: str) -> subprocess.CompletedProcess[str]:
+        (self.folder / f"{name}.v").write_text(text, encoding="utf-8")
+        return subprocess.run(
+            [self.program, "-q", f"{name}.v"],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    def reject(self, theorems: Sequence[Theorem]) -> str | None:
+        """Compile theorems; return None if Coq accepts them all without an axiom, else why not."""
+        if any(t.place for t in theorems):  # they stand in sections, which are not compiled ahead
+            done = self._run("Judged", Export(tuple(theorems)).text)
+        else:
+            used = "".join(f"  let _ := @{t.name} in\n" for t in theorems)
+            ending = f"Definition judged : True :=\n{used}  I.\nPrint Assumptions judged.\n"
+            done = self._run("Judged", "\n\n".join([opening(), *map(str, theorems), ending]))
+        if done.returncode:
+            return _message(done.stderr)
+        if done.stdout.strip() != CLOSED:
+            return f"Coq says what it rests on: {_message(done.stdout)}"
+        return None
+
+    def reject_each(self, theorems: Sequence[Theorem]) -> list[bool]:
+        """Tell of each theorem by itself whether Coq rejects it, all in one process of ``coqtop``."""
+        lines = [opening()]
+        for number, one in enumerate(theorems):
+            text = str(one) if not one.place else ""
+            # After an error the proof is still open, and nothing has the name.
+            lines += [text, "Abort All.", f'Goal True. idtac "@@ {number}". Abort.']
+            lines.append(f"Print Assumptions {one.name}.")
+        done = subprocess.run(
+            [self.program.replace("coqc", "coqtop"), "-q", "-quiet"],
+            cwd=self.folder,
+            input="\n".join(lines) + "\n",
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        parts = done.stdout.split("@@ ")[1:]
+        if len(parts) != len(theorems):
+            raise HFieldError(f"coqtop broke off: {_message(done.stderr)}")
+        return [
+            self.reject([one]) is not None if one.place else CLOSED not in part
+            for one, part in zip(theorems, parts, strict=True)
+        ]
+
+
+def opening() -> str:
+    """Return what a file begins with that uses the compiled library."""
+    imports = next(
+        line for line in library().splitlines() if line.startswith("From Coq Require Import")
+    )
+    return (
+        f"{imports}\nRequire Import {LIBRARY}.\nImport ListNotations.\nOpen Scope scalar_scope.\n"
+    )
+
+
+def _message(text: str) -> str:
+    short = " ".join(text.split())
+    return (
+        short
+        if len(short) <= MAX_MESSAGE
+        else f"{short[: MAX_MESSAGE // 2]} … {short[-MAX_MESSAGE // 2 :]}"
+    )

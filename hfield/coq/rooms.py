@@ -1,0 +1,82 @@
+"""Over which ring a theorem is stated: every commutative ring, every field, one that is computed in."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from hfield.coq.terms import NotCoveredError
+from hfield.errors import HFieldError
+from hfield.rings import ring
+from hfield.rings.base import Ring
+
+MAX_PRIME = 300  # of a field in which Coq computes; larger ones are any field of the characteristic
+MAX_MODULUS = 5_000  # of a ring whose elements are listed
+MAX_RESIDUE_BITS = 400
+
+
+@dataclass(frozen=True)
+class Room:
+    """A ring, or all of a kind. ``opening`` stands in front of a statement, ``names`` introduce it."""
+
+    opening: str
+    type: str
+    is_field: bool
+    names: str = ""
+    characteristic: int = 0
+
+    @property
+    def is_one_ring(self) -> bool:
+        """Whether this is a single ring, in which Coq computes."""
+        return not self.opening
+
+
+RINGS = Room("every commutative ring R, ", "R", False, "R operations laws")
+FIELDS = Room("every field R, ", "R", True, "R operations inverse laws")
+RATIONALS = Room("", "Qc", True)
+INTEGERS = Room("", "Z", False)
+
+
+def of_characteristic(p: int) -> Room:
+    """Return all fields of a characteristic."""
+    opening = f"every field R, num (R := R) {p} = 0 -> "
+    return Room(opening, "R", True, "R operations inverse laws char", p)
+
+
+def residues(n: int, is_field: bool) -> Room:
+    """Return the residues modulo n."""
+    return Room("", f"GF {n}", is_field, characteristic=n)
+
+
+def room_of(field: Ring) -> Room:
+    """Return one ring as Coq has it. Raises :class:`NotCoveredError`."""
+    if field == ring("QQ"):
+        return RATIONALS
+    if field == ring("ZZ"):
+        return INTEGERS
+    n = field.characteristic
+    prime = field.name == f"GF({n})"
+    if (
+        n
+        and (prime or field.name in (f"ZZ/{n}", f"ZZ/({n})"))
+        and n.bit_length() <= MAX_RESIDUE_BITS
+    ):
+        return residues(n, prime)
+    raise NotCoveredError(f"the field {field.name}: Coq has ZZ, QQ, GF(p) and ZZ/n here")
+
+
+def value_in(room: Room, text: str) -> str:
+    """Return an element of a ring, from its text in a certificate."""
+    try:
+        value = Fraction(text.replace(" ", ""))
+    except (ValueError, ZeroDivisionError) as error:
+        raise NotCoveredError(f"the value {text!r}") from error
+    if room is RATIONALS:
+        return f"(Q2Qc ({value.numerator} # {value.denominator}))"
+    if room is INTEGERS:
+        if value.denominator != 1:
+            raise HFieldError(f"{text!r} is no integer")
+        return f"({value.numerator})%Z"
+    n = room.characteristic
+    try:
+        return f"(reduce {n} {value.numerator * pow(value.denominator, -1, n) % n})"
+    except ValueError as error:
+        raise HFieldError(f"{text!r} has no value modulo {n}") from error

@@ -1,0 +1,230 @@
+"""From a formula to a function of Python: its trace is put into a loop over rows, compiled by LLVM.
+
+The function is a builtin, as those of extensions in C are: it reads the addresses and the lengths of
+numpy's arrays from their headers, whose layout numpy's ABI fixes. It answers 0 when all is done; 1 where the
+arrays are not such as it reads (C order, aligned, rows that fit); 2 when all is done and the formula had
+something to `tell`. Long work frees the interpreter lock.
+"""
+
+import ctypes
+import hashlib
+import os
+import sys
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from rotation.native import tracing
+from rotation.native.keeping import keep, kept
+from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
+from rotation.native.tracing import WIDTH, Lanes, Program, Rows
+
+_LIBRARY = {"sin": 1, "cos": 1, "atan": 1, "atan2": 2, "fmod": 2}
+
+Function = Callable[..., int]
+
+
+class _Method(ctypes.Structure):
+    """CPython's PyMethodDef."""
+
+    _fields_ = (
+        ("name", ctypes.c_char_p),
+        ("address", ctypes.c_void_p),
+        ("flags", ctypes.c_int),
+        ("doc", ctypes.c_char_p),
+    )
+
+
+_alive: list[Any] = []  # what the machine code needs, as long as the process
+
+
+@cache
+def available() -> bool:
+    """Tell whether this interpreter and its numpy are such as the machine code expects."""
+    if sys.implementation.name != "cpython" or sys.maxsize < 2**62:
+        return False
+    if os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
+        return False
+    probe = np.zeros((3, 5))
+
+    def read(offset: int, kind: Any) -> int:
+        return int(kind.from_address(id(probe) + offset).value)
+
+    try:
+        machine()
+    except Exception:  # no LLVM here, or one of another age
+        return False
+    address = probe.__array_interface__["data"][0]
+    lengths = read(LENGTHS, ctypes.c_size_t)
+    return (
+        read(DATA, ctypes.c_size_t) == address
+        and read(NDIM, ctypes.c_int) == 2
+        and [ctypes.c_ssize_t.from_address(lengths + 8 * n).value for n in (0, 1)] == [3, 5]
+        and read(FLAGS, ctypes.c_int) & USABLE == USABLE
+    )
+
+
+def machine() -> Any:
+    """Return LLVM's description of this processor; an engine takes it into its keeping."""
+    import llvmlite.binding as llvm
+
+    _introduce()
+    return llvm.Target.from_default_triple().create_target_machine(
+        cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=2
+    )
+
+
+@cache
+def _introduce() -> None:
+    """Make the functions of the system and of Python known to LLVM."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
+    for name in _LIBRARY:
+        address = ctypes.cast(getattr(system, name), ctypes.c_void_p).value
+        llvm.add_symbol(f"rotation_{name}", address)
+    for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
+        llvm.add_symbol(name, ctypes.cast(getattr(ctypes.pythonapi, name), ctypes.c_void_p).value)
+    if not llvm.get_host_cpu_features().get("fma") and "fma" in vars(tracing):
+        del tracing.fma
+
+
+def assembled(
+    formula: Callable[..., Any], shapes: tuple[tuple[int, ...], ...], parameters: tuple[Any, ...]
+) -> tuple[Function, tuple[int, ...]]:
+    """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
+
+    Second comes the shape of a row of ``out``.
+
+    Parameters
+    ----------
+    shapes : tuple of shapes
+        Of one row of each array.
+    """
+    import llvmlite
+    import llvmlite.binding as llvm
+
+    target = machine()
+    text, row = _module(formula, shapes, parameters)
+    module = llvm.parse_assembly(text)
+    made = f"{llvmlite.__version__} {llvm.llvm_version_info} {target.triple} "
+    made += llvm.get_host_cpu_name() + llvm.get_host_cpu_features().flatten()
+    key = hashlib.sha256((made + text).encode()).hexdigest()
+    code = kept(key)
+    if code is None:
+        options = llvm.create_pipeline_tuning_options(speed_level=0)
+        builder = llvm.create_pass_builder(target, options)
+        builder.getModulePassManager().run(module, builder)
+    engine = llvm.create_mcjit_compiler(module, target)
+    engine.set_object_cache(
+        notify_func=lambda module, code: keep(key, code), getbuffer_func=lambda module: code
+    )
+    engine.finalize_object()
+    method = _Method(
+        formula.__name__.encode(), engine.get_function_address("entry"), 0x0080, None
+    )  # METH_FASTCALL
+    make = ctypes.pythonapi.PyCFunction_NewEx
+    make.restype = ctypes.py_object
+    make.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
+    _alive.extend((engine, method))
+    return make(ctypes.addressof(method), None, None), row
+
+
+def _flat(values: Any) -> list[Any]:
+    return [x for v in values for x in _flat(v)] if isinstance(values, tuple) else [values]
+
+
+def _mask(numbers: Any) -> str:
+    numbers = list(numbers)
+    return f"<{len(numbers)} x i32> <" + ", ".join(f"i32 {n}" for n in numbers) + ">"
+
+
+def _module(
+    formula: Any, shapes: tuple[tuple[int, ...], ...], parameters: tuple[Any, ...]
+) -> tuple[str, tuple[int, ...]]:
+    """Write the whole program, the loop over blocks of eight rows with the formula in it; and its shape."""
+    sizes = [int(np.prod(shape)) for shape in shapes]
+    program = Program()
+    arguments = []
+    for number, (shape, size) in enumerate(zip(shapes, sizes, strict=True)):
+        kind = f"<{size * WIDTH} x double>"
+        whole = program.value(kind, f"load {kind}, ptr %in{number}, align 8")
+        columns = [
+            program.value(
+                "",
+                f"shufflevector {kind} {whole}, {kind} poison, "
+                + _mask(range(n, size * WIDTH, size)),
+            )
+            for n in range(size)
+        ]
+        arguments.append(Rows(shape, [Lanes(program, name) for name in columns]))
+    answer = formula(*arguments, *parameters)
+    results = _flat(answer)
+    width = len(results)
+    names = [r.name if isinstance(r, Lanes) else tracing.constant(float(r)) for r in results]
+    _store(program, names)
+    said = "i1 false"
+    if program.told:
+        bits = f"<{WIDTH} x i1>"
+        some = program.told[0]
+        for other in program.told[1:]:
+            some = program.value(bits, f"or {bits} {some}, {other}")
+        mask = program.value("", f"bitcast {bits} {some} to i{WIDTH}")
+        said = "i1 " + program.value("i1", f"icmp ne i{WIDTH} {mask}, 0")
+    inner = "\n".join(program.lines)
+    declared = [
+        f"declare double @rotation_{name}({', '.join(['double'] * n)})"
+        for name, n in _LIBRARY.items()
+    ]
+    intrinsics = [
+        f"declare <{WIDTH} x double> @llvm.{name}.v{WIDTH}f64({', '.join([f'<{WIDTH} x double>'] * n)})"
+        for name, n in (("fabs", 1), ("sqrt", 1), ("fma", 3))
+    ]
+    pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(sizes)))
+    text = "\n".join(
+        [
+            *declared,
+            *intrinsics,
+            FRAME,
+            f"define internal i1 @block({pointers}, ptr noalias %out) alwaysinline {{",
+            "start:",
+            inner,
+            f"ret {said}",
+            "}",
+            loop(sizes, width),
+        ]
+    )
+    return text, _shape(answer)
+
+
+def _shape(values: Any) -> tuple[int, ...]:
+    return (len(values), *_shape(values[0])) if isinstance(values, tuple) else ()
+
+
+def _store(program: Program, names: list[str]) -> None:
+    """Write the columns as rows, one after the other."""
+    width = len(names)
+    parts = [(f"<{WIDTH} x double>", n, WIDTH) for n in names]
+    while len(parts) > 1:  # joined in pairs; the last one may stay over
+        joined = []
+        for (_, a, length), (_, b, other) in zip(parts[::2], parts[1::2], strict=False):
+            kind = f"<{length} x double>"
+            if other < length:
+                b = program.value(
+                    "",
+                    f"shufflevector <{other} x double> {b}, <{other} x double> poison, "
+                    + _mask(n if n < other else 0 for n in range(length)),
+                )
+            text = f"shufflevector {kind} {a}, {kind} {b}, " + _mask(range(length + other))
+            joined.append((f"<{length + other} x double>", program.value("", text), length + other))
+        if len(parts) % 2:
+            joined.append(parts[-1])
+        parts = joined
+    ((kind, whole, length),) = parts
+    order = [c * WIDTH + r for r in range(WIDTH) for c in range(width)]
+    rows = program.value("", f"shufflevector {kind} {whole}, {kind} poison, {_mask(order)}")
+    program.lines.append(f"store {kind} {rows}, ptr %out, align 8")

@@ -1,0 +1,142 @@
+"""Formulas as machine code: the same numbers as by numpy, whatever the shapes, strides and threads."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rotation import Rotation, threads
+from rotation.namespaces import quiet
+from rotation.native import keeping
+from rotation.quaternions import _PRODUCT, _normalised, _product
+from rotation.rowwise import Formula
+
+RNG = np.random.default_rng(11)
+UNITS = Rotation.random(40_000, seed=1).as_quat()
+
+
+def run(code: str, **variables: str) -> str:
+    found = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, **variables},
+    )
+    return found.stdout.strip()
+
+
+@pytest.mark.parametrize("n", [0, 1, 2, 7, 8, 9, 15, 17, 100, 5000, 40_000])
+def test_every_number_of_rows(n: int) -> None:
+    p, q = UNITS[:n], UNITS[::-1][:n]
+    np.testing.assert_array_equal(_PRODUCT(p, q), _product(p, q))
+
+
+@pytest.mark.parametrize("number", [1, 3])
+def test_threads_share_the_rows(number: int) -> None:
+    before = threads()
+    threads(number)
+    try:
+        p = np.tile(UNITS, (5, 1))
+        np.testing.assert_array_equal(_PRODUCT(p, p[::-1]), _product(p, p[::-1]))
+        np.testing.assert_array_equal(_PRODUCT(p, p[3]), _product(p, p[3]))
+    finally:
+        threads(before)
+
+
+SHAPES: list[tuple[Any, Any]] = [
+    ((), ()),
+    ((), (5,)),
+    ((5,), ()),
+    ((1,), (5,)),
+    ((4, 1), (5,)),
+    ((4, 1), (1, 5)),
+    ((2, 1, 3), (7, 1)),
+    ((0,), (1,)),
+    ((0, 3), (3,)),
+    ((1, 1), ()),
+]
+
+
+@pytest.mark.parametrize(("one", "other"), SHAPES)
+def test_batches_broadcast(one: Any, other: Any) -> None:
+    p = RNG.standard_normal((*one, 4))
+    q = RNG.standard_normal((*other, 4))
+    wanted = _product(p, q)
+    found = _PRODUCT(p, q)
+    assert found.shape == wanted.shape
+    np.testing.assert_array_equal(found, wanted)
+
+
+def test_every_stride_and_alignment() -> None:
+    base = RNG.standard_normal((60, 8))
+    raw = np.zeros(60 * 4 * 8 + 1, np.uint8)
+    askew = raw[1:].view(np.float64).reshape(60, 4)
+    askew[...] = base[:, :4]
+    for q in (base[:, ::2], base[::-1, :4], np.asfortranarray(base[:, :4]), askew):
+        np.testing.assert_array_equal(_PRODUCT(q, q), _product(np.array(q), np.array(q)))
+
+
+def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:
+    formula = Formula(_normalised, (4,))
+    for n in (1, 3, 8, 19):
+        q = RNG.standard_normal((n, 4))
+        assert not formula.told(q)[1]
+        for row in range(n):
+            spoilt = q.copy()
+            spoilt[row] = 0.0
+            assert formula.told(spoilt)[1]
+
+
+def test_without_machine_code_the_numbers_are_the_same_to_rounding() -> None:
+    code = (
+        "import numpy as np; from rotation import Rotation, rotate, rotate_euler\n"
+        "from rotation.native import assembling\n"
+        "r = Rotation.random(50, seed=3); v = np.arange(150.0).reshape(50, 3)\n"
+        "s = Rotation.from_rotvec(3 * r.as_rotvec()) * Rotation.from_euler('ZYX', v, degrees=True)\n"
+        "parts = [s.as_matrix(), s.as_euler('zxz'), s.as_mrp(), s.apply(v), (s**0.3).as_quat(),\n"
+        "    Rotation.from_matrix(s.as_matrix()).as_quat(canonical=True), rotate(v, v + 1, v[:, 0]),\n"
+        "    rotate_euler(v, v), s.mean().as_quat()]\n"
+        "print(assembling.available(), *[x.hex() for p in parts for x in p.ravel().tolist()])"
+    )
+    compiled, plain = (run(code, NUMBA_DISABLE_JIT=flag).split() for flag in ("0", "1"))
+    assert (compiled[0], plain[0]) == ("True", "False")
+    a, b = ([float.fromhex(x) for x in found[1:]] for found in (compiled, plain))
+    np.testing.assert_allclose(a, b, rtol=1e-13, atol=1e-13)
+
+
+def test_few_rotations_and_points_import_no_numba(tmp_path: Path) -> None:
+    code = (
+        "import sys, numpy as np\n"
+        "from rotation import Rotation, rotate, rotate_euler, rotate_quat, slerp, align\n"
+        "r = Rotation.random(10_000, seed=1); v = np.ones((10_000, 3))\n"
+        "r.apply(v); r[0].apply(v); r.as_matrix(); r.as_rotvec(); r.as_euler('ZYX'); (r * r).inv()\n"
+        "v32 = np.ones((10_000, 3), np.float32); r.apply(v32); r.apply(v, out=v); slerp(r, r[0], 0.5)\n"
+        "rotate(v, v, v[:, 0]); rotate_quat(v.T, [1, 2, 3, 4], layout='soa'); rotate_euler(v, v)\n"
+        "rotate_quat(v, [1, 2, 3, 4], out=v); align(v[:9], r[0].apply(v[:9])); r.mean()\n"
+        "print('numba' in sys.modules)"
+    )
+    assert run(code, NUMBA_CACHE_DIR=str(tmp_path)) == "False"
+    assert list((tmp_path / "rotation-formulas").iterdir())
+
+
+def test_what_is_kept_is_whole_or_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    assert keeping.kept("key") is None
+    keeping.keep("key", b"machine code")
+    assert keeping.kept("key") == b"machine code"
+    (file,) = (tmp_path / "rotation-formulas").iterdir()
+    file.write_bytes(file.read_bytes()[:-1])
+    assert keeping.kept("key") is None
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(file))
+    keeping.keep("key", b"nowhere to write")
+    assert keeping.kept("key") is None
+
+
+def test_a_program_rounds_as_numpy_does() -> None:
+    q = RNG.standard_normal((1000, 4)) * 10.0 ** RNG.uniform(-300, 300, (1000, 1))
+    np.testing.assert_array_equal(Rotation(q).as_quat(), quiet(_normalised)(q))
