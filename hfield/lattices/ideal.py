@@ -13,7 +13,7 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import compatible, hermite
 from hfield.lattices.answers import Answer, rows_json
-from hfield.lattices.lattice import Lattice, element_row
+from hfield.lattices.lattice import Lattice, element_row, listed
 from hfield.lattices.order import Order
 from hfield.lattices.order import prime as checked_prime
 from hfield.quaternion import Parent, Quaternion
@@ -46,7 +46,7 @@ class Ideal(Lattice):
 
         Raises :class:`LatticeError` when its rank is below 4.
         """
-        given = list(generators)
+        given = listed(generators)
         vectors = [element_row(order.algebra, x) for x in given]
         if not vectors:
             raise LatticeError("an ideal has at least one generator, and none was given")

@@ -160,6 +160,8 @@ def test_an_ideal_that_is_not_invertible() -> None:
     e, i, j, _ = O.basis
     I = O.left_ideal([2 * e, e + i, e + j])
     assert not I.is_invertible()
+    for R in (O.right_ideal([1]), O.right_ideal([3, 1 + i + j]), O.right_ideal([1 + 2 * i])):
+        assert R * I == O.algebra.lattice([p * q for p in R.basis for q in I.basis])
     with pytest.raises(LatticeError, match="not invertible"):
         I.inverse()
     x = H("QQ")(1, 2, 0, 5)
