@@ -40,7 +40,7 @@ def test_reduce_finds_the_least_angle_of_all() -> None:
     assert (left[m] * p * r[n]).approx_equal(found, atol=1e-14).all()
     assert p.reduce().approx_equal(p, atol=1e-15).all()
     assert p[0, 0].reduce(left).shape == ()
-    for bad in (lambda: p.reduce(left[0]), lambda: p.reduce(right=l.reshape(2, 12))):
+    for bad in (lambda: p.reduce(left[0]), lambda: p.reduce(right=left.reshape(2, 12))):
         with pytest.raises(RotationError):
             bad()
 
@@ -60,15 +60,15 @@ def test_davenport_angles_come_back(order: str, lean: float) -> None:
     axes = frame.apply([[1, 0, 0], [0, 1, 0], [np.cos(lean), 0, -np.sin(lean)]]) * [[2], [1], [5]]
     r = Rotation.random(200, seed=4)
     angles = r.as_davenport(axes, order)
-    assert Rotation.froleftdavenport(axes, order, angles).approx_equal(r, atol=1e-13).all()
+    assert Rotation.from_davenport(axes, order, angles).approx_equal(r, atol=1e-13).all()
     assert np.ptp(angles[:, 1]) <= np.pi + 1e-12
     S = pytest.importorskip("scipy.spatial.transform").Rotation
     unit = axes / np.linalg.norm(axes, axis=1, keepdims=True)
-    theirs = S.froleftdavenport(unit, order, angles)
+    theirs = S.from_davenport(unit, order, angles)
     assert Rotation.froleftscipy(theirs).approx_equal(r, atol=1e-13).all()
-    locked = Rotation.froleftdavenport(axes, order, [0.3, angles[:, 1].min() * 0 + lean, 0.5])
+    locked = Rotation.from_davenport(axes, order, [0.3, angles[:, 1].min() * 0 + lean, 0.5])
     again = locked.as_davenport(axes, order)
-    assert Rotation.froleftdavenport(axes, order, again).approx_equal(locked, atol=1e-13)
+    assert Rotation.from_davenport(axes, order, again).approx_equal(locked, atol=1e-13)
 
 
 def test_davenport_angles_about_coordinate_axes_are_eulers() -> None:
@@ -80,8 +80,8 @@ def test_davenport_angles_about_coordinate_axes_are_eulers() -> None:
             np.testing.assert_allclose(
                 r.as_davenport(axes, order, degrees=True), r.as_euler(name, degrees=True), atol=1e-9
             )
-    assert Rotation.froleftdavenport(e["z"], "i", [0.1, 0.2, 0.3]).shape == (3,)
-    assert Rotation.froleftdavenport([e["z"], e["x"]], "e", [10, 20], degrees=True).approx_equal(
+    assert Rotation.from_davenport(e["z"], "i", [0.1, 0.2, 0.3]).shape == (3,)
+    assert Rotation.from_davenport([e["z"], e["x"]], "e", [10, 20], degrees=True).approx_equal(
         Rotation.frolefteuler("zx", [10, 20], degrees=True)
     )
 
@@ -97,6 +97,6 @@ def test_davenport_axes_that_do_not_fit() -> None:
         ([[1.0, 2.0]], "e"),
     ):
         with pytest.raises(RotationError):
-            Rotation.froleftdavenport(axes, order, [1.0, 2.0])
+            Rotation.from_davenport(axes, order, [1.0, 2.0])
     with pytest.raises(RotationError):
         Rotation.identity().as_davenport([x, y], "e")
