@@ -65,7 +65,7 @@ def test_davenport_angles_come_back(order: str, lean: float) -> None:
     S = pytest.importorskip("scipy.spatial.transform").Rotation
     unit = axes / np.linalg.norm(axes, axis=1, keepdims=True)
     theirs = S.from_davenport(unit, order, angles)
-    assert Rotation.froleftscipy(theirs).approx_equal(r, atol=1e-13).all()
+    assert Rotation.from_scipy(theirs).approx_equal(r, atol=1e-13).all()
     locked = Rotation.from_davenport(axes, order, [0.3, angles[:, 1].min() * 0 + lean, 0.5])
     again = locked.as_davenport(axes, order)
     assert Rotation.from_davenport(axes, order, again).approx_equal(locked, atol=1e-13)
@@ -82,7 +82,7 @@ def test_davenport_angles_about_coordinate_axes_are_eulers() -> None:
             )
     assert Rotation.from_davenport(e["z"], "i", [0.1, 0.2, 0.3]).shape == (3,)
     assert Rotation.from_davenport([e["z"], e["x"]], "e", [10, 20], degrees=True).approx_equal(
-        Rotation.frolefteuler("zx", [10, 20], degrees=True)
+        Rotation.from_euler("zx", [10, 20], degrees=True)
     )
 
 
