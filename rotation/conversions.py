@@ -2,7 +2,7 @@
 
 from typing import Any, Self
 
-from rotation import euler, matrices, quaternions, vectors
+from rotation import davenport, euler, matrices, quaternions, vectors
 from rotation.angles import to_degrees
 from rotation.batch import Batch
 from rotation.errors import DTypeError
@@ -81,6 +81,28 @@ class Conversions(Batch):
             No such sequence, or angles that do not fit it.
         """
         return cls._of(euler.from_euler(seq, angles, degrees))
+
+    @classmethod
+    def from_davenport(cls, axes: Any, order: str, angles: Any, degrees: bool = False) -> Self:
+        """Make rotations from angles about one to three axes, each perpendicular to the next.
+
+        Parameters
+        ----------
+        axes : array_like, shape (3,) or (n, 3), n at most 3
+            Of any length but 0.
+        order : "extrinsic" or "intrinsic"
+            About axes that stay, or that turn along; "e" and "i" are taken too.
+        angles : array_like, shape (…, n)
+            For one axis also a number, or a one-dimensional array of angles.
+        degrees : bool
+            The angles are in degrees, not radians.
+
+        Raises
+        ------
+        RotationError
+            Axes, an order or angles that do not fit.
+        """
+        return cls._of(davenport.from_davenport(axes, order, angles, degrees))
 
     @classmethod
     def from_rotvec(cls, rotvec: Any, degrees: bool = False) -> Self:
@@ -178,6 +200,19 @@ class Conversions(Batch):
             No such sequence.
         """
         return euler.to_euler(self._q, seq, degrees)
+
+    def as_davenport(self, axes: Any, order: str, degrees: bool = False) -> Array:
+        """Return the angles about three axes, shape (…, 3); see `from_davenport`.
+
+        The first and third lie in [−π, π], the second in an interval of length π. In gimbal lock the third
+        is 0.
+
+        Raises
+        ------
+        RotationError
+            Not three axes, or such as do not fit.
+        """
+        return davenport.to_davenport(self._q, axes, order, degrees)[0]
 
     def as_rotvec(self, degrees: bool = False) -> Array:
         """Return the rotation vectors, shape (…, 3), of lengths in [0, π]."""
