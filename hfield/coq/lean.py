@@ -15,8 +15,8 @@ from hfield.coq.rooms import RINGS
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import HFieldError, TooLargeError
 from hfield.notation import split_algebra
-from hfield.proving.language import Sort, Statement, read_statement
-from hfield.proving.setting import UNNAMED, read_setting
+from hfield.proving.statements.language import Sort, Statement, read_statement
+from hfield.proving.statements.setting import UNNAMED, read_setting
 from hfield.syntax import (
     Binary,
     Call,

@@ -9,10 +9,11 @@ import copy
 import json
 from functools import cache
 
+from hfield.proving.multilinear import decide_multilinear
+
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.registry import find
-from hfield.proving.multilinear import decide_multilinear
 from hfield.proving.prove import prove
 from hfield.rings import ring
 
