@@ -115,6 +115,8 @@ class Items:
             case "contradiction":
                 return f"Contradiction {cofactors} {d}"
             case "norm":
+                if "algebra" in step:
+                    raise NotCoveredError("the norm form of another algebra than the statement's")
                 terms = " ".join(f"({reader.coq(t)})" for t in step["terms"])
                 if len(step["terms"]) != 4:
                     raise MismatchError("the norm is that of four terms")
@@ -132,9 +134,7 @@ class Items:
                 if len(step["branches"]) != len(step["factors"]):
                     raise MismatchError("factors and branches are not equally many")
                 return f"Cases [{factors}] {cofactors} {d} [{branches}]"
-            case "no root":
-                raise NotCoveredError("steps of the kind 'no root'")
-        raise MismatchError(f"there is no step {kind!r}")
+        raise NotCoveredError(f"steps of the kind {kind!r}")
 
     # --- hints -----------------------------------------------------------------------------------
 

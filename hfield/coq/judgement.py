@@ -176,6 +176,8 @@ class Judgement:
                 return self._exhausted()
             case "multilinear":
                 return self._multilinear(evidence)
+            case "fractions" if self.setting.field == ring("ZZ") and evidence["field"] == "QQ":
+                return self.proved(evidence["proof"])
         raise NotCoveredError(f"evidence of the kind {kind!r}")
 
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:
@@ -226,7 +228,7 @@ class Judgement:
     ) -> Proved:
         field = self.setting.field
         room = FIELDS if field is None else room_of(field)
-        self._check_facts(facts_used(items), {f["form"]: f["by"] for f in facts}, room)
+        self._check_facts(facts_used(items), facts, room)
         if field is None:
             return self._everywhere(items)
         p = room.characteristic
@@ -262,17 +264,19 @@ class Judgement:
             sentence, f"characteristic_fields {p}\n  ({evidence})%text\n  {sentence.data} _"
         )
 
-    def _check_facts(self, used: set[str], facts: Mapping[str, str], room: Room) -> None:
+    def _check_facts(self, used: set[str], facts: Sequence[Mapping[str, Any]], room: Room) -> None:
         """Raise NotCoveredError for what Coq does not know, MismatchError for what is wrong."""
         for form in used & {"norm", "squares"}:
-            if form not in facts:
+            fact = next((f for f in facts if f["form"] == form), None)
+            if fact is None:
                 raise MismatchError(f"a step uses the fact {form!r}, which is not there")
-            by = facts[form]
-            if room is RATIONALS and (form == "squares" or _is_definite(self.setting)):
+            if "algebra" in fact:
+                raise NotCoveredError("the norm form of another algebra than the statement's")
+            known = room in (RATIONALS, INTEGERS)
+            if known and (form == "squares" or _is_definite(self.setting)):
                 continue
-            if room is INTEGERS and form == "squares":
-                continue
-            if room is FIELDS or by == "ordering" or (form == "norm" and room is not RATIONALS):
+            by = fact["by"]
+            if room is FIELDS or by == "ordering" or (form == "norm" and not known):
                 raise MismatchError(f"the fact {form!r} by {by!r} does not hold there")
             raise NotCoveredError(f"the fact {form!r} by {by!r} over {room.type}")
 
@@ -525,6 +529,8 @@ class Judgement:
         field, statement = self.setting.field, self.statement
         if field is None:
             field = ring(evidence["field"])
+        if self.setting.letters:
+            raise NotCoveredError("that nothing exists, in an algebra with letters")
         here = replace(self.setting, field=field)
         room = room_of(field)
         sentence = Sentence(self._read(statement.text, here), here, room)

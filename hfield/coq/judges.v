@@ -277,7 +277,8 @@ Proof.
   intro z. unfold image. rewrite num_rational. cbn [this Q2Qc].
   rewrite (Qfloor_comp _ _ (Qred_correct (inject_Z z))). apply Qfloor_Z.
 Qed.
-Definition over_integers : knowledge := Knowledge 0 List.nil true false false true List.nil.
+Definition over_integers (st : statement) : knowledge :=
+  Knowledge 0 List.nil true false (definite (constants (inverse := of_integers) st List.nil)) true List.nil.
 Section Integers.
 Let rel (x : Qc) (z : Z) : Prop := x = image z.
 Let M := gen_phiZ_morph (Eqsth Qc) (Eq_ext add mul opp) Qcrt.
@@ -303,14 +304,14 @@ Proof.
     + apply coordinates; [rewrite P0, Q0 | rewrite P1, Q1 | rewrite P2, Q2 | rewrite P3, Q3]; rewrite F; reflexivity.
   - specialize (IHf E). tauto.
 Qed.
-Theorem integers : forall shown st, judged over_integers shown st = true ->
+Theorem integers : forall shown st, judged (over_integers st) shown st = true ->
   forallb without_units (List.cons (conclusion st) (given st)) = true -> says (R := Z) st.
 Proof.
   intros shown st E W. cbn [forallb] in W. apply andb_true_iff in W; destruct W as [W0 W1].
   assert (F : says (R := Qc) (inverse := of_integers) st).
-  { apply (judged_says (inverse := of_integers) Qcinv (proj1 rational_field) (proj2 rational_field) over_integers shown st
+  { apply (judged_says (inverse := of_integers) Qcinv (proj1 rational_field) (proj2 rational_field) (over_integers st) shown st
       eq_refl (Forall_nil _) (fun _ => rational_numbers)); try discriminate;
-      [intros _; exact rational_squares | intro; constructor | exact E]. }
+      [exact (definite_norm _) | intros _; exact rational_squares | intro; constructor | exact E]. }
   unfold judged in E. repeat (apply andb_true_iff in E; destruct E as [E ?]).
   clear H H0. apply Nat.eqb_eq in H1, H2.
   apply same_for_all; intros qs Wq. apply same_for_all; intros ss Ws.
