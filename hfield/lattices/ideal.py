@@ -74,6 +74,9 @@ class Ideal(Lattice):
         """Return a lattice as an ideal of its left or right order, which may be known."""
         return cls(lattice.algebra, lattice._den, lattice._matrix, side, order)
 
+    def __reduce__(self) -> Any:
+        return _restore, (self.algebra, *self.hnf, self.side, self._order)
+
     @classmethod
     def like(cls, lattice: Lattice, order: Order, side: str) -> Ideal:
         """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
@@ -281,6 +284,13 @@ class Ideal(Lattice):
         from hfield.lattices.klpt import equivalent_of_power_norm
 
         return equivalent_of_power_norm(self, checked_prime(prime), seed)
+
+
+def _restore(
+    algebra: Parent, den: int, rows: hermite.Rows, side: str, order: Order | None
+) -> Ideal:
+    """Rebuild a pickled ideal."""
+    return Ideal(algebra, den, fmpz_mat([list(row) for row in rows]), side, order)
 
 
 def _is_number(x: Any) -> bool:

@@ -1,6 +1,7 @@
 """Ideals: generators, arithmetic, given norms, two-sided ones, equivalence, connecting ideals."""
 
 import math
+import pickle
 from random import Random
 
 import pytest
@@ -116,6 +117,9 @@ def test_inverses_products_and_conjugates() -> None:
         assert product.left_order() == O
         assert product.right_order() == J.right_order()
         assert I.conjugate().side == "right"
+        for ideal in (I, I.conjugate()):
+            again = pickle.loads(pickle.dumps(ideal))
+            assert (again, again.side, again.order) == (ideal, ideal.side, ideal.order)
         assert I.conjugate().right_order() == O
         assert I.inverse() * product == J
         assert product * J.inverse() == I
