@@ -10,19 +10,19 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import is_prime
 from hfield.product import Constants
 from hfield.rings.base import Ring
+from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
+from hfield.rings.quadratic_places import QuadraticPlace
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.function_fields.conic_bundle import inverted
-from hfield.structure.function_fields.hilbert_functions import FunctionPlace
 from hfield.structure.function_fields.residue_field import ResidueField
 from hfield.structure.minimise import Vector
 from hfield.structure.norm_forms.local_order import unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
-from hfield.structure.quadratic_fields.hilbert_quadratic import QuadraticPlace, p_adic_root
+from hfield.structure.quadratic_fields.hilbert_quadratic import p_adic_root, pair
 from hfield.structure.quadratic_fields.prime_ideals import primes_above
-from hfield.structure.ramification import pair
 from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramified_places_q
 from hfield.structure.rationals.prime_numbers import PrimePlace
 from hfield.structure.rationals.whole_numbers import fraction, square_class

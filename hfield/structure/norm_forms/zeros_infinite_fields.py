@@ -14,7 +14,8 @@ from hfield.structure.forms import NormalForm
 from hfield.structure.function_fields.conic_bundle import RamifiedError, solve_conic_functions
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
-from hfield.structure.ramification import pair, ramification
+from hfield.structure.quadratic_fields.hilbert_quadratic import pair
+from hfield.structure.ramification import ramification
 from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramified_places_q
 from hfield.structure.rationals.rational_embedding import traceless_root_rational

@@ -16,8 +16,8 @@ from hfield.structure.isomorphisms.embedding_pairs import traceless_root_by_slot
 from hfield.structure.isomorphisms.splitting import split
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norms import zero_norm
-from hfield.structure.quadratic_fields.hilbert_quadratic import integral, is_local_square
-from hfield.structure.ramification import pair, ramification
+from hfield.structure.quadratic_fields.hilbert_quadratic import integral, is_local_square, pair
+from hfield.structure.ramification import ramification
 from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
 

@@ -1,0 +1,98 @@
+"""What structure asks of a field with places: one protocol, one object for each kind of field.
+
+A kind is a class of rings with the class of :class:`GlobalField` that knows its arithmetic, one line in the
+table below; ``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+from hfield.factorisation import Factors
+from hfield.rings.base import Ring
+from hfield.rings.functions import FunctionField
+from hfield.rings.integers import Rationals
+from hfield.rings.quadratic import QuadraticField
+from hfield.structure.forms import NormalForm
+
+# Where the arithmetic of a kind is, imported when one of its fields is first asked.
+_KINDS: dict[type[Ring], str] = {
+    Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
+    FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
+    QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
+}
+
+
+def global_field(ring: Ring) -> GlobalField | None:
+    """Return the arithmetic of a field with places, or None for a ring of any other kind."""
+    for known in type(ring).__mro__:
+        if known in _KINDS:
+            return _arithmetic(known).of(ring)
+    return None
+
+
+def field_named_by(*elements: Any, place: Any = None) -> Ring | None:
+    """Return the field that elements or a place belong to, as the first kind says that knows them."""
+    for known in _KINDS:
+        field = _arithmetic(known).named_by(*elements, place=place)
+        if field is not None:
+            return field
+    return None
+
+
+@cache
+def _arithmetic(known: type[Ring]) -> type[GlobalField]:
+    module, _, name = _KINDS[known].rpartition(".")
+    return getattr(import_module(f"hfield.structure.{module}"), name)  # type: ignore[no-any-return]
+
+
+class GlobalField(ABC):
+    """The arithmetic of a field with places, as far as quaternion algebras over it need it.
+
+    Forms are nondegenerate normal forms (a, b | F), or [a, b | F) in characteristic 2. The theory is that of
+    J. Voight, *Quaternion Algebras*, chapters 12 and 14. What is not found in bounded time, or hangs on a
+    factorisation out of reach, raises :class:`hfield.UndecidedError`.
+    """
+
+    ring: Any  # the field, of the class that stands in the table above
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+
+    @classmethod
+    def of(cls, ring: Ring) -> GlobalField:
+        """Return the arithmetic of a field of this kind; a kind with cases picks one here."""
+        return cls(ring)
+
+    @classmethod
+    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
+        """Return the field of this kind that elements or a place belong to by their type, or None."""
+        return None
+
+    # --- places and symbols --------------------------------------------------------------------
+
+    @abstractmethod
+    def read_place(self, text: Any) -> Any:
+        """Return the place that a text names; a place is returned as it is. Raises :class:`RingError`."""
+
+    @abstractmethod
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
+
+        ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
+        Raises :class:`RingError` for a 0 and for a place that is none.
+        """
+
+    @abstractmethod
+    def ramified(self, form: NormalForm) -> tuple[Any, ...]:
+        """Return the places where a form does not split: finite ones ascending, then infinite ones.
+
+        Where the field is no global field in the strict sense, the places with a residue (Faddeev).
+        """
+
+    @abstractmethod
+    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+        """Return the product of the finite ones among the ramified places, as the field writes ideals."""

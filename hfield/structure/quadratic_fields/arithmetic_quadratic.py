@@ -1,0 +1,57 @@
+"""Quadratic number fields as global fields."""
+
+from typing import Any
+
+from hfield.errors import RingError, shorten
+from hfield.factorisation import Factors, factorise, known_primes
+from hfield.rings.base import Ring
+from hfield.rings.quadratic import QuadraticField
+from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
+from hfield.rings.surds import Surd
+from hfield.structure.forms import NormalForm
+from hfield.structure.global_field import GlobalField
+from hfield.structure.quadratic_fields.hilbert_quadratic import (
+    hilbert_symbol_quadratic,
+    pair,
+    ramified_places_quadratic,
+)
+
+
+class QuadraticArithmetic(GlobalField):
+    """The arithmetic of ℚ(√d): tame symbols, and the product formula at a lone place above 2."""
+
+    ring: QuadraticField
+
+    @classmethod
+    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
+        """Return ℚ(√d) for a place of it or for numbers with one root; raises RingError for several."""
+        if isinstance(place, QuadraticPlace):
+            return QuadraticField(place.d)
+        roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
+        if len(roots) > 1:
+            shown = " and ".join(map(shorten, elements))
+            raise RingError(f"{shown} lie in no common quadratic field")
+        if not roots:
+            return None
+        d = roots.pop()
+        factorise(d)  # the theory of places asks for a squarefree d
+        return QuadraticField(d)
+
+    def read_place(self, text: Any) -> QuadraticPlace:
+        """Return a prime ideal or an infinite place."""
+        return place_of_quadratic(self.ring.d, text)
+
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return the symbol; at a lone place above 2 the norms of a and b are factored."""
+        x, y = (pair(self.ring, self.ring(x)) for x in (a, b))
+        with known_primes(factors):
+            return hilbert_symbol_quadratic(self.ring.d, x, y, place)
+
+    def ramified(self, form: NormalForm) -> tuple[QuadraticPlace, ...]:
+        """Return the places with a symbol of −1; the norms of a and b are factored."""
+        a, b = (pair(self.ring, x) for x in form.constants)
+        return ramified_places_quadratic(self.ring.d, a, b)
+
+    def discriminant(self, ramified: tuple[Any, ...]) -> tuple[QuadraticPlace, ...]:
+        """Return the prime ideals, whose product it is."""
+        return tuple(v for v in ramified if v.prime)
