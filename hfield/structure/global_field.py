@@ -7,11 +7,14 @@ table below; ``docs/structure.md`` says which files a new kind touches. All othe
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from importlib import import_module
 from typing import Any
 
+from hfield.errors import UndecidedError
 from hfield.factorisation import Factors
+from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
@@ -32,6 +35,14 @@ def global_field(ring: Ring) -> GlobalField | None:
         if known in _KINDS:
             return _arithmetic(known).of(ring)
     return None
+
+
+def known_field(ring: Ring) -> GlobalField:
+    """Return the arithmetic of a field with places. Raises :class:`UndecidedError` for any other ring."""
+    field = global_field(ring)
+    if field is None:
+        raise UndecidedError(f"{ring.name} has no theory of places here")
+    return field
 
 
 def field_named_by(*elements: Any, place: Any = None) -> Ring | None:
@@ -96,3 +107,41 @@ class GlobalField(ABC):
     @abstractmethod
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+
+    # --- isomorphisms and square roots ---------------------------------------------------------
+
+    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+        """Tell whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
+        return self.ramified(form) == self.ramified(other)
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Let the primes that are found in one of the constants serve for all, while this lasts."""
+        return nullcontext()
+
+    @abstractmethod
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
+
+        Both are the constants of normal forms, and isomorphic; division algebras, where that is of use.
+        """
+
+    @abstractmethod
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
+
+        It is a division algebra, the characteristic is not 2, and s is no square (Voight, 14.6.7).
+        """
+
+    # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
+
+    def square_parts(self, x: Any) -> tuple[Any, Any]:
+        """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""
+        raise UndecidedError(f"elements of {self.ring} are not split into squares here")
+
+    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+        """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
+        raise UndecidedError(f"elements of {self.ring} are not split into squares here")
+
+    def artin_schreier(self, x: Any) -> Any:
+        """Return y with ``y² + y = x``, or None."""
+        raise UndecidedError(f"y² + y = x is not solved over {self.ring}")

@@ -2,17 +2,37 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants
+from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.function_places import FunctionPlace, place_of_functions
 from hfield.rings.functions import FunctionField, Quotient
 from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.function_fields.hilbert_functions import ramified_places_functions, symbol
+from hfield.structure.function_fields.conic_bundle import solve_conic_functions
+from hfield.structure.function_fields.hilbert_functions import (
+    ramified_places_functions,
+    same_class_rational_functions,
+    symbol,
+)
+from hfield.structure.function_fields.inseparable import (
+    artin_schreier,
+    as_norm,
+    embed_even,
+    square_parts,
+)
+from hfield.structure.function_fields.roots_functions import traceless_root_functions
+from hfield.structure.function_fields.slots_functions import common_slot_functions
+from hfield.structure.function_fields.slots_searched import searched_slot
 from hfield.structure.global_field import GlobalField
+from hfield.structure.isomorphisms.through_slots import (
+    conic_point,
+    generator_by_slot,
+    through_slot,
+)
 
 
 class FunctionArithmetic(GlobalField):
@@ -70,11 +90,46 @@ class FunctionArithmetic(GlobalField):
 
 
 class OverOdd(FunctionArithmetic):
-    """The arithmetic of GF(q)(t), q odd."""
+    """The arithmetic of GF(q)(t), q odd: slots are built from local classes."""
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot and three conics."""
+        e = common_slot_functions(self.ring, outer, [outer.a, inner.a])
+        assert e is not None, "isomorphic algebras have a common slot"
+        return through_slot(self.ring, outer, inner, e, self._conic_point)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by a common slot of (a, b) for a and s; there is one if there is an x."""
+        c = Constants(form.a, self.ring.zero, form.b)
+        e = common_slot_functions(self.ring, c, [c.a, s])
+        return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
+
+    def _conic_point(self, c: Constants) -> tuple[Any, Any, Any]:
+        return solve_conic_functions(self.ring, c)
 
 
 class OverEven(FunctionArithmetic):
-    """The arithmetic of GF(q)(t), q even."""
+    """The arithmetic of GF(q)(t), q even: every algebra contains all inseparable square roots."""
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a square root of b and one conic."""
+        return embed_even(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
+        raise AssertionError("in characteristic 2 square roots are norms")
+
+    def square_parts(self, x: Any) -> tuple[Any, Any]:
+        """Return the even and the odd part of x, each under its root."""
+        return square_parts(self.ring, x)
+
+    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+        """Return w and r by comparing parts."""
+        return as_norm(self.ring, x, s)
+
+    def artin_schreier(self, x: Any) -> Any:
+        """Return y from the leading terms down."""
+        return artin_schreier(self.ring, x)
 
 
 class OverRationals(FunctionArithmetic):
@@ -84,3 +139,17 @@ class OverRationals(FunctionArithmetic):
         raise UndecidedError(
             f"the completions of {self.ring} are not local fields: the residue alone does not decide there"
         )
+
+    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+        """Compare the residues, and then the values at a point where both are unramified."""
+        return same_class_rational_functions(self.ring, form, other)
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot that is searched for."""
+        e = searched_slot(self.ring, outer, inner, self.same_class)
+        return through_slot(self.ring, outer, inner, e, functools.partial(conic_point, self.ring))
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x where a rational point of the line does not forbid it and one is found."""
+        found = traceless_root_functions(self.ring, form, s)
+        return None if found is None else (self.ring.zero, *found)

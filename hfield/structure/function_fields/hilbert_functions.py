@@ -7,12 +7,15 @@ invariant ``Tr(Res(a·db/b))``, the trace down to GF(2). Serre, *Local Fields*, 
 Szamuely, *Central Simple Algebras and Galois Cohomology*, chapter 6.
 """
 
+import itertools
 from typing import Any
 
 from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm
 from hfield.structure.function_fields.residue_field import ResidueField, valuation
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 def _poles_and_zeros(field: FunctionField, *elements: Any) -> list[FunctionPlace]:
@@ -111,3 +114,28 @@ def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> 
         if not kappa.is_square(kappa.multiply(x, y)):
             return False
     return True
+
+
+def same_class_rational_functions(
+    field: FunctionField, form: NormalForm, other: NormalForm
+) -> bool:
+    """Tell whether two algebras over ℚ(x) are isomorphic: by residues, and then by a value."""
+    return same_residues(field, form, other) and _same_at_a_point(field, form, other)
+
+
+def _same_at_a_point(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
+    """Compare two algebras over ℚ(x) that have the same residues at a point where both are unramified.
+
+    Their difference in the Brauer group comes from ℚ (Faddeev), so its value at one point decides.
+    """
+    values = [*form.constants, *other.constants]
+    for n in itertools.count():
+        point = field.base((n + 1) // 2 * (-1) ** n)
+        if all(x.den(point) != 0 and x.num(point) != 0 for x in values):
+            a, b, p, q = (fraction(_at(x, point)) for x in values)
+            return ramified_places_q(a, b) == ramified_places_q(p, q)
+    raise AssertionError("all but finitely many points are good")
+
+
+def _at(x: Any, point: Any) -> Any:
+    return x.num(point) / x.den(point)

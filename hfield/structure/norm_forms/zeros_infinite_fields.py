@@ -1,7 +1,6 @@
 """Zero norms over the infinite fields that have a theory of places: ℚ, ℚ(√d), k(t)."""
 
 from collections.abc import Callable
-from typing import Any
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import is_prime
@@ -12,6 +11,7 @@ from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm
 from hfield.structure.function_fields.conic_bundle import RamifiedError, solve_conic_functions
+from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
 from hfield.structure.quadratic_fields.hilbert_quadratic import pair
@@ -103,9 +103,10 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     """Answer for characteristic 2 and t = 0, where the algebra is commutative and N is additive."""
     zero, one = ring.zero, ring.one
     a, _, b = c
-    if isinstance(ring, FunctionField):
-        # x = u² + g·v², g the variable: 1, a and b are dependent over the squares
-        (u, v), (s, t) = square_parts(ring, a), square_parts(ring, b)
+    field = global_field(ring)
+    if field is not None:
+        # x = u² + g·v²: 1, a and b are dependent over the squares
+        (u, v), (s, t) = field.square_parts(a), field.square_parts(b)
         q = (u, one, zero, zero) if ring.is_zero(v) else (u * t + s * v, t, v, zero)
         return found(ring, c, q, "squares", "1, a and b are linearly dependent over the squares")
     for square, unit in (
@@ -120,19 +121,6 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     raise UndecidedError(
         f"whether 1, a, b, ab are independent over the squares of {ring.name} is not decided"
     )
-
-
-def square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
-    """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
-    whole = x.num * x.den
-    parts = []
-    for start in (0, 1):
-        root = ring.zero
-        for n in range(start, int(whole.degree()) + 1, 2):
-            c = ring.constant(ring.base.sqrt(ring.base(whole[n])))
-            root = root + c * ring.power(ring.gen, n // 2)
-        parts.append(ring.divide(root, ring.quotient(x.den, ring.one.num)))
-    return parts[0], parts[1]
 
 
 PROCEDURES: list[tuple[str, Procedure]] = [("ramified places", by_places)]

@@ -1,20 +1,28 @@
 """Quadratic number fields as global fields."""
 
+import functools
+from collections.abc import Iterable
 from typing import Any
 
 from hfield.errors import RingError, shorten
 from hfield.factorisation import Factors, factorise, known_primes
+from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
 from hfield.rings.surds import Surd
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
+from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
+from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
 from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
+    integral,
+    is_local_square,
     pair,
     ramified_places_quadratic,
 )
+from hfield.structure.quadratic_fields.slots_quadratic import common_slot
 
 
 class QuadraticArithmetic(GlobalField):
@@ -55,3 +63,26 @@ class QuadraticArithmetic(GlobalField):
     def discriminant(self, ramified: tuple[Any, ...]) -> tuple[QuadraticPlace, ...]:
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot and three conics."""
+        return through_slot(self.ring, outer, inner, *self._slot(outer, [outer.a, inner.a]))
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by a common slot, unless s is a square at a ramified place."""
+        c = Constants(form.a, self.ring.zero, form.b)
+        local = integral(pair(self.ring, s))
+        if any(is_local_square(v, local) for v in self.ramified(form)):
+            return None
+        return generator_by_slot(self.ring, s, c, *self._slot(c, [c.a, s]))[0]
+
+    def _slot(self, c: Constants, numbers: list[Any]) -> tuple[Any, Point]:
+        """Return a common slot built from local classes, and what solves conics with its primes."""
+        e, primes = common_slot(self.ring, c, numbers)
+        return e, functools.partial(_conic_point, self.ring, primes)
+
+
+def _conic_point(field: QuadraticField, known: Iterable[int], c: Constants) -> tuple[Any, Any, Any]:
+    """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``, given the primes of the norms of a and b."""
+    x, y, w = solve_conic_quadratic(field, c.a, c.b, known)
+    return w, x, y

@@ -1,8 +1,10 @@
 """ℚ as a global field."""
 
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
-from hfield.factorisation import Factors
+from hfield.factorisation import WORD, Factors, known_primes, shared_primes
+from hfield.product import Constants, Coordinates
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.rationals.hilbert_rationals import (
@@ -12,6 +14,8 @@ from hfield.structure.rationals.hilbert_rationals import (
     place_of_q,
     ramified_places_q,
 )
+from hfield.structure.rationals.rational_embedding import embed_rational, traceless_root_rational
+from hfield.structure.rationals.whole_numbers import square_class
 
 
 class RationalArithmetic(GlobalField):
@@ -33,3 +37,18 @@ class RationalArithmetic(GlobalField):
     def discriminant(self, ramified: tuple[Any, ...]) -> int:
         """Return the product of the primes."""
         return discriminant_q(ramified)
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Share the primes of constants that are longer than a word."""
+        numbers = [square_class(x) for form in forms for x in form.constants]
+        if all(-WORD < n < WORD for n in numbers):
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by an isometry of lattices."""
+        return embed_rational(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by an isometry with an algebra (s, e) of the same ramification."""
+        return traceless_root_rational(self.ring, Constants(form.a, self.ring.zero, form.b), s)
