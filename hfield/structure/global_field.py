@@ -7,10 +7,11 @@ table below; ``docs/structure.md`` says which files a new kind touches. All othe
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from importlib import import_module
-from typing import Any
+from typing import Any, ClassVar
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import Factors
@@ -20,6 +21,8 @@ from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 # Where the arithmetic of a kind is, imported when one of its fields is first asked.
 _KINDS: dict[type[Ring], str] = {
@@ -69,6 +72,9 @@ class GlobalField(ABC):
     """
 
     ring: Any  # the field, of the class that stands in the table above
+    splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    finite_orders: ClassVar[Mapping[int, int] | None] = None
+    """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
 
     def __init__(self, ring: Ring) -> None:
         self.ring = ring
@@ -107,6 +113,35 @@ class GlobalField(ABC):
     @abstractmethod
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[Any, ...]:
+        """Return some places where a form does not split, without factoring anything."""
+        return ()
+
+    # --- zeros of norm forms, and why there are none -------------------------------------------
+
+    @abstractmethod
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return an element of norm 0 of an algebra that :meth:`ramified` finds nowhere ramified.
+
+        It has one by the theorem of Hasse and Minkowski, if ``splits_if_unramified``; else the answer may be
+        that there is none.
+        """
+
+    @abstractmethod
+    def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+        """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
+
+        None where it has a zero, or where the residue field is not finite.
+        """
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""
+        for place in places:
+            found = self.unit_and_prime(c, place)
+            if found is not None:
+                u, j = ([self.ring.text(self.ring(x)) for x in v] for v in found)
+                yield {"by": "place", "place": str(place), "u": u, "j": j}
 
     # --- isomorphisms and square roots ---------------------------------------------------------
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError
@@ -12,7 +13,11 @@ from hfield.rings.base import Ring
 from hfield.rings.function_places import FunctionPlace, place_of_functions
 from hfield.rings.functions import FunctionField, Quotient
 from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.function_fields.conic_bundle import solve_conic_functions
+from hfield.structure.function_fields.conic_bundle import (
+    RamifiedError,
+    inverted,
+    solve_conic_functions,
+)
 from hfield.structure.function_fields.hilbert_functions import (
     ramified_places_functions,
     same_class_rational_functions,
@@ -24,15 +29,20 @@ from hfield.structure.function_fields.inseparable import (
     embed_even,
     square_parts,
 )
+from hfield.structure.function_fields.residue_field import ResidueField
 from hfield.structure.function_fields.roots_functions import traceless_root_functions
 from hfield.structure.function_fields.slots_functions import common_slot_functions
 from hfield.structure.function_fields.slots_searched import searched_slot
+from hfield.structure.function_fields.specialised_evidence import specialised_evidence
 from hfield.structure.global_field import GlobalField
 from hfield.structure.isomorphisms.through_slots import (
     conic_point,
     generator_by_slot,
     through_slot,
 )
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import unit_and_prime
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 
 
 class FunctionArithmetic(GlobalField):
@@ -88,6 +98,24 @@ class FunctionArithmetic(GlobalField):
                 product = product * self.ring.quotient(v.poly, self.ring.one.num)
         return product
 
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, found by minimising it at all places."""
+        w, x, y = solve_conic_functions(self.ring, c)
+        reason = "no place is ramified, and this is a zero divisor"
+        return found(self.ring, c, (w, x, y, self.ring.zero), "conic", reason)
+
+    def unit_and_prime(self, c: Constants, place: FunctionPlace) -> tuple[Vector, Vector] | None:
+        """Return u and j at a polynomial, or at infinity with 1/t in the place of t."""
+        ring = self.ring
+        if place.poly is not None:
+            return unit_and_prime(ResidueField(ring, place.poly), c, ring.one)
+        turned = Constants(*(inverted(ring, x) for x in c))
+        shown = unit_and_prime(ResidueField(ring, ring.gen.num), turned, ring.one)
+        if shown is None:
+            return None
+        u, j = ([inverted(ring, x) for x in v] for v in shown)
+        return u, j
+
 
 class OverOdd(FunctionArithmetic):
     """The arithmetic of GF(q)(t), q odd: slots are built from local classes."""
@@ -135,10 +163,28 @@ class OverEven(FunctionArithmetic):
 class OverRationals(FunctionArithmetic):
     """The arithmetic of ℚ(x): residues decide up to an algebra over ℚ (Faddeev's exact sequence)."""
 
+    splits_if_unramified = False
+
     def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:
         raise UndecidedError(
             f"the completions of {self.ring} are not local fields: the residue alone does not decide there"
         )
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, or the places where a value of the algebra ramifies over ℚ."""
+        try:
+            return super().unramified_zero(c, form)
+        except RamifiedError as error:
+            shown = ", ".join(map(str, error.place))
+            reason = (
+                "all residues are trivial, so the algebra comes from one over QQ, its value at a point of "
+                f"the line, and that one is ramified at {shown}"
+            )
+            return none("specialisation", reason, error.place, "Faddeev's exact sequence")
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield values of the variable at which the algebra is a division algebra over ℚ."""
+        return specialised_evidence(c)
 
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
         """Compare the residues, and then the values at a point where both are unramified."""
