@@ -59,8 +59,6 @@ FLOORS = [
 FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
 # A face hands out names of all floors, and no room of the same package asks it for one.
 FACES = {"hfield", "rotation", "anim"}
-# The one call upwards, made when it is asked: docs/architecture.md says why.
-CALLS_BACK = {("hfield.rings", "hfield.places")}
 
 
 def room_of(module: str) -> str:
@@ -96,7 +94,7 @@ def breaches(module: str, source: str) -> list[str]:
 def own_face(room: str, target: str) -> bool:
     """Whether the target is a name that the room's own face hands out."""
     package, _, name = target.partition(".")
-    if (room, target) in CALLS_BACK or name == "__version__":
+    if name == "__version__":
         return False
     return bool(name) and package in FACES and package == room.partition(".")[0]
 
