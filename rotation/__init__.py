@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rotation.rigid import RigidTransform, sclerp
     from rotation.rotation import Rotation
     from rotation.screws import Screw
+    from rotation.spline import RotationSpline
     from rotation.swing import swing_twist
     from rotation.warming import warm_up
 
@@ -43,6 +44,7 @@ _HOMES = {
     "rigid": ["RigidTransform", "sclerp"],
     "rotation": ["Rotation"],
     "screws": ["Screw"],
+    "spline": ["RotationSpline"],
     "swing": ["swing_twist"],
     "warming": ["warm_up"],
 }
@@ -58,6 +60,7 @@ __all__ = [
     "RigidTransform",
     "Rotation",
     "RotationError",
+    "RotationSpline",
     "Screw",
     "Slerp",
     "Squad",

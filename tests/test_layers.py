@@ -41,7 +41,7 @@ FLOORS = [
     {"rotation.conversions"},
     {"rotation.rotation"},
     {"rotation.interpolation", "rotation.alignment", "rotation.motion"},
-    {"rotation.rigid", "rotation.swing", "rotation.conventions"},
+    {"rotation.rigid", "rotation.swing", "rotation.conventions", "rotation.spline"},
     {"rotation.compat"},
     {"rotation.warming"},
     {"rotation.figures"},

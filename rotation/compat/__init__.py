@@ -4,8 +4,8 @@
 arithmetic is ours. docs/rotation-compat.md lists what differs.
 """
 
-from rotation.compat.curves import Slerp
+from rotation.compat.curves import RotationSpline, Slerp
 from rotation.compat.rotations import Rotation
 from rotation.compat.transforms import RigidTransform
 
-__all__ = ["RigidTransform", "Rotation", "Slerp"]
+__all__ = ["RigidTransform", "Rotation", "RotationSpline", "Slerp"]

@@ -1,10 +1,10 @@
-"""`Slerp` as scipy's."""
+"""`Slerp` and `RotationSpline` as scipy's."""
 
 from typing import Any
 
 import numpy as np
 
-from rotation import interpolation
+from rotation import interpolation, spline
 from rotation.compat.rotations import Rotation
 from rotation.errors import DTypeError, RotationError
 
@@ -44,3 +44,26 @@ class Slerp:
                 "both inclusive."
             )
         return Rotation._of(self._curve(t)._q)
+
+
+class RotationSpline:
+    """The curve through keyframes with two continuous derivatives."""
+
+    def __init__(self, times: Any, rotations: Rotation) -> None:
+        if not isinstance(rotations, Rotation) or rotations.single or len(rotations) < 2:
+            raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
+        if len(rotations.shape) > 1:
+            raise RotationError("Rotations with more than 1 leading dimension are not supported.")
+        self.times = np.asarray(times, dtype=np.float64)
+        self.rotations = rotations
+        self._curve = spline.RotationSpline(self.times, rotations._ours)
+
+    def __call__(self, times: Any, order: int = 0) -> Any:
+        """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
+        if order not in (0, 1, 2):
+            raise RotationError("`order` must be 0, 1 or 2.")
+        t = np.asarray(times, dtype=np.float64)
+        if t.ndim > 1:
+            raise RotationError("`times` must be at most 1-dimensional.")
+        found = self._curve.extended(t, order)
+        return found if order else Rotation._of(found._q)

@@ -14,12 +14,8 @@ import pytest
 
 pytest.importorskip("scipy", minversion="1.17")
 
-_SPLINE = "scipy's RotationSpline makes scipy's rotations and multiplies them by those it was given"
 EXPECTED = {
     "test_rotation.py::test_cython_backend_selection": "asks which of scipy's two backends computes",
-    "test_rotation_spline.py::test_spline_2_rotations": _SPLINE,
-    "test_rotation_spline.py::test_constant_attitude": _SPLINE,
-    "test_rotation_spline.py::test_spline_properties": _SPLINE,
 }
 
 
