@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rotation.alignment import align, align_points
+    from rotation.conventions import change_of_axes, convert_points, convert_rotation
     from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
     from rotation.fused import rotate, rotate_euler, rotate_quat
     from rotation.interpolation import Slerp, Squad, slerp, squad
@@ -23,11 +24,14 @@ if TYPE_CHECKING:
     from rotation.rigid import RigidTransform, sclerp
     from rotation.rotation import Rotation
     from rotation.screws import Screw
+    from rotation.spline import RotationSpline
+    from rotation.swing import swing_twist
     from rotation.warming import warm_up
 
 # Where the public names live. They are imported on first use; numba comes with the first call that needs it.
 _HOMES = {
     "alignment": ["align", "align_points"],
+    "conventions": ["change_of_axes", "convert_points", "convert_rotation"],
     "errors": ["DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError"],
     "fused": ["rotate", "rotate_euler", "rotate_quat"],
     "interpolation": ["Slerp", "Squad", "slerp", "squad"],
@@ -40,6 +44,8 @@ _HOMES = {
     "rigid": ["RigidTransform", "sclerp"],
     "rotation": ["Rotation"],
     "screws": ["Screw"],
+    "spline": ["RotationSpline"],
+    "swing": ["swing_twist"],
     "warming": ["warm_up"],
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
@@ -54,6 +60,7 @@ __all__ = [
     "RigidTransform",
     "Rotation",
     "RotationError",
+    "RotationSpline",
     "Screw",
     "Slerp",
     "Squad",
@@ -61,6 +68,9 @@ __all__ = [
     "ZeroRotationError",
     "align",
     "align_points",
+    "change_of_axes",
+    "convert_points",
+    "convert_rotation",
     "integrate",
     "inverse_left_jacobian",
     "left_jacobian",
@@ -73,6 +83,7 @@ __all__ = [
     "sclerp",
     "slerp",
     "squad",
+    "swing_twist",
     "threads",
     "warm_up",
 ]

@@ -126,6 +126,20 @@ class Conversions(Batch):
         return cls._of(vectors.from_mrp(mrp))
 
     @classmethod
+    def from_6d(cls, numbers: Any) -> Self:
+        """Make rotations from six numbers (…, 6): two vectors, made orthonormal one after the other.
+
+        They are the first two columns of the matrix. The map is continuous, unlike any from three or four
+        numbers: Y. Zhou et al., "On the continuity of rotation representations in neural networks" (2019).
+
+        Raises
+        ------
+        RotationError
+            The first vector is zero, or the second is a multiple of it.
+        """
+        return cls._of(matrices.from_columns(numbers))
+
+    @classmethod
     def between(cls, source: Any, target: Any) -> Self:
         """Make the shortest rotations that take directions ``source`` (…, 3) to ``target`` (…, 3).
 
@@ -186,6 +200,11 @@ class Conversions(Batch):
     def as_matrix(self) -> Array:
         """Return the matrices, shape (…, 3, 3), that turn column vectors."""
         return matrices.to_matrix(self._q)
+
+    def as_6d(self) -> Array:
+        """Return the first two columns of the matrices, one after the other, shape (…, 6)."""
+        m = self.as_matrix()
+        return namespace(m).concat([m[..., :, 0], m[..., :, 1]], axis=-1)
 
     def as_euler(self, seq: str, degrees: bool = False) -> Array:
         """Return Euler angles, shape (…, 3), for a sequence of three letters.

@@ -197,16 +197,19 @@ class Rotation(Conversions):
         if type(q) is np.ndarray and out is None and type(points) in (np.ndarray, list, tuple):
             v = points if type(points) is np.ndarray else real(points, "points")
             if (
-                v.dtype.char == "d"
+                v.dtype.char in "df"
                 and v.ndim
                 and v.shape[-1] == 3
                 and v.size <= 3 * FEW
                 and (q.ndim == 1 or v.ndim == 1 or q.shape[:-1] == v.shape[:-1])
             ):
+                w = v if v.dtype.char == "d" else v.astype(np.float64)
                 if q.ndim > 1:
-                    return (BY_INVERSE if inverse else BY_QUATERNION)(q, v)
-                m = TO_MATRIX(q)
-                return BY_MATRIX(m.T if inverse else m, v)
+                    image = (BY_INVERSE if inverse else BY_QUATERNION)(q, w)
+                else:
+                    m = TO_MATRIX(q)
+                    image = BY_MATRIX(m.T if inverse else m, w)
+                return image if w is v else image.astype(np.float32)
         return self._applied(points, inverse, out)
 
     @quiet
