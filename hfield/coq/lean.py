@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.judgement import Sentence
 from hfield.coq.rooms import RINGS
+from hfield.coq.sentences import Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import HFieldError, TooLargeError
 from hfield.notation import split_algebra

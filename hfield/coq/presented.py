@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.judgement import COMPUTED, IN_RINGS, Proved
 from hfield.coq.rooms import room_of
+from hfield.coq.sentences import COMPUTED, IN_RINGS, Proved
 from hfield.coq.terms import NotCoveredError
 from hfield.proving.statements.setting import Setting
 from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse

@@ -1,10 +1,11 @@
 """Over which ring a theorem is stated: every commutative ring, every field, one that is computed in."""
 
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 
 from hfield.coq.terms import NotCoveredError
-from hfield.errors import HFieldError
+from hfield.errors import HFieldError, shorten
 from hfield.rings import ring
 from hfield.rings.base import Ring
 
@@ -65,10 +66,9 @@ def room_of(field: Ring) -> Room:
 
 def value_in(room: Room, text: str) -> str:
     """Return an element of a ring, from its text in a certificate."""
-    try:
-        value = Fraction(text.replace(" ", ""))
-    except (ValueError, ZeroDivisionError) as error:
-        raise NotCoveredError(f"the value {text!r}") from error
+    if not re.fullmatch(r"-?[0-9]{1,1000}(/[1-9][0-9]{0,999})?", text):
+        raise NotCoveredError(f"the value {shorten(text)!r}")
+    value = Fraction(text)
     if room is RATIONALS:
         return f"(Q2Qc ({value.numerator} # {value.denominator}))"
     if room is INTEGERS:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.judgement import Proved
+from hfield.coq.sentences import Proved
 from hfield.coq.wholes import judge
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.notation import split_algebra

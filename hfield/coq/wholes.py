@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.judgement import Judgement, Proved
+from hfield.coq.judgement import Judgement
 from hfield.coq.presented import Presentation, is_presentation, presentation
 from hfield.coq.rooms import room_of
+from hfield.coq.sentences import Proved
 from hfield.coq.terms import NotCoveredError
 from hfield.proving.statements.setting import Setting
 from hfield.rings import ring

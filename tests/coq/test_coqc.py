@@ -11,8 +11,8 @@ from hfield.commands.parser import Parser
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.coqc import Coqc
 from hfield.coq.export import export_certificates, export_statements
-from hfield.coq.judgement import Proved
 from hfield.coq.ledger import export_ledger
+from hfield.coq.sentences import Proved
 from hfield.coq.theorem import Theorem, theorem
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL

@@ -1,0 +1,198 @@
+"""Evidence for what exists by terms, at once or in cases, and against it, at a place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from hfield.coq.cofactors import MismatchError
+from hfield.coq.rooms import FIELDS, RINGS, Room, of_characteristic, room_of
+from hfield.coq.sentences import COMPUTED, Proved, Sentence
+from hfield.coq.terms import NotCoveredError, Terms
+from hfield.proving.statements.language import Sort
+from hfield.proving.statements.trees import substitute
+from hfield.rings import ring
+from hfield.syntax import Binary, Logic, Name, Node, Not, parse
+
+if TYPE_CHECKING:
+    from hfield.coq.judgement import Judgement
+
+
+def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+    """Prove existence by terms that serve for all values of what is given."""
+    lemma = f"{j.name}_instance"
+    trees = _trees(j, evidence["terms"])
+    instance, known = _instance(j, trees, [], evidence["proof"])
+    room = RINGS if instance.text.startswith(RINGS.opening) else _room(j, instance)
+    sentence = Sentence(j.statement, j.setting, room)
+    names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+    lines = [
+        sentence.intros,
+        *([f"intros {' '.join(names)}."] if names else []),
+        f"pose proof ({_call(lemma, instance, room, known)} {' '.join(names)}) as known.",
+        *_there(j, sentence, trees),
+    ]
+    return Proved(sentence.text, tuple(lines), (instance.lemma(lemma),))
+
+
+def _room(j: Judgement, proved: Proved) -> Room:
+    """Return the room of something proved for the field of the certificate, or for all fields."""
+    field = j.setting.field
+    if field is None:
+        return FIELDS
+    room = room_of(field)
+    large = of_characteristic(room.characteristic)
+    return large if proved.text.startswith(large.opening) else room
+
+
+def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
+    """Return the terms for what exists, scalars as quaternions where these are sought."""
+    if set(terms) != set(j.statement.exists):
+        raise MismatchError("the terms are not those of what exists")
+    trees = {name: parse(text) for name, text in terms.items()}
+    given = [(n, s) for n, s in j.statement.unknowns if n not in j.statement.exists]
+    own = Terms(given, [], j.setting.constants)
+    for name, sort in j.statement.unknowns:
+        if name in trees and (own.term(trees[name]).is_scalar) != (sort is Sort.SCALAR):
+            if sort is Sort.SCALAR:
+                raise MismatchError(f"the term for {name} is no scalar")
+            trees[name] = Binary("*", trees[name], Name("e"))
+    return trees
+
+
+def _there(j: Judgement, sentence: Sentence, trees: Mapping[str, Node]) -> list[str]:
+    """Return the tactics that name what exists, when it is known that it serves."""
+    terms = Terms(sentence.given, [], j.setting.constants)
+    named = [terms.term(trees[n]).inner for n, _ in sentence.terms.ordered if n in trees]
+    return [*(f"exists {text}." for text in named), "first [exact known | tauto]."]
+
+
+def _instance(
+    j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: Mapping[str, Any]
+) -> tuple[Proved, Judgement]:
+    """Prove the statement with terms put in, under the hypotheses ``more``."""
+    whole = substitute(j.statement.conclusion, trees)
+    for h in reversed([*more, *j.statement.hypotheses]):
+        whole = Logic("=>", h, whole)
+    other = j.about(whole)
+    if not {n for n, _ in other.statement.unknowns} <= set(j.given):
+        raise MismatchError("the terms are about other unknowns than those given")
+    return other.proved(proof), other
+
+
+def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+    """Prove existence by terms for each of some cases, one of which is always there."""
+    cases = evidence["cases"]
+    conditions = [parse(case["when"]) for case in cases]
+    one_of = conditions[-1]
+    for condition in reversed(conditions[:-1]):
+        one_of = Logic("or", condition, one_of)
+    for h in reversed(j.statement.hypotheses):
+        one_of = Logic("=>", h, one_of)
+    covered = j.about(one_of)
+    if not {n for n, _ in covered.statement.unknowns} <= set(j.given):
+        raise MismatchError("the cases are about other unknowns than those given")
+    cover = covered.proved(evidence["cover"])
+    before = [cover.lemma(f"{j.name}_cover")]
+    room = _room(j, cover)
+    sentence = Sentence(j.statement, j.setting, room)
+    names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+    defined, rest = names[: len(sentence.defined)], names[len(sentence.defined) :]
+    pattern = "w"
+    for _ in conditions[:-1]:
+        pattern = f"[w | {pattern}]"
+    call = _call(f"{j.name}_cover", cover, room, covered)
+    lines = [sentence.intros, *([f"intros {' '.join(names)}."] if names else [])]
+    lines.append(f"destruct ({call} {' '.join(names)}) as {pattern}.")
+    for n, (case, condition) in enumerate(zip(cases, conditions, strict=True), 1):
+        trees = _trees(j, case["terms"])
+        instance, known = _instance(j, trees, [condition], case["proof"])
+        lemma = f"{j.name}_case_{n}"
+        before.append(instance.lemma(lemma))
+        call = _call(lemma, instance, room, known)
+        lines.append(f"- pose proof ({call} {' '.join([*defined, 'w', *rest])}) as known.")
+        lines += [f"  {line}" for line in _there(j, sentence, trees)]
+    return Proved(sentence.text, tuple(lines), tuple(before))
+
+
+def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+    """Refute that something exists: for some values of what is given, nothing serves."""
+    field, statement = j.setting.field, j.statement
+    if field is None:
+        field = ring(evidence["field"])
+    if j.setting.letters:
+        raise NotCoveredError("that nothing exists, in an algebra with letters")
+    here = replace(j.setting, field=field)
+    room = room_of(field)
+    sentence = Sentence(j.read(statement.text, here), here, room)
+    matrix, proof = statement.conclusion, evidence["proof"]
+    for h in reversed(statement.hypotheses):
+        matrix = Logic("=>", h, matrix)
+    arguments = []
+    if evidence["kind"] == "place":
+        values = {name: _tree(texts) for name, texts in evidence["values"].items()}
+        if set(values) != set(j.given):
+            raise MismatchError("the place is not one for what is given")
+        matrix = substitute(matrix, values)
+        own = Terms([], [], here.constants)
+        for name, sort in sentence.order:
+            x = own.term(values[name])
+            if x.conditions:
+                raise NotCoveredError("a place with fractions")
+            arguments.append((own.embed(x) if sort is Sort.QUATERNION else x).inner)
+        if proof["kind"] != "none exists":
+            raise MismatchError("a place refutes by evidence of the kind 'none exists'")
+        proof = proof["proof"]
+    elif j.given:
+        raise MismatchError("nothing is said about the unknowns that are given")
+    other = j.about(Not(matrix), here)
+    never = other.proved(proof)
+    if not never.text.startswith(other.sentence.body):
+        raise NotCoveredError("that nothing exists, in a field that Coq does not compute in")
+    lemma = f"{j.name}_never"
+    order = [n for n, _ in other.sentence.order]
+    zeros = ["(embed 0)" if s is Sort.QUATERNION else "0" for _, s in other.sentence.order]
+    names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+    found = [n for n, _ in sentence.terms.ordered if n in statement.exists]
+    pattern = "c"
+    for name in reversed(found):
+        pattern = f"[{name} {pattern}]"
+    everywhere = j.setting.field is None
+    lines = ["intro F."]
+    start = "F"
+    if everywhere:
+        p = room.characteristic
+        if p:
+            lines.append(f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]}).")
+        start = f"F (GF {p}) _ _ (GF_field {p} prime)" if p else "F Qc _ _ rational_field"
+    lines.append(f"pose proof ({' '.join([start, *arguments])}) as G.")
+    if names:
+        lines.append(f"apply ({' '.join([lemma, *zeros])}); intros {' '.join(names)}; exfalso.")
+    lines.append(f"destruct ({' '.join(['G', *names])}) as {pattern}.")
+    lines.append(f"apply ({' '.join([lemma, *order])}); intros; exact c.")
+    whole = _whole_text(j, sentence)
+    return Proved(f"~ ({whole})", tuple(lines), (never.lemma(lemma),))
+
+
+def _whole_text(j: Judgement, sentence: Sentence) -> str:
+    if j.setting.field is not None:
+        return sentence.body
+    return Sentence(j.statement, j.setting, FIELDS).text
+
+
+def _call(lemma: str, proved: Proved, room: Room, judgement: Judgement) -> str:
+    """Return a lemma applied to the ring and the unknowns of a proof in the room."""
+    names = room.names
+    if proved.text.startswith(RINGS.opening) and room is not RINGS:
+        names = "R operations (F_R (proj1 laws))"
+    own = [n for n, _ in judgement.sentence.order]
+    return " ".join(x for x in (lemma, names, *own) if x)
+
+
+def _tree(texts: Sequence[str]) -> Node:
+    """Return the tree of c0*e + c1*i + c2*j + c3*k, or of a scalar."""
+    if len(texts) == 1:
+        return parse(texts[0])
+    parts = [Binary("*", parse(c), Name(u)) for c, u in zip(texts, "eijk", strict=True)]
+    return Binary("+", Binary("+", parts[0], parts[1]), Binary("+", parts[2], parts[3]))

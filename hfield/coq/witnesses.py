@@ -1,0 +1,109 @@
+"""Evidence by values: counterexamples, and examples of what exists."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from hfield.coq.cofactors import MismatchError
+from hfield.coq.rooms import (
+    FIELDS,
+    INTEGERS,
+    MAX_MODULUS,
+    MAX_PRIME,
+    RATIONALS,
+    Room,
+    room_of,
+    value_in,
+)
+from hfield.coq.sentences import COMPUTED, Proved, Sentence, computed
+from hfield.coq.terms import NotCoveredError
+from hfield.proving.statements.language import Sort, Statement
+from hfield.rings import ring
+
+if TYPE_CHECKING:
+    from hfield.coq.judgement import Judgement
+
+
+def _values(
+    j: Judgement,
+    room: Room,
+    values: Mapping[str, Sequence[str]],
+    sentence: Sentence,
+    unknowns: Sequence[tuple[str, Sort]],
+) -> tuple[str, str]:
+    if set(values) != {n for n, _ in unknowns}:
+        raise MismatchError("the witness is not one for these unknowns")
+    quaternions, scalars = [], []
+    for name, sort in sentence.terms.ordered:
+        if (name, sort) not in unknowns:
+            continue
+        found = [value_in(room, text) for text in values[name]]
+        if len(found) != (4 if sort is Sort.QUATERNION else 1):
+            raise MismatchError(f"{name} has {len(found)} coordinates")
+        if sort is Sort.QUATERNION:
+            quaternions.append(f"Quaternion {' '.join(found)}")
+        else:
+            scalars += found
+    return f"[{'; '.join(quaternions)}]", f"[{'; '.join(scalars)}]"
+
+
+def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+    """Refute a statement by values, in its ring, or in one field what is said of all."""
+    field = ring(evidence["field"])
+    if j.setting.field is not None and j.setting.field != field:
+        raise MismatchError("the witness is from another field")
+    room = room_of(field)
+    here = replace(j.setting, field=field)
+    statement = j.read(j.statement.text, here)
+    _check_listed(statement, room)
+    sentence = Sentence(statement, here, room)
+    values = _values(j, room, evidence["values"], sentence, sentence.order)
+    call = f"({sentence.data})\n  {values[0]} {values[1]}"
+    judge = _named(room, "residues_fail", "rationals_fail", "integers_fail", call)
+    if j.setting.field is not None:
+        return Proved(f"~ ({sentence.body})", (f"refine ({judge}).", f"all: {COMPUTED}"))
+    if not room.is_field:
+        raise MismatchError(f"{field.name} is no field")
+    everywhere = Sentence(j.statement, j.setting, FIELDS)
+    p = room.characteristic
+    if p > MAX_PRIME:
+        raise NotCoveredError(f"a counterexample in GF(p) with p above {MAX_PRIME}")
+    if p:
+        lines = [
+            "intro F.",
+            f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]}).",
+            f"unshelve refine ({judge} (F (GF {p}) _ _ (GF_field {p} prime))).",
+            f"all: {COMPUTED}",
+        ]
+    else:
+        lines = [
+            "intro F.",
+            f"unshelve refine ({judge} (F Qc _ _ rational_field)).",
+            f"all: {COMPUTED}",
+        ]
+    return Proved(f"~ ({everywhere.text})", tuple(lines))
+
+
+def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+    """Prove existence by values, where nothing is given."""
+    room, sentence = j.one_room()
+    _check_listed(j.statement, room)
+    values = _values(j, room, evidence["values"], sentence, sentence.found)
+    call = f"({sentence.data})\n  {values[0]} {values[1]}"
+    judge = _named(room, "residues_example", "rationals_example", "integers_example", call)
+    return computed(sentence, judge)
+
+
+def _named(room: Room, residues: str, rationals: str, integers: str, call: str) -> str:
+    if room is RATIONALS:
+        return f"{rationals} {call} _"
+    if room is INTEGERS:
+        return f"{integers} {call} _"
+    return f"{residues} {room.characteristic} {call} _ _"
+
+
+def _check_listed(statement: Statement, room: Room) -> None:
+    if room.characteristic > MAX_MODULUS and statement.divides:
+        raise NotCoveredError(f"division modulo a number above {MAX_MODULUS}")
