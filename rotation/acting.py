@@ -40,12 +40,14 @@ def _by_matrix(matrix: Array, points: Array) -> Array:
     return join(namespace(points), _by_entries(rows, split(points)))
 
 
-def _by_quaternion(q: Array, points: Array, inverse: bool) -> Array:
+def turned_by(q: Array, v: Coordinates, inverse: bool) -> Coordinates:
+    """Return vectors turned by unit quaternions, or by their inverses."""
     m = matrix_entries(q)
-    return join(
-        namespace(points),
-        _by_entries(zip(*m, strict=True) if inverse else m, split(points)),
-    )
+    return _by_entries(zip(*m, strict=True) if inverse else m, v)
+
+
+def _by_quaternion(q: Array, points: Array, inverse: bool) -> Array:
+    return join(namespace(points), turned_by(q, split(points), inverse))
 
 
 def _about_axis(axis: Array, angle: Array, points: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from typing import Any, Self
 
-from rotation import euler, matrices, quaternions, vectors
+from rotation import davenport, euler, matrices, quaternions, vectors
 from rotation.angles import to_degrees
 from rotation.batch import Batch
 from rotation.errors import DTypeError
@@ -83,6 +83,28 @@ class Conversions(Batch):
         return cls._of(euler.from_euler(seq, angles, degrees))
 
     @classmethod
+    def from_davenport(cls, axes: Any, order: str, angles: Any, degrees: bool = False) -> Self:
+        """Make rotations from angles about one to three axes, each perpendicular to the next.
+
+        Parameters
+        ----------
+        axes : array_like, shape (3,) or (n, 3), n at most 3
+            Of any length but 0.
+        order : "extrinsic" or "intrinsic"
+            About axes that stay, or that turn along; "e" and "i" are taken too.
+        angles : array_like, shape (…, n)
+            For one axis also a number, or a one-dimensional array of angles.
+        degrees : bool
+            The angles are in degrees, not radians.
+
+        Raises
+        ------
+        RotationError
+            Axes, an order or angles that do not fit.
+        """
+        return cls._of(davenport.from_davenport(axes, order, angles, degrees))
+
+    @classmethod
     def from_rotvec(cls, rotvec: Any, degrees: bool = False) -> Self:
         """Make rotations from vectors (…, 3) whose length is the angle and direction the axis."""
         return cls._of(vectors.from_rotvec(rotvec, degrees))
@@ -102,6 +124,20 @@ class Conversions(Batch):
     def from_mrp(cls, mrp: Any) -> Self:
         """Make rotations from modified Rodrigues parameters (…, 3), ``tan(angle/4)·axis``."""
         return cls._of(vectors.from_mrp(mrp))
+
+    @classmethod
+    def from_6d(cls, numbers: Any) -> Self:
+        """Make rotations from six numbers (…, 6): two vectors, made orthonormal one after the other.
+
+        They are the first two columns of the matrix. The map is continuous, unlike any from three or four
+        numbers: Y. Zhou et al., "On the continuity of rotation representations in neural networks" (2019).
+
+        Raises
+        ------
+        RotationError
+            The first vector is zero, or the second is a multiple of it.
+        """
+        return cls._of(matrices.from_columns(numbers))
 
     @classmethod
     def between(cls, source: Any, target: Any) -> Self:
@@ -165,6 +201,11 @@ class Conversions(Batch):
         """Return the matrices, shape (…, 3, 3), that turn column vectors."""
         return matrices.to_matrix(self._q)
 
+    def as_6d(self) -> Array:
+        """Return the first two columns of the matrices, one after the other, shape (…, 6)."""
+        m = self.as_matrix()
+        return namespace(m).concat([m[..., :, 0], m[..., :, 1]], axis=-1)
+
     def as_euler(self, seq: str, degrees: bool = False) -> Array:
         """Return Euler angles, shape (…, 3), for a sequence of three letters.
 
@@ -178,6 +219,19 @@ class Conversions(Batch):
             No such sequence.
         """
         return euler.to_euler(self._q, seq, degrees)
+
+    def as_davenport(self, axes: Any, order: str, degrees: bool = False) -> Array:
+        """Return the angles about three axes, shape (…, 3); see `from_davenport`.
+
+        The first and third lie in [−π, π], the second in an interval of length π. In gimbal lock the third
+        is 0.
+
+        Raises
+        ------
+        RotationError
+            Not three axes, or such as do not fit.
+        """
+        return davenport.to_davenport(self._q, axes, order, degrees)[0]
 
     def as_rotvec(self, degrees: bool = False) -> Array:
         """Return the rotation vectors, shape (…, 3), of lengths in [0, π]."""

@@ -185,6 +185,30 @@ _FROM_MATRIX = {
 }
 
 
+@quiet
+def from_columns(numbers: Any) -> Array:
+    """Return the unit quaternions of pairs of columns (…, 6), made orthonormal by Gram and Schmidt."""
+    c = floats(numbers, "pairs of columns")
+    expect_last(c, (6,), "pairs of columns")
+    xp = namespace(c)
+    a, b = unit(xp, split(c[..., :3])), unit(xp, split(c[..., 3:]))
+    refuse_rows(xp.all(c[..., :3] == 0.0, axis=-1), "the first column", "is zero")
+    along = reduce(add, (x * y for x, y in zip(a, b, strict=True)))
+    rest = tuple(y - along * x for x, y in zip(a, b, strict=True))
+    size = reduce(add, (x * x for x in rest))
+    parallel = (size <= (16.0 * float(xp.finfo(c.dtype).eps)) ** 2) | xp.all(
+        c[..., 3:] == 0.0, axis=-1
+    )
+    refuse_rows(parallel, "the second column", "is a multiple of the first")
+    b = unit(xp, rest)
+    again = reduce(add, (x * y for x, y in zip(a, b, strict=True)))
+    b = unit(xp, tuple(y - again * x for x, y in zip(a, b, strict=True)))
+    (p, q, r), (s, t, u) = a, b
+    third = (q * u - r * t, r * s - p * u, p * t - q * s)
+    rows = [join(xp, row) for row in zip(a, b, third, strict=True)]
+    return from_matrix(xp.stack(rows, axis=-2))
+
+
 def _bits(matrix: Any, xp: Any) -> int:
     """32 for single precision, 64 for everything else that a matrix may be given as."""
     return 32 if getattr(matrix, "dtype", None) == xp.float32 else 64

@@ -21,6 +21,7 @@ from rotation.namespaces import Array, expect_last, expect_numpy, floats
 from rotation.products import check_frame, running_products
 from rotation.rotation import Rotation
 
+_HALVINGS = 12
 _NODES = (0.5 - math.sqrt(3.0) / 6.0, 0.5 + math.sqrt(3.0) / 6.0)  # of Gauss and Legendre
 
 
@@ -29,6 +30,7 @@ def integrate(
     times: Any,
     initial: Rotation | None = None,
     frame: str = "body",
+    tolerance: float | None = None,
 ) -> Rotation:
     """Return the attitudes at ``times`` of a body that turns with angular velocity ``omega``.
 
@@ -45,6 +47,10 @@ def integrate(
     frame : "body" or "world"
         The axes in which omega is given: those that turn along, or those that stay.
 
+    tolerance : float, optional
+        For a function omega: the intervals are halved until two answers differ by no more than this angle,
+        in radians, at any of the times; the better one is returned.
+
     Returns
     -------
     Rotation, shape (n, …)
@@ -54,7 +60,8 @@ def integrate(
     Raises
     ------
     RotationError
-        Times that are not monotonic, samples that do not fit them, or another frame.
+        Times that are not monotonic, samples that do not fit them, or another frame; a tolerance that is
+        not positive, not asked of a function, or not reached with 4096 steps in each interval.
     ForeignArrayError
         Arrays that are not numpy's.
 
@@ -75,6 +82,8 @@ def integrate(
         raise RotationError(
             f"times of shape {t.shape}: a list that strictly increases or decreases is expected"
         )
+    if tolerance is not None:
+        return _refined(omega, t, initial, frame, tolerance)
     first, second = (_values(omega, t, t[:-1] + node * steps) for node in _NODES)
     h = np.reshape(steps, steps.shape + (1,) * (first.ndim - 1))
     # In the body's axes the order of all products is reversed, and so is the commutator's sign.
@@ -90,6 +99,28 @@ def integrate(
     missing = (1,) * (len(batch) + 2 - turns.ndim)
     chain[1:] = np.reshape(turns, (len(turns), *missing, *turns.shape[1:]))
     return Rotation._of(running_products(chain, frame))
+
+
+def _refined(
+    omega: Any, times: Array, initial: Rotation | None, frame: str, tolerance: float
+) -> Rotation:
+    """Integrate with more and more steps in each interval, until that changes nothing."""
+    if not callable(omega) or not tolerance > 0.0:
+        raise RotationError(
+            f"tolerance {tolerance!r}: a positive angle is expected, and omega as a function"
+        )
+    before = integrate(omega, times, initial, frame)
+    for power in range(1, _HALVINGS + 1):
+        parts = 2**power
+        share = np.arange(parts) / parts
+        fine = (times[:-1, None] + np.diff(times)[:, None] * share).ravel()
+        found = integrate(omega, np.append(fine, times[-1]), initial, frame)[::parts]
+        if np.all((before.inv() * found).magnitude() <= tolerance):
+            return found
+        before = found
+    raise RotationError(
+        f"the tolerance {tolerance:g} is not reached with {2**_HALVINGS} steps in each interval"
+    )
 
 
 def _values(omega: Any, times: Array, at: Array) -> Array:

@@ -5,14 +5,14 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation import quaternions, sampling
+from rotation import groups, quaternions, sampling
 from rotation.acting import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, real
 from rotation.batch import expect_rotations
 from rotation.conversions import Conversions
-from rotation.errors import DTypeError, ForeignArrayError
+from rotation.errors import DTypeError, ForeignArrayError, RotationError
 from rotation.matrices import TO_MATRIX, to_matrix
-from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, quiet
+from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
 
 
 class Rotation(Conversions):
@@ -71,6 +71,30 @@ class Rotation(Conversions):
             No shape, no seed, or two.
         """
         return cls._of(sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed)))
+
+    @classmethod
+    def create_group(cls, group: str, axis: str = "Z") -> Self:
+        """Return the rotations of a finite group, shape (order,); the identity comes first.
+
+        Parameters
+        ----------
+        group : str
+            ``"I"``, ``"O"`` or ``"T"``, of the icosahedron, octahedron, tetrahedron; ``"Cn"`` of order n or
+            ``"Dn"`` of order 2n.
+        axis : "X", "Y" or "Z"
+            The axis of C and D.
+
+        Raises
+        ------
+        RotationError
+            No such group or axis.
+
+        Examples
+        --------
+        >>> Rotation.create_group("D3").shape
+        (6,)
+        """
+        return cls._of(groups.elements(group, axis))
 
     # The group
 
@@ -173,16 +197,19 @@ class Rotation(Conversions):
         if type(q) is np.ndarray and out is None and type(points) in (np.ndarray, list, tuple):
             v = points if type(points) is np.ndarray else real(points, "points")
             if (
-                v.dtype.char == "d"
+                v.dtype.char in "df"
                 and v.ndim
                 and v.shape[-1] == 3
                 and v.size <= 3 * FEW
                 and (q.ndim == 1 or v.ndim == 1 or q.shape[:-1] == v.shape[:-1])
             ):
+                w = v if v.dtype.char == "d" else v.astype(np.float64)
                 if q.ndim > 1:
-                    return (BY_INVERSE if inverse else BY_QUATERNION)(q, v)
-                m = TO_MATRIX(q)
-                return BY_MATRIX(m.T if inverse else m, v)
+                    image = (BY_INVERSE if inverse else BY_QUATERNION)(q, w)
+                else:
+                    m = TO_MATRIX(q)
+                    image = BY_MATRIX(m.T if inverse else m, w)
+                return image if w is v else image.astype(np.float32)
         return self._applied(points, inverse, out)
 
     @quiet
@@ -243,6 +270,38 @@ class Rotation(Conversions):
         from rotation.products import running_products
 
         return self._of(running_products(self._q, frame))
+
+    def reduce(
+        self,
+        left: "Rotation | None" = None,
+        right: "Rotation | None" = None,
+        return_indices: bool = False,
+    ) -> Any:
+        """Return of all ``l·p·r`` the one of the smallest angle, for each of the rotations p.
+
+        Parameters
+        ----------
+        left, right : Rotation, shapes (m,) and (n,), optional
+            Such as `create_group` returns; by default the identity.
+        return_indices : bool
+            Return the indices (…) of l and r as well.
+
+        Raises
+        ------
+        RotationError
+            Left or right is no list of rotations.
+        ForeignArrayError
+            Arrays that are not numpy's.
+        """
+        one = Rotation.identity(1)
+        ls, rs = (one if side is None else side for side in (left, right))
+        expect_rotations(left=ls, right=rs)
+        expect_numpy("reduce", self._q, ls._q, rs._q)
+        if ls.ndim != 1 or rs.ndim != 1 or not ls.size or not rs.size:
+            raise RotationError("left and right are lists, each of at least one rotation")
+        m, n = groups.nearest(self._q, ls._q, rs._q)
+        reduced = self._of(quaternions.product(quaternions.product(ls._q[m], self._q), rs._q[n]))
+        return (reduced, m, n) if return_indices else reduced
 
     @classmethod
     def align_vectors(

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from rotation.arrays import Array
 from rotation.errors import RotationError
 
 
@@ -27,7 +27,7 @@ def _listed(shape: int | Sequence[int]) -> Sequence[int]:
     return shape if isinstance(shape, Sequence) else (shape,)
 
 
-def generator(rng: Any, seed: Any) -> np.random.Generator:
+def generator(rng: Any, seed: Any) -> "np.random.Generator":
     """Return the generator that one of the two stands for; raises RotationError where none can be."""
     if rng is not None and seed is not None:
         raise RotationError("rng and seed are two names of one thing; give one of them")
@@ -40,7 +40,7 @@ def generator(rng: Any, seed: Any) -> np.random.Generator:
         ) from error
 
 
-def uniform(shape: tuple[int, ...], rng: np.random.Generator) -> npt.NDArray[np.float64]:
+def uniform(shape: tuple[int, ...], rng: "np.random.Generator") -> Array:
     """Return unit quaternions (…, 4) uniform on the sphere: normal coordinates, normalised."""
     q = rng.standard_normal((*shape, 4))
     q /= np.sqrt(np.sum(q * q, axis=-1, keepdims=True))

@@ -19,7 +19,7 @@ def warm_up() -> None:
     Examples
     --------
     >>> import rotation
-    >>> rotation.warm_up()
+    >>> rotation.warm_up()  # doctest: +SKIP
     """
     q = np.tile([1.0, 2.0, 3.0, 4.0], (3, 1))
     points, angles = q[:, 1:], q[:, 0]

@@ -14,7 +14,7 @@ from math import gcd
 
 from hfield import QuaternionAlgebra
 from hfield.lattices.brandt import number_of_ideals
-from hfield.structure.rationals.whole_numbers import factorise
+from hfield.factorisation import factorise
 
 
 def definite_discriminants(bound: int) -> list[int]:

@@ -137,7 +137,7 @@ def check_orders(A: QuaternionAlgebra, rng: Random, count: Counter[str]) -> None
     assert E <= O
     count["Eichler order"] += 1
     x, y = (sum((rng.randint(-3, 3) * b for b in O.basis), A(0)) for _ in range(2))
-    if x * y != y * x:
+    if x * y != y * x and A.is_division_algebra():  # in M₂(ℚ) they may be triangular
         S = A.order([x, y])
         assert S.hnf == span(vectors([A(1), x, y, x * y]))
         larger = S.maximal_overorder()

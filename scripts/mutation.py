@@ -60,7 +60,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("tests/adversary/test_primitives.py", "tests/certificates/test_core.py"),
     ),
     "implication": (
-        ("hfield/proving/implication.py",),
+        ("hfield/proving/methods/implications.py",),
         (
             "tests/adversary/test_breaks.py",
             "tests/proving/test_evidence.py",

@@ -34,10 +34,10 @@ class Place:
         for m, c in f.items():
             value, unknowns = ring.number(c), list[tuple[int, int]]()
             for v, e in m:
-                if v < self.expansion.unknowns:
-                    unknowns.append((v, (e - 1) % (q - 1) + 1 if q else e))
-                else:
+                if v in self._values:
                     value = ring.mul(value, ring.power(self._values[v], e))
+                else:  # an unknown, or the inverse of one in an implication
+                    unknowns.append((v, (e - 1) % (q - 1) + 1 if q else e))
             own = tuple(unknowns)
             out[own] = ring.add(out[own], value) if own in out else value
         return {m: c for m, c in out.items() if not ring.is_zero(c)}

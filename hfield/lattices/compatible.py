@@ -9,6 +9,7 @@ and no Hermite form of sixteen rows is needed.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz, fmpz_mat
@@ -33,32 +34,50 @@ def product(first: Ideal, second: Ideal) -> tuple[int, Any] | None:
     alpha = _generator(second, n)
     if alpha is None:
         return None
-    inverse, d = hermite.inverse(first._matrix)
-    scale = r.scale * second._den * d
-    image = first._matrix * r.right_matrix(alpha) * inverse
-    steps = _echelon(image.entries(), fmpz(scale), fmpz(n))
+    image = first._matrix * r.right_matrix(alpha)
+    scale, modulus = fmpz(r.scale * second._den), fmpz(n)
+    triangle = first._matrix.entries()
+    entries = image.entries()
+    rows = (
+        _coordinates([x // scale for x in entries[m : m + 4]], triangle, modulus)
+        for m in (0, 4, 8, 12)
+    )
+    steps = _echelon(rows, modulus)
     if steps is None:
         return None
     return hermite.hermite(first._den, fmpz_mat(steps) * first._matrix)
 
 
+def _coordinates(row: list[Any], triangle: list[Any], n: Any) -> list[Any]:
+    """Return integer coordinates with respect to the rows of a triangular matrix, modulo n."""
+    found = []
+    for m in range(4):
+        c = row[m] // triangle[5 * m]
+        found.append(c % n)
+        if c:
+            for k in range(m + 1, 4):
+                row[k] -= c * triangle[4 * m + k]
+    return found
+
+
 def _generator(ideal: Ideal, n: int) -> tuple[int, ...] | None:
+    """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
     content, entries = ideal._content
     for m in range(4):
         if math.gcd(int(entries[5 * m]) // (2 * int(content)), n) == 1:
-            return ideal.hnf[1][m]
+            return tuple(int(ideal._matrix[m, k]) for k in range(4))
     return None
 
 
-def _echelon(entries: list[Any], scale: Any, n: Any) -> list[list[Any]] | None:
-    """Return two rows of the matrix, reduced, with n·ℤ⁴ as a triangular basis of index n².
+def _echelon(rows: Iterator[list[Any]], n: Any) -> list[list[Any]] | None:
+    """Return two of the rows, reduced, with n·ℤ⁴ as a triangular basis of index n².
 
     The product lies above and has this index, so the other rows add nothing. None where a pivot is no unit.
     """
     basis = [[n * (i == j) for j in range(4)] for i in range(4)]
-    modulus, done = scale * n, -1  # flint's integers: they invert ten times faster
-    for start in (0, 4, 8, 12):
-        row = [x % modulus // scale for x in entries[start : start + 4]]
+    done = -1
+    for found in rows:
+        row = found
         if done >= 0 and (f := row[done]):
             row = [(x - f * y) % n for x, y in zip(row, basis[done], strict=True)]
         column = next((m for m in range(4) if row[m]), None)
@@ -66,7 +85,7 @@ def _echelon(entries: list[Any], scale: Any, n: Any) -> list[list[Any]] | None:
             continue
         if row[column].gcd(n) != 1:
             return None
-        inverse = pow(row[column], -1, n)
+        inverse = pow(row[column], -1, n)  # flint's integers invert ten times faster
         basis[column] = [x * inverse % n for x in row]
         if done >= 0:
             return basis

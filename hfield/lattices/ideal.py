@@ -13,7 +13,7 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import compatible, hermite
 from hfield.lattices.answers import Answer, rows_json
-from hfield.lattices.lattice import Lattice, element_row
+from hfield.lattices.lattice import Lattice, element_row, listed
 from hfield.lattices.order import Order
 from hfield.lattices.order import prime as checked_prime
 from hfield.quaternion import Parent, Quaternion
@@ -46,7 +46,7 @@ class Ideal(Lattice):
 
         Raises :class:`LatticeError` when its rank is below 4.
         """
-        given = list(generators)
+        given = listed(generators)
         vectors = [element_row(order.algebra, x) for x in given]
         if not vectors:
             raise LatticeError("an ideal has at least one generator, and none was given")
@@ -73,6 +73,9 @@ class Ideal(Lattice):
     def of(cls, lattice: Lattice, side: str, order: Order | None = None) -> Ideal:
         """Return a lattice as an ideal of its left or right order, which may be known."""
         return cls(lattice.algebra, lattice._den, lattice._matrix, side, order)
+
+    def __reduce__(self) -> Any:
+        return _restore, (self.algebra, *self.hnf, self.side, self._order)
 
     @classmethod
     def like(cls, lattice: Lattice, order: Order, side: str) -> Ideal:
@@ -281,6 +284,13 @@ class Ideal(Lattice):
         from hfield.lattices.klpt import equivalent_of_power_norm
 
         return equivalent_of_power_norm(self, checked_prime(prime), seed)
+
+
+def _restore(
+    algebra: Parent, den: int, rows: hermite.Rows, side: str, order: Order | None
+) -> Ideal:
+    """Rebuild a pickled ideal."""
+    return Ideal(algebra, den, fmpz_mat([list(row) for row in rows]), side, order)
 
 
 def _is_number(x: Any) -> bool:

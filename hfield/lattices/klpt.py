@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
-from hfield.factorisation import is_prime
+from hfield.factorisation import is_probable_prime
 from hfield.lattices import hermite
-from hfield.lattices.quadratic_orders import Frame, frame, represent
+from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
 from hfield.lattices.reduction import kernel
 from hfield.lattices.represent import in_frame
 from hfield.lattices.small import by_norm
@@ -43,9 +43,11 @@ def equivalent_of_power_norm(
     """
     order = ideal.order
     ideal._definite("equivalent_of_power_norm()")
-    f = frame(order)
     p = order._discriminant
-    if ideal.side == "right" or not order.is_maximal() or f.norm != p or -f.discriminant > LARGEST:
+    f = extremal_frame(order, LARGEST) if order.is_maximal() else None
+    if prime == p:
+        raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
+    if ideal.side == "right" or f is None:
         raise LatticeError(
             "KLPT starts from a left ideal of a p-extremal maximal order, such as A.extremal_order(): "
             "connect another order to that with connecting_ideal"
@@ -53,7 +55,7 @@ def equivalent_of_power_norm(
     rng = random.Random(seed)
     tried = 0
     for row, norm in by_norm(ideal):
-        if norm in (prime, p, 2) or not is_prime(norm):
+        if norm in (prime, p, 2) or not is_probable_prime(norm):
             continue
         x = ideal._element(row)
         first = x.conjugate() / ideal.norm()

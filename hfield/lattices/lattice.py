@@ -53,7 +53,7 @@ class Lattice:
         is not over ℚ.
         """
         regular(algebra)
-        vectors = [element_row(algebra, x) for x in elements]
+        vectors = [element_row(algebra, x) for x in listed(elements)]
         den = math.lcm(*(d for d, _ in vectors))
         rows = [[x * (den // d) for x in row] for d, row in vectors] or [[0] * 4]
         found = hermite.hermite(den, fmpz_mat(rows))
@@ -430,6 +430,7 @@ class Lattice:
         Raises :class:`IndefiniteError`.
         """
         self._definite("theta_series()")
+        natural(n)
         _, gram = self._reduced
         self._affordable(enumeration.volume(gram, 2 * n, 4), "elements as short as")
         counts = enumeration.count_by_length(gram, 2 * n)
@@ -447,6 +448,23 @@ def element_row(algebra: Parent, x: Any) -> tuple[int, list[int]]:
 
 def _combine(x: Sequence[int], rows: Any) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
+
+
+def listed(elements: Any) -> list[Any]:
+    """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
+    if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
+        raise LatticeError(
+            f"{shorten(repr(elements))} is no list of elements: expected one, such as [e, i, j, k]"
+        )
+    return list(elements)
+
+
+def natural(n: Any) -> None:
+    """Raise :class:`LatticeError` unless n is an integer ≥ 0."""
+    if not isinstance(n, int) or n < 0:
+        raise LatticeError(
+            f"a theta series goes up to an integer ≥ 0, and {shorten(repr(n))} is none"
+        )
 
 
 def checked_side(side: str) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
@@ -95,14 +95,14 @@ def _combine(x: list[int], rows: list[tuple[int, ...]]) -> list[int]:
     return [sum(a * row[n] for a, row in zip(x, rows, strict=True)) for n in range(4)]
 
 
-def eichler_suborder(order: Order, level: int, factors: Any = None) -> Order:
+def eichler_suborder(order: Order, level: int) -> Order:
     """Return the Eichler order ``ℤ + O·x + level·O`` of a maximal order, x being always the same.
 
     Raises :class:`LatticeError` when the level is not prime to the discriminant.
     """
     from hfield.lattices.order import Order
 
-    primes = factorise(level, factors)
+    primes = factorise(level)
     for p in primes:
         if order._discriminant % p == 0:
             raise LatticeError(

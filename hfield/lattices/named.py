@@ -29,7 +29,10 @@ def maximal_order(algebra: Parent) -> Order:
     found = hermite.hermite(den, fmpz_mat(rows))
     if found is None:
         raise AssertionError("the even Clifford algebra has rank 4")
-    return Order(algebra, *found)
+    order = Order(algebra, *found)
+    if not order.is_maximal():  # also remembers the primes, which the caller may have named
+        raise AssertionError("the even Clifford algebra of a minimal form is maximal")
+    return order
 
 
 def eichler_order(algebra: Parent, level: Any) -> Order:

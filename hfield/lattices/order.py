@@ -17,10 +17,11 @@ from hfield.errors import LatticeError, shorten
 from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import rows_json
-from hfield.lattices.lattice import Lattice, checked_side, element_row
+from hfield.lattices.lattice import Lattice, checked_side, element_row, listed, natural
 from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
+from hfield.rings.rational import rational
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
@@ -49,7 +50,7 @@ class Order(Lattice):
         elements that are not integral.
         """
         r = regular(algebra)
-        found = [element_row(algebra, x) for x in (1, *elements)]
+        found = [element_row(algebra, x) for x in (1, *listed(elements))]
         den = math.lcm(*(d for d, _ in found))
         letters = fmpz_mat([[x * (den // d) for x in row] for d, row in found])
         span = hermite.span(den, letters)
@@ -66,7 +67,7 @@ class Order(Lattice):
         if words.nrows() < 4:
             raise LatticeError(
                 f"these elements generate a ring of rank {words.nrows()}, and orders have rank 4: give "
-                "two that do not commute"
+                "elements that lie in no smaller algebra, such as two that do not commute"
             )
         return cls(algebra, words_den, words)
 
@@ -77,7 +78,7 @@ class Order(Lattice):
         Raises :class:`LatticeError` unless they are four that span a ring with 1; the message names
         the product that is missing.
         """
-        basis = list(elements)
+        basis = listed(elements)
         if len(basis) != 4:
             raise LatticeError(
                 f"a basis of an order has four elements, and {len(basis)} were given"
@@ -250,6 +251,7 @@ class Order(Lattice):
         of L-series", 1987).
         """
         self._definite("ternary_theta_series()")
+        natural(n)
         counts = enumeration.count_by_length(self._reduced_ternary[2], 2 * n)
         return [counts.get(2 * m, 0) for m in range(n + 1)]
 
@@ -370,7 +372,7 @@ class Order(Lattice):
         """
         from hfield.lattices.quadratic_orders import embeddings
 
-        return embeddings(self, discriminant)
+        return embeddings(self, integer(discriminant, "discriminant"))
 
     # --- classes -----------------------------------------------------------------------------------
 
@@ -392,12 +394,17 @@ class Order(Lattice):
 
 def positive(n: Any, what: str) -> int:
     """Return a positive integer. Raises :class:`LatticeError` for anything else."""
-    try:
-        value = int(n) if int(n) == n and not isinstance(n, (bool, float, str)) else 0
-    except (TypeError, ValueError):
-        value = 0
-    if value < 1:
+    value = rational(n)
+    if isinstance(n, bool) or not isinstance(value, int) or value < 1:
         raise LatticeError(f"the {what} {shorten(repr(n))} is no positive integer")
+    return value
+
+
+def integer(n: Any, what: str) -> int:
+    """Return an integer. Raises :class:`LatticeError` for anything else."""
+    value = rational(n)
+    if not isinstance(value, int):
+        raise LatticeError(f"the {what} {shorten(repr(n))} is no integer")
     return value
 
 

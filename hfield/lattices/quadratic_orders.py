@@ -8,13 +8,14 @@ embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.factorisation import is_prime
+from hfield.factorisation import is_prime, is_probable_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.order import Order
 from hfield.quaternion import Quaternion
@@ -109,9 +110,26 @@ class Frame:
 @lru_cache(maxsize=64)
 def frame(order: Order) -> Frame:
     """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
-    den, rows, gram = order._reduced_ternary
-    bound = min(gram[n][n] for n in range(3))
-    _, x = min((value, v) for v, value in enumeration.short_vectors(gram, bound))
+    _, _, gram = order._reduced_ternary
+    return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
+
+
+@lru_cache(maxsize=64)
+def extremal_frame(order: Order, largest: int) -> Frame | None:
+    """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
+    p = order._discriminant
+    return next((f for f in frames(order, largest) if f.norm == p), None)
+
+
+def frames(order: Order, largest: int) -> Iterator[Frame]:
+    """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
+    _, _, gram = order._reduced_ternary
+    short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
+    yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)
+
+
+def _frame(order: Order, x: tuple[int, ...]) -> Frame:
+    den, rows, _ = order._reduced_ternary
     s = [int(c) for c in (fmpz_mat([list(x)]) * rows).entries()]
     element = order._element(s, den)
     d = -int(str(element.norm()))
@@ -178,10 +196,11 @@ SMALL_PRIMES = math.prod(p for p in range(17, 200) if is_prime(p))
 
 
 def likely(m: int) -> bool:
-    """Tell whether m is a prime; most composite numbers are sorted out by their small factors."""
-    if m < 40_000:
-        return is_prime(m)
-    return math.gcd(m, SMALL_PRIMES) == 1 and is_prime(m)
+    """Tell whether m is a probable prime; most composite numbers are sorted out by their small factors.
+
+    No proof is needed: what is represented is an element, and its norm is known.
+    """
+    return (m < 40_000 or math.gcd(m, SMALL_PRIMES) == 1) and is_probable_prime(m)
 
 
 def cornacchia(d: int, m: int) -> tuple[int, int] | None:

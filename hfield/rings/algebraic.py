@@ -137,7 +137,9 @@ class AlgebraicNumbers(Ring):
 
     def _root(self, x: Any, n: Any) -> Any:
         """Return the n-th root: in RR the real one of a real number, else the principal one."""
-        degree = rational(n) if not isinstance(n, Surd) else rational(n.terms.get(1, 0))
+        if isinstance(n, Surd) and n.terms.keys() <= {1}:
+            n = n.terms.get(1, 0)
+        degree = None if isinstance(n, Surd) else rational(n)
         if not isinstance(degree, int) or not 1 <= degree <= 64:
             raise CoercionError(f"root(x, n) takes an integer n from 1 to 64, not {shorten(n)}")
         from hfield.rings.closed import root

@@ -9,7 +9,7 @@ from __future__ import annotations
 import atexit
 import gc
 import random
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator
 from typing import Any
 
 import flint
@@ -175,6 +175,12 @@ class FunctionField(Ring):
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
+
+    def places(self) -> Iterator[Any]:
+        """Run through the places over a finite field: infinity, then polynomials by degree."""
+        from hfield.rings.function_places import all_places
+
+        return all_places(self)
 
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""

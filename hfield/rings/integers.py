@@ -1,7 +1,8 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
+import itertools
 import random
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -136,6 +137,11 @@ class Rationals(_Ordered):
     def random(self, rng: random.Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
+
+    def places(self) -> Iterator[int | str]:
+        """Run through the places: ``"inf"``, then the primes."""
+        yield "inf"
+        yield from filter(is_prime, itertools.count(2))
 
 
 class Residues(Modular):

@@ -1,7 +1,7 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
 import random
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -155,6 +155,12 @@ class QuadraticField(Ring):
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen
+
+    def places(self) -> Iterator[Any]:
+        """Run through the places: the infinite ones, then prime by prime."""
+        from hfield.rings.quadratic_places import all_places
+
+        return all_places(self.d)
 
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""

@@ -1,28 +1,15 @@
 """Places, Hilbert symbols and ramification, over every field that has them here."""
 
 from collections.abc import Iterator
-from fractions import Fraction
 from typing import Any
 
-from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors, factorise, is_prime, known_primes
+from hfield.errors import RingError, UndecidedError
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField, Quotient
 from hfield.rings.integers import QQ
-from hfield.rings.quadratic import QuadraticField
-from hfield.rings.surds import Surd
 from hfield.structure.forms import NormalForm, discriminant, normal_form
-from hfield.structure.function_fields import hilbert_functions
-from hfield.structure.quadratic_fields import hilbert_quadratic
-from hfield.structure.rationals.hilbert_rationals import (
-    INFINITE,
-    discriminant_q,
-    hilbert_symbol_q,
-    place_of_q,
-    ramified_places_q,
-)
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.structure.global_field import field_named_by, global_field
 
 
 def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -> int:
@@ -39,50 +26,10 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
     """
-    field = _field_of(a, b, place)
-    if field is None:
-        a, b = (QQ(x) if isinstance(x, str) else x for x in (a, b))
-    if isinstance(field, FunctionField):
-        return _symbol_functions(field, field(a), field(b), place)
-    if isinstance(field, QuadraticField):
-        x, y = pair(field, field(a)), pair(field, field(b))
-        with known_primes(factors):
-            return hilbert_quadratic.hilbert_symbol_quadratic(field.d, x, y, place)
-    return hilbert_symbol_q(a, b, place)
-
-
-def _field_of(a: Any, b: Any, place: Any) -> Ring | None:
-    """Return the field that the arguments of a symbol belong to; None for ℚ."""
-    if isinstance(place, hilbert_quadratic.QuadraticPlace):
-        return QuadraticField(place.d)
-    if isinstance(place, hilbert_functions.FunctionPlace):
-        return place.field
-    for x in (a, b):
-        if isinstance(x, Quotient):
-            return x.field  # type: ignore[no-any-return,attr-defined,unused-ignore]
-    roots = {n for x in (a, b) if isinstance(x, Surd) for n in x.terms if n != 1}
-    if len(roots) > 1:
-        raise RingError(f"{shorten(a)} and {shorten(b)} lie in no common quadratic field")
-    if not roots:
-        return None
-    d = roots.pop()
-    factorise(d)  # the theory of places asks for a squarefree d
-    return QuadraticField(d)
-
-
-def _symbol_functions(field: FunctionField, a: Any, b: Any, place: Any) -> int:
-    even = field.characteristic == 2
-    if field.is_zero(b) or (field.is_zero(a) and not even):
-        raise RingError(
-            "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
-        )
-    v = hilbert_functions.place_of_functions(field, place)
-    if field.base.order is None:
-        raise UndecidedError(
-            f"the completions of {field} are not local fields: the residue alone does not decide there"
-        )
-    form = normal_form(field, Constants(a, field.one if even else field.zero, b))
-    return hilbert_functions.symbol(field, form, v)
+    field = field_named_by(place=place) or field_named_by(a, b) or QQ
+    known = global_field(field)
+    assert known is not None, "only fields with places are named"
+    return known.hilbert_symbol(a, b, place, factors)
 
 
 def places(ring: Ring) -> Iterator[Any]:
@@ -90,39 +37,15 @@ def places(ring: Ring) -> Iterator[Any]:
 
     Raises :class:`UndecidedError` for a ring that has no such list.
     """
-    if isinstance(ring, QuadraticField):
-        return hilbert_quadratic.all_places(ring.d)
-    if isinstance(ring, FunctionField):
-        return hilbert_functions.all_places(ring)
-    if ring.name == "QQ":
-        return _places_of_q()
-    raise UndecidedError(f"{ring.name} is not a global field: its places are not listed")
-
-
-def _places_of_q() -> Iterator[Any]:
-    yield INFINITE
-    p = 1
-    while True:
-        p += 1
-        if is_prime(p):
-            yield p
+    return ring.places()
 
 
 def place(ring: Ring, text: Any) -> Any:
     """Read a place of a global field, as its text or as it is. Raises :class:`RingError`."""
-    if isinstance(ring, QuadraticField):
-        return hilbert_quadratic.place_of_quadratic(ring.d, text)
-    if isinstance(ring, FunctionField):
-        return hilbert_functions.place_of_functions(ring, text)
-    if ring.name == "QQ":
-        return place_of_q(text)
-    raise RingError(f"{ring.name} is not a global field: it has no places here")
-
-
-def pair(ring: QuadraticField, x: Any) -> tuple[Fraction, Fraction]:
-    """Return the coordinates of u + v√d."""
-    terms = ring(x).terms
-    return fraction(terms.get(1, 0)), fraction(terms.get(ring.d, 0))
+    field = global_field(ring)
+    if field is None:
+        raise RingError(f"{ring.name} is not a global field: it has no places here")
+    return field.read_place(text)
 
 
 def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
@@ -130,14 +53,8 @@ def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
 
     Over ℚ(x) these are the places with a residue; without any, the algebra is constant.
     """
-    if isinstance(ring, FunctionField):
-        return hilbert_functions.ramified_places_functions(ring, form)
-    if isinstance(ring, QuadraticField):
-        a, b = (pair(ring, x) for x in form.constants)
-        return hilbert_quadratic.ramified_places_quadratic(ring.d, a, b)
-    if ring.name == "QQ":
-        return ramified_places_q(form.a, form.b)
-    return None
+    field = global_field(ring)
+    return None if field is None else field.ramified(form)
 
 
 def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) -> tuple[Any, ...]:
@@ -147,9 +64,6 @@ def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) ->
     the answer is (). Raises :class:`RingError` for a degenerate algebra, and
     :class:`UndecidedError` over a ring without a theory of places.
     """
-    if ring.name == "QQ" and c.a and c.b and not c.t:  # already normal: the short way, for surveys
-        with known_primes(factors):
-            return ramified_places_q(c.a, c.b)
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: ask over its field of fractions")
     if ring.is_zero(discriminant(c)):
@@ -172,12 +86,5 @@ def reduced_discriminant(ring: Ring, c: Constants, factors: Factors | None = Non
     :func:`ramified_places` does.
     """
     found = ramified_places(ring, c, factors)
-    if isinstance(ring, FunctionField):
-        product = ring.one
-        for v in found:
-            if v.poly is not None:
-                product = product * ring.quotient(v.poly, ring.one.num)
-        return product
-    if isinstance(ring, QuadraticField):
-        return tuple(v for v in found if v.prime)
-    return discriminant_q(found)
+    field = global_field(ring)
+    return 1 if field is None else field.discriminant(found)

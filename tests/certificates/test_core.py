@@ -792,6 +792,7 @@ def test_forms_and_polynomials_without_roots() -> None:
         {"coefficients": ["-2", "0", "0"]},
         {"coefficients": ["-4", "0", "1"]},
         {"coefficients": ["-2", "s", "1"]},
+        {"coefficients": ["T1", "0", "1"]},
         {"coefficients": ["0"] * 65 + ["1"]},
     ):
         bad = opposite(["s**2 - 2*y**2"], ["s"], [{**steps[0], **change}, steps[1]])

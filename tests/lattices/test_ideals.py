@@ -1,6 +1,7 @@
 """Ideals: generators, arithmetic, given norms, two-sided ones, equivalence, connecting ideals."""
 
 import math
+import pickle
 from random import Random
 
 import pytest
@@ -116,6 +117,9 @@ def test_inverses_products_and_conjugates() -> None:
         assert product.left_order() == O
         assert product.right_order() == J.right_order()
         assert I.conjugate().side == "right"
+        for ideal in (I, I.conjugate()):
+            again = pickle.loads(pickle.dumps(ideal))
+            assert (again, again.side, again.order) == (ideal, ideal.side, ideal.order)
         assert I.conjugate().right_order() == O
         assert I.inverse() * product == J
         assert product * J.inverse() == I
@@ -160,6 +164,8 @@ def test_an_ideal_that_is_not_invertible() -> None:
     e, i, j, _ = O.basis
     I = O.left_ideal([2 * e, e + i, e + j])
     assert not I.is_invertible()
+    for R in (O.right_ideal([1]), O.right_ideal([3, 1 + i + j]), O.right_ideal([1 + 2 * i])):
+        assert R * I == O.algebra.lattice([p * q for p in R.basis for q in I.basis])
     with pytest.raises(LatticeError, match="not invertible"):
         I.inverse()
     x = H("QQ")(1, 2, 0, 5)

@@ -249,6 +249,14 @@ def test_bad_input() -> None:
         A.lattice([e, i, j, i + j])
     with pytest.raises(LatticeError, match="rank 0"):
         A.lattice([])
+    for wrong in (None, "i", i, 3):
+        with pytest.raises(LatticeError, match="no list of elements"):
+            A.lattice(wrong)
+        with pytest.raises(LatticeError, match="no list of elements"):
+            A.order(wrong)
+    for wrong in (-1, "3", None):
+        with pytest.raises(LatticeError, match="theta series"):
+            A.hurwitz_order().theta_series(wrong)
     with pytest.raises(RingError, match="over QQ"):
         H(GF(7)).lattice([1, 2, 3, 4])
     with pytest.raises(RingError, match="degenerate"):

@@ -191,6 +191,21 @@ def test_klpt_of_principal_ideals_and_of_wrong_orders() -> None:
         O.random_ideal(101, seed=1).right_order().random_ideal(
             103, seed=1
         ).equivalent_of_power_norm(2)
+    for p, prime in (
+        (2, 3),
+        (3, 2),
+        (5, 2),
+        (7, 3),
+        (13, 2),
+        (17, 5),
+        (73, 2),
+    ):  # where frames are many
+        P = prime_algebra(p).extremal_order()
+        J, c, e = P.random_ideal(101, seed=p).equivalent_of_power_norm(prime)
+        assert P.random_ideal(101, seed=p) * c == J
+        assert J.norm() == prime**e
+    with pytest.raises(LatticeError, match="other than the discriminant"):
+        O.random_ideal(101, seed=1).equivalent_of_power_norm(10007)
     with pytest.raises(LatticeError, match="not a prime"):
         O.random_ideal(101, seed=1).equivalent_of_power_norm(4)
     with pytest.raises(LatticeError, match="left ideal"):

@@ -187,6 +187,11 @@ def test_orders_that_are_none() -> None:
         A.order_from_basis([e, i, j])
     with pytest.raises(LatticeError, match="rank 4"):
         A.order_from_basis([e, i, j, i + j])
+    B = QuaternionAlgebra("QQ", 1, 1)
+    upper = [(1 + B.basis[1]) / 2, (B.basis[2] + B.basis[3]) / 2]
+    assert upper[0] * upper[1] != upper[1] * upper[0]  # triangular matrices do not commute either
+    with pytest.raises(LatticeError, match="smaller algebra"):
+        B.order(upper)
     with pytest.raises(LatticeError, match="trace 0 and norm 1/4"):
         A.order([i / 2, j])
     with pytest.raises(

@@ -258,3 +258,13 @@ def test_nothing_hangs():
             RR(text)
         except (NotationError, TooLargeError, UndecidedError, CoercionError):
             continue
+
+
+@pytest.mark.parametrize(
+    ("field", "degree"), [("RR", "2+sqrt(5)"), ("RR", "pi"), ("RR", "5/2"), ("CC", "2+I")]
+)
+def test_the_degree_of_a_root_is_an_integer(field: str, degree: str) -> None:
+    """The irrational part of a degree was dropped: root(3, 2+sqrt(5)) was sqrt(3)."""
+    with pytest.raises(CoercionError, match="integer n from 1 to 64"):
+        ring(field)(f"root(3,{degree})")
+    assert ring(field)("root(3,2+sqrt(5)-sqrt(5))") == ring(field)("sqrt(3)")

@@ -11,6 +11,7 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import is_prime, remove
 from hfield.product import Constants, multiply
 from hfield.rings import ring
+from hfield.rings.quadratic_places import places_above
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimise import Conic
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
@@ -19,7 +20,7 @@ from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
     integral,
     is_local_square,
-    places_above,
+    pair,
 )
 from hfield.structure.quadratic_fields.prime_ideals import (
     Inert,
@@ -30,7 +31,6 @@ from hfield.structure.quadratic_fields.prime_ideals import (
     primes_above,
 )
 from hfield.structure.quadratic_fields.slots_quadratic import common_slot
-from hfield.structure.ramification import pair
 from hfield.structure.single_elements.square_roots import square_roots
 
 FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]

@@ -44,6 +44,11 @@ def primes_of_identity(x: Expanded) -> tuple[int, ...]:
     return tuple(sorted(found or ()))
 
 
+def _algebra_may_exist(x: Expanded, p: int) -> bool:
+    """Tell whether no condition of the structure constants vanishes in characteristic p."""
+    return all(any(int(c) % p for c in f.coeffs()) for f in x.conditions)
+
+
 def is_conjunction_of_identities(statement: Statement) -> bool:
     """Tell whether the statement is made of equations without division by "and" alone."""
     return not (statement.hypotheses or statement.exists or statement.divides) and all(
@@ -101,6 +106,7 @@ def refuted(
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
     steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
     primes = () if x is None else primes_of_identity(x)
+    primes = tuple(p for p in primes if x is not None and _algebra_may_exist(x, p))
     scope = None
     if primes:
         where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"

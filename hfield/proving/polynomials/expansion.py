@@ -29,13 +29,14 @@ class Expanded:
     """A statement as clauses over the variables ``variables`` (their texts) of ``context``.
 
     The first ``unknowns`` variables are coordinates, letters and scalars; the others are constants
-    of the field.
+    of the field. Where one of ``conditions`` is 0 there is no algebra.
     """
 
     context: Any
     variables: tuple[str, ...]
     unknowns: int
     clauses: tuple[Clause, ...]
+    conditions: tuple[Any, ...] = ()
 
     @property
     def has_constants(self) -> bool:
@@ -58,13 +59,13 @@ def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
     if any(weight(node) > MAX_WEIGHT for node in (*statement.hypotheses, statement.conclusion)):
         raise TooLargeError("the degree or the numbers are too large to expand")
     world, variables, unknowns = polynomial_world(statement, constants)
-    hypotheses = TRUE
-    for condition in world.conditions:  # where there is no algebra, nothing is said
+    hypotheses, conditions = TRUE, tuple(world.conditions)
+    for condition in conditions:  # where there is no algebra, nothing is said
         hypotheses = hypotheses & literal((condition,), False)
     for h in statement.hypotheses:
         hypotheses = hypotheses & world.truth(h)
     whole = ~hypotheses | world.truth(statement.conclusion)
-    return Expanded(world.context, variables, unknowns, clauses(whole))
+    return Expanded(world.context, variables, unknowns, clauses(whole), conditions)
 
 
 def polynomial_world(

@@ -7,78 +7,15 @@ invariant ``Tr(Res(a·db/b))``, the trace down to GF(2). Serre, *Local Fields*, 
 Szamuely, *Central Simple Algebras and Galois Cohomology*, chapter 6.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+import itertools
 from typing import Any
 
-from hfield.errors import HFieldError, RingError, UndecidedError, shorten
+from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm
 from hfield.structure.function_fields.residue_field import ResidueField, valuation
-
-
-@dataclass(frozen=True)
-class FunctionPlace:
-    """A place of k(t): a monic irreducible polynomial, or infinity (``poly`` is None).
-
-    The text is that of the polynomial, or ``"inf"``, and reads back with :func:`place_of_functions`.
-    """
-
-    field: FunctionField
-    poly: Any = None
-
-    def __str__(self) -> str:
-        if self.poly is None:
-            return "inf"
-        return self.field.text(self.field.quotient(self.poly, self.field.one.num))
-
-    def __repr__(self) -> str:
-        return str(self)
-
-    def __hash__(self) -> int:
-        return hash((self.field.name, str(self)))
-
-    @property
-    def degree(self) -> int:
-        """The degree of the residue field over k."""
-        return 1 if self.poly is None else int(self.poly.degree())
-
-
-def place_of_functions(field: FunctionField, place: Any) -> FunctionPlace:
-    """Read a place: a :class:`FunctionPlace`, an irreducible polynomial of the field, or its text."""
-    if isinstance(place, FunctionPlace) and place.field == field:
-        return place
-    if isinstance(place, str) and place.strip() in ("inf", "oo", "∞"):
-        return FunctionPlace(field)
-    try:
-        x = field(place)
-    except HFieldError:
-        x = field.zero
-    if x.num != 0 and field.is_one(x.den) and x.num.degree() > 0:
-        factors = x.num.factor()[1]
-        if len(factors) == 1 and factors[0][1] == 1:
-            return FunctionPlace(field, field.quotient(field.one.num, x.num).den)
-    raise RingError(
-        f'{shorten(place)} is not a place of {field}: expected an irreducible polynomial or "inf"'
-    )
-
-
-def all_places(field: FunctionField) -> Iterator[FunctionPlace]:
-    """Run through the places of k(t), k finite: infinity, then irreducible polynomials by degree."""
-    if field.base.order is None:
-        raise UndecidedError(
-            f"the places of {field} are not listed; its elements name those that matter"
-        )
-    yield FunctionPlace(field)
-    one, t = field.one.num, field.gen.num
-    digits = [field.constant(x).num for x in field.base.elements()]
-    layer = [one]
-    while True:
-        layer = [p * t + d for p in layer for d in digits]
-        for p in layer:
-            factors = p.factor()[1]
-            if len(factors) == 1 and factors[0][1] == 1:
-                yield FunctionPlace(field, p)
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 def _poles_and_zeros(field: FunctionField, *elements: Any) -> list[FunctionPlace]:
@@ -177,3 +114,28 @@ def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> 
         if not kappa.is_square(kappa.multiply(x, y)):
             return False
     return True
+
+
+def same_class_rational_functions(
+    field: FunctionField, form: NormalForm, other: NormalForm
+) -> bool:
+    """Tell whether two algebras over ℚ(x) are isomorphic: by residues, and then by a value."""
+    return same_residues(field, form, other) and _same_at_a_point(field, form, other)
+
+
+def _same_at_a_point(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
+    """Compare two algebras over ℚ(x) that have the same residues at a point where both are unramified.
+
+    Their difference in the Brauer group comes from ℚ (Faddeev), so its value at one point decides.
+    """
+    values = [*form.constants, *other.constants]
+    for n in itertools.count():
+        point = field.base((n + 1) // 2 * (-1) ** n)
+        if all(x.den(point) != 0 and x.num(point) != 0 for x in values):
+            a, b, p, q = (fraction(_at(x, point)) for x in values)
+            return ramified_places_q(a, b) == ramified_places_q(p, q)
+    raise AssertionError("all but finitely many points are good")
+
+
+def _at(x: Any, point: Any) -> Any:
+    return x.num(point) / x.den(point)

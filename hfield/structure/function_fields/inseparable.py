@@ -10,7 +10,6 @@ from hfield.product import Constants, Coordinates, norm
 from hfield.rings.functions import FunctionField
 from hfield.structure.function_fields.conic_bundle import solve_conic_functions
 from hfield.structure.function_fields.residue_field import ResidueField
-from hfield.structure.norm_forms.zeros_infinite_fields import square_parts
 
 
 def embed_even(
@@ -32,11 +31,24 @@ def embed_even(
     return (p + scale * m, q, x, y), big_j
 
 
-def as_norm(field: FunctionField, b: Any, s: Any) -> tuple[Any, Any]:
-    """Return ``(w, r)`` with ``b = w² + s·r²``, for an s that is no square."""
-    (b0, b1), (s0, s1) = square_parts(field, b), square_parts(field, s)
-    r = field.divide(b1, s1)
-    return b0 + r * s0, r
+def square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
+    """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
+    whole = x.num * x.den
+    parts = []
+    for start in (0, 1):
+        root = ring.zero
+        for n in range(start, int(whole.degree()) + 1, 2):
+            c = ring.constant(ring.base.sqrt(ring.base(whole[n])))
+            root = root + c * ring.power(ring.gen, n // 2)
+        parts.append(ring.divide(root, ring.quotient(x.den, ring.one.num)))
+    return parts[0], parts[1]
+
+
+def as_norm(field: FunctionField, x: Any, s: Any) -> tuple[Any, Any]:
+    """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
+    (x0, x1), (s0, s1) = square_parts(field, x), square_parts(field, s)
+    r = field.divide(x1, s1)
+    return x0 + r * s0, r
 
 
 def artin_schreier(field: FunctionField, x: Any) -> Any:

@@ -14,10 +14,10 @@ from typing import Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants
+from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.function_fields.hilbert_functions import (
-    FunctionPlace,
     ramified_places_functions,
     symbol,
 )

@@ -12,7 +12,8 @@ from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.function_fields.inseparable import artin_schreier, as_norm
+from hfield.structure.function_fields.inseparable import artin_schreier
+from hfield.structure.global_field import known_field
 from hfield.structure.linear_algebra.centre import basis_of
 
 Pair = tuple[Coordinates, Coordinates]
@@ -56,9 +57,9 @@ def _with_radical(ring: Ring, source: NormalForm, target: NormalForm) -> Pair | 
 
 def _artin_schreier(ring: Ring, x: Any) -> Any:
     """Return y with y² + y = x in a finite field or function field of characteristic 2, or None."""
-    if isinstance(ring, FunctionField):
-        return artin_schreier(ring, x)
-    field = FunctionField(ring, "t")
+    if ring.order is None:
+        return known_field(ring).artin_schreier(x)
+    field = FunctionField(ring, "t")  # a root in it of a constant is one
     y = artin_schreier(field, field.constant(x))
     return None if y is None else ring(y.num[0])
 
@@ -72,15 +73,13 @@ def _inseparable(ring: Ring, c: Constants, other: Constants) -> Pair | None:
         return (m + p, ring.one, o, o), (n + q, o, ring.one, o)
     if None not in roots or None not in others:
         return None
-    assert isinstance(ring, FunctionField), (
-        "finite fields of characteristic 2 have all square roots"
-    )
+    field = known_field(ring)  # finite fields of characteristic 2 have all square roots
     turn = others[0] is not None  # then j is the one whose square is no square
     s, rest = (other.b, other.a) if turn else (other.a, other.b)
-    w, r = as_norm(ring, rest, s)
+    w, r = field.as_norm(rest, s)
     images = []
     for n, x in enumerate((c.a, c.b)):
-        u, v = as_norm(ring, x, s)
+        u, v = field.as_norm(x, s)
         null = ring.one if (n == 1) == (roots[0] is None) else o  # one image has a nilpotent added
         pair = (v + null * r, null)
         y, z = pair[::-1] if turn else pair

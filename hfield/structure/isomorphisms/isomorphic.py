@@ -5,18 +5,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import MixedParentsError, UndecidedError
-from hfield.factorisation import WORD, known_primes, shared_primes
 from hfield.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
+from hfield.structure.global_field import global_field
 from hfield.structure.isomorphisms.degenerate import embed_degenerate
 from hfield.structure.isomorphisms.embedding_pairs import embed_generator
-from hfield.structure.isomorphisms.same_class import same_class
 from hfield.structure.isomorphisms.splitting import division_or_splitting, from_zero_divisor
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.kernels import apply, kernel
 from hfield.structure.norm_forms.zero_norms import is_division, zero_norm
-from hfield.structure.rationals.whole_numbers import square_class
 
 
 @dataclass(frozen=True)
@@ -102,13 +100,13 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
     if ring.order is not None:
         return True
     with _primes_of_both(ring, c, other):
-        same = same_class(ring, normal_form(ring, c), normal_form(ring, other))
-    if same is not None:
-        return same
+        field = global_field(ring)
+        if field is not None:
+            return field.same_class(normal_form(ring, c), normal_form(ring, other))
     divisions = [is_division(ring, x) for x in (c, other)]
     if divisions[0] != divisions[1]:
         return False
-    if not divisions[0] or ring.name == "RR":
+    if not divisions[0] or ring.closure == "real closed":
         return True
     raise UndecidedError(
         f"whether two division algebras over {ring.name} are isomorphic is not decided"
@@ -136,7 +134,7 @@ def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | Non
 
 def _images(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:
     """Return the images of i and j under an isomorphism of nondegenerate algebras."""
-    if ring.name not in ("RR", "CC"):
+    if ring.closure is None:
         q, p = zero_norm(ring, c).element, zero_norm(ring, other).element
         if q is not None and p is not None:
             left, right = from_zero_divisor(ring, c, q), from_zero_divisor(ring, other, p)
@@ -145,13 +143,11 @@ def _images(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Co
 
 
 def _primes_of_both(ring: Ring, *algebras: Constants) -> AbstractContextManager[None]:
-    """Over ℚ, let the primes that are found in one of the constants serve for all."""
-    if ring.name != "QQ":
+    """Let the primes that are found in one of the constants serve for all."""
+    field = global_field(ring)
+    if field is None:
         return nullcontext()
-    numbers = [square_class(x) for c in algebras for x in normal_form(ring, c).constants]
-    if all(-WORD < n < WORD for n in numbers):
-        return nullcontext()
-    return known_primes(shared_primes(numbers), "")
+    return field.sharing_primes(*(normal_form(ring, c) for c in algebras))
 
 
 def same_parent(ring: Ring, other: Ring) -> None:

@@ -5,14 +5,13 @@ from typing import Any
 from hfield.errors import UndecidedError, shorten
 from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
 from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.forms import discriminant, pairing_matrix
+from hfield.structure.global_field import global_field
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.finite_radical import finite_radical
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import Row
-from hfield.structure.norm_forms.zeros_infinite_fields import square_parts
 
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
@@ -45,8 +44,9 @@ def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
 def _roots(ring: Ring, c: Constants) -> list[Row]:
     """Return linear equations for ``w² + a·x² + b·y² + ab·z² = 0`` in characteristic 2."""
     squares = [ring.one, c.a, c.b, c.a * c.b]
-    if isinstance(ring, FunctionField):
-        return [list(row) for row in zip(*(square_parts(ring, x) for x in squares), strict=True)]
+    field = global_field(ring)
+    if field is not None:
+        return [list(row) for row in zip(*map(field.square_parts, squares), strict=True)]
     if isinstance(ring, PolynomialRing):
         return _monomial_roots(ring, squares)
     roots = [ring.sqrt(x) for x in squares]

@@ -7,6 +7,8 @@ from typing import Any
 from hfield.product import Constants, Coordinates, conjugate, multiply
 from hfield.rings.base import Ring
 
+CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and this is one"
+
 
 @dataclass(frozen=True)
 class ZeroNorm:

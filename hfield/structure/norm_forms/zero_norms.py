@@ -10,12 +10,11 @@ from collections.abc import Callable, Iterator
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
-from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms import zeros_infinite_fields, zeros_over_rings
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.structure.norm_forms.zeros_finite_fields import zero_norm_finite
-from hfield.structure.ramification import ramification
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 
@@ -68,19 +67,19 @@ def is_division(ring: Ring, c: Constants) -> bool:
     if not ring.is_field:
         return False
     if ring.order is None and not ring.is_zero(discriminant(c)):
+        field = global_field(ring)
         try:
-            places = ramification(ring, normal_form(ring, c))
+            places = None if field is None else field.ramified(normal_form(ring, c))
         except UndecidedError:  # a factorisation out of reach: there may be a cheaper reason
             places = None
-        hidden = isinstance(ring, FunctionField) and ring.base.order is None  # constant algebras
-        if places or (places is not None and not hidden):
+        if places or (places is not None and field is not None and field.splits_if_unramified):
             return bool(places)
     return not zero_norm(ring, c)
 
 
 def _small(ring: Ring, c: Constants) -> Coordinates | None:
     """Return an element of norm 0 with few coordinates, all 0 or ±1, or None; the first is 1."""
-    if ring.name in ("RR", "CC"):  # there zero tests are slow and square roots decide at once
+    if ring.closure is not None:  # there zero tests are slow and square roots decide at once
         return None
     for q in _candidates(ring):
         if ring.is_zero(norm(c, q)):

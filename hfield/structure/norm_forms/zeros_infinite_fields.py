@@ -1,35 +1,27 @@
-"""Zero norms over the infinite fields that have a theory of places: ℚ, ℚ(√d), k(t)."""
+"""Zero norms over infinite fields, by their places; and where the norm is additive."""
 
 from collections.abc import Callable
-from typing import Any
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import is_prime
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
-from hfield.rings.integers import QQ
-from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm
-from hfield.structure.function_fields.conic_bundle import RamifiedError, solve_conic_functions
+from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
-from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
-from hfield.structure.ramification import pair, ramification
-from hfield.structure.rationals.conic_rationals import solve_conic
-from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramified_places_q
-from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 _LOCAL = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
-_CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and this is one"
 
 
 def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Decide by the ramified places; where there are none, solve the conic."""
+    field = global_field(ring)
+    if field is None:
+        return None
     try:
-        places = ramification(ring, form)
+        places = field.ramified(form)
     except UndecidedError:
-        partial = _at_small_primes(ring, form)
+        partial = field.ramified_at_small_places(form)
         if not partial:
             raise
         shown = ", ".join(map(str, partial))
@@ -39,8 +31,6 @@ def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
             partial,
             _LOCAL,
         )
-    if places is None:
-        return None
     if places:
         shown = ", ".join(map(str, places))
         reason = (
@@ -52,59 +42,17 @@ def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
             places,
             _LOCAL,
         )
-    if isinstance(ring, FunctionField):
-        return _functions(ring, c)
-    if isinstance(ring, QuadraticField):
-        return found(ring, c, form.back(_quadratic(ring, form)), "conic", _CONIC)
-    x, y, z = (ring(u) for u in solve_conic(form.a, form.b))
-    return found(ring, c, form.back((z, x, y, ring.zero)), "conic", _CONIC)
-
-
-def _at_small_primes(ring: Ring, form: NormalForm) -> tuple[int, ...]:
-    """Return the primes below 200 where an algebra over ℚ ramifies; nothing is factored for that."""
-    if ring.name != "QQ":
-        return ()
-    primes = (p for p in range(2, 200) if is_prime(p))
-    return tuple(p for p in primes if hilbert_symbol_q(form.a, form.b, p) < 0)
-
-
-def _quadratic(ring: QuadraticField, form: NormalForm) -> Coordinates:
-    """Return an element of norm 0 over ℚ(√d): a square root of d over ℚ less √d, or a point of the conic."""
-    (a, s), (b, t) = (pair(ring, x) for x in form.constants)
-    if s or t:
-        x, y, z = solve_conic_quadratic(ring, form.a, form.b)
-        return z, x, y, ring.zero
-    if not ramified_places_q(a, b):
-        x, y, z = (ring(u) for u in solve_conic(a, b))
-        return z, x, y, ring.zero
-    root = traceless_root_rational(QQ, Constants(QQ(a), QQ.zero, QQ(b)), QQ(ring.d))
-    assert root is not None, "an algebra over ℚ that ℚ(√d) splits contains a square root of d"
-    _, x, y, z = (ring(u) for u in root)
-    return -ring.gen, x, y, z
-
-
-def _functions(ring: FunctionField, c: Constants) -> ZeroNorm:
-    try:
-        w, x, y = solve_conic_functions(ring, c)
-    except RamifiedError as error:
-        shown = ", ".join(map(str, error.place))
-        reason = (
-            "all residues are trivial, so the algebra comes from one over QQ, its value at a point of "
-            f"the line, and that one is ramified at {shown}"
-        )
-        return none("specialisation", reason, error.place, "Faddeev's exact sequence")
-    return found(
-        ring, c, (w, x, y, ring.zero), "conic", "no place is ramified, and this is a zero divisor"
-    )
+    return field.unramified_zero(c, form)
 
 
 def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     """Answer for characteristic 2 and t = 0, where the algebra is commutative and N is additive."""
     zero, one = ring.zero, ring.one
     a, _, b = c
-    if isinstance(ring, FunctionField):
-        # x = u² + g·v², g the variable: 1, a and b are dependent over the squares
-        (u, v), (s, t) = square_parts(ring, a), square_parts(ring, b)
+    field = global_field(ring)
+    if field is not None:
+        # x = u² + g·v²: 1, a and b are dependent over the squares
+        (u, v), (s, t) = field.square_parts(a), field.square_parts(b)
         q = (u, one, zero, zero) if ring.is_zero(v) else (u * t + s * v, t, v, zero)
         return found(ring, c, q, "squares", "1, a and b are linearly dependent over the squares")
     for square, unit in (
@@ -119,19 +67,6 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     raise UndecidedError(
         f"whether 1, a, b, ab are independent over the squares of {ring.name} is not decided"
     )
-
-
-def square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
-    """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
-    whole = x.num * x.den
-    parts = []
-    for start in (0, 1):
-        root = ring.zero
-        for n in range(start, int(whole.degree()) + 1, 2):
-            c = ring.constant(ring.base.sqrt(ring.base(whole[n])))
-            root = root + c * ring.power(ring.gen, n // 2)
-        parts.append(ring.divide(root, ring.quotient(x.den, ring.one.num)))
-    return parts[0], parts[1]
 
 
 PROCEDURES: list[tuple[str, Procedure]] = [("ramified places", by_places)]

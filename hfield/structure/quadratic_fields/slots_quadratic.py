@@ -19,15 +19,14 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import factorise, is_prime, remove
 from hfield.product import Constants
 from hfield.rings.quadratic import QuadraticField
+from hfield.rings.quadratic_places import QuadraticPlace, places_above
 from hfield.structure.quadratic_fields.hilbert_quadratic import (
-    QuadraticPlace,
     direct_symbol,
     integral,
     is_dyadic,
-    places_above,
+    pair,
     ramified_places_quadratic,
 )
-from hfield.structure.ramification import pair
 from hfield.structure.rationals.whole_numbers import crt
 
 TRIALS = 50_000

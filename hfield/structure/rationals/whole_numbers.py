@@ -7,10 +7,7 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, RingError, shorten
-from hfield.factorisation import Factors as Factors
-from hfield.factorisation import factorise as factorise
-from hfield.factorisation import is_prime as is_prime
-from hfield.factorisation import remove as remove
+from hfield.factorisation import factorise
 from hfield.rings.rational import rational
 
 

@@ -7,18 +7,11 @@ from typing import Any
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
-from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm, discriminant, normal_form
-from hfield.structure.function_fields.inseparable import as_norm
-from hfield.structure.function_fields.roots_functions import traceless_root_functions
-from hfield.structure.isomorphisms.embedding_pairs import traceless_root_by_slot
+from hfield.structure.global_field import global_field, known_field
 from hfield.structure.isomorphisms.splitting import split
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norms import zero_norm
-from hfield.structure.quadratic_fields.hilbert_quadratic import integral, is_local_square
-from hfield.structure.ramification import pair, ramification
-from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
 
 @dataclass(frozen=True)
@@ -135,14 +128,12 @@ def _traceless_root_even(ring: Ring, c: Constants, s: Any) -> Coordinates | None
     scalar = ring.sqrt(s)
     if scalar is not None:
         return scalar, o, o, o
-    assert isinstance(ring, FunctionField), (
-        "finite fields of characteristic 2 have all square roots"
-    )
+    field = known_field(ring)  # finite fields of characteristic 2 have all square roots
     if ring.sqrt(c.b) is None:
-        w, r = as_norm(ring, s, c.b)
+        w, r = field.as_norm(s, c.b)
         return w, o, r, o
     if ring.is_zero(c.t) and ring.sqrt(c.a) is None:
-        w, r = as_norm(ring, s, c.a)
+        w, r = field.as_norm(s, c.a)
         return w, r, o, o
     if ring.is_zero(discriminant(c)):
         return None  # all squares of elements of trace 0 are squares of scalars
@@ -153,25 +144,17 @@ def _traceless_root_even(ring: Ring, c: Constants, s: Any) -> Coordinates | None
 
 def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | None:
     """Return x in a division algebra (a, b | F), in the coordinates that it was given in."""
-    a, b = form.constants
     o = ring.zero
-    if ring.name == "QQ":
-        root = traceless_root_rational(ring, Constants(a, o, b), s)
-        return None if root is None else form.back(root)
-    if ring.name == "RR":
-        return None if ring.sign(s) > 0 else form.back((o, ring.sqrt(ring.divide(s, a)), o, o))
+    if ring.closure is not None:  # an algebra over the real numbers
+        if ring.sign(s) > 0:
+            return None
+        return form.back((o, ring.sqrt(ring.divide(s, form.a)), o, o))
     if ring.sqrt(s) is not None:
         return None  # its roots commute with everything that commutes with it: only scalars
-    if isinstance(ring, QuadraticField):
-        ramified = ramification(ring, form) or ()
-        if any(is_local_square(v, integral(pair(ring, s))) for v in ramified):
-            return None
-    if isinstance(ring, QuadraticField) or ring.characteristic:
-        root = traceless_root_by_slot(ring, Constants(a, o, b), s)
+    field = global_field(ring)
+    if field is not None:
+        root = field.traceless_root(form, s)
         return None if root is None else form.back(root)
-    if isinstance(ring, FunctionField):
-        found = traceless_root_functions(ring, form, s)
-        return None if found is None else form.back((o, *found))
     raise UndecidedError(
         f"whether {ring.text(s)} has a square root of trace 0 over {ring.name} was not decided"
     )

@@ -5,7 +5,7 @@ q is a root of unity itself, or the two roots of this polynomial are different r
 of them in fields of bounded degree.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from math import prod
 from typing import Any
 
@@ -14,8 +14,9 @@ from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
+from hfield.rings.integers import QQ
 from hfield.rings.polynomials import PolynomialRing
-from hfield.rings.quadratic import QuadraticField
+from hfield.structure.global_field import global_field
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.single_elements.closed_torsion import closed_order
 
@@ -88,12 +89,12 @@ def _is_one(ring: Ring, c: Constants, q: Coordinates, n: int) -> bool:
     return all(ring.equal(x, y) for x, y in zip(result, one, strict=True))
 
 
-def _exponent(ring: Ring) -> dict[int, int] | None:
+def _exponent(ring: Ring) -> Mapping[int, int] | None:
     """Return the primes of a number that every finite order divides; None where none is known.
 
-    A root of unity of degree at most 2 over ℚ has order 1, 2, 3, 4 or 6; over a quadratic field, 1 to 6, 8,
-    10 or 12. Over a ring of m elements q generates a ring of at most m². Its residue fields are at most
-    quadratic over those of the ring, and its units that are 1 modulo its radical have orders that divide m².
+    A field with places knows one, and ℤ has that of ℚ. Over a ring of m elements q generates a ring of at
+    most m². Its residue fields are at most quadratic over those of the ring, and its units that are 1 modulo
+    its radical have orders that divide m².
     """
     if ring.order is not None:
         m = int(ring.order)
@@ -109,9 +110,8 @@ def _exponent(ring: Ring) -> dict[int, int] | None:
                     r: max(part.get(r, 0), found.get(r, 0)) for r in part.keys() | found.keys()
                 }
         return found
-    if isinstance(ring, QuadraticField):
-        return {2: 3, 3: 1, 5: 1}
-    return {2: 2, 3: 1} if ring.name in ("ZZ", "QQ") else None
+    field = global_field(QQ if ring.name == "ZZ" else ring)
+    return None if field is None else field.finite_orders
 
 
 def _digits(n: int, p: int) -> list[int]:

@@ -1,0 +1,201 @@
+"""Fields of rational functions k(t) as global fields, and ℚ(x), which is none but has residues."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from hfield.errors import RingError, UndecidedError
+from hfield.factorisation import Factors
+from hfield.product import Constants, Coordinates
+from hfield.rings.base import Ring
+from hfield.rings.function_places import FunctionPlace, place_of_functions
+from hfield.rings.functions import FunctionField, Quotient
+from hfield.structure.forms import NormalForm, normal_form
+from hfield.structure.function_fields.conic_bundle import (
+    RamifiedError,
+    inverted,
+    solve_conic_functions,
+)
+from hfield.structure.function_fields.hilbert_functions import (
+    ramified_places_functions,
+    same_class_rational_functions,
+    symbol,
+)
+from hfield.structure.function_fields.inseparable import (
+    artin_schreier,
+    as_norm,
+    embed_even,
+    square_parts,
+)
+from hfield.structure.function_fields.residue_field import ResidueField
+from hfield.structure.function_fields.roots_functions import traceless_root_functions
+from hfield.structure.function_fields.slots_functions import common_slot_functions
+from hfield.structure.function_fields.slots_searched import searched_slot
+from hfield.structure.function_fields.specialised_evidence import specialised_evidence
+from hfield.structure.global_field import GlobalField
+from hfield.structure.isomorphisms.through_slots import (
+    conic_point,
+    generator_by_slot,
+    through_slot,
+)
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import unit_and_prime
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
+
+
+class FunctionArithmetic(GlobalField):
+    """The arithmetic of k(t): what k = GF(q), q odd or even, and k = ℚ have in common."""
+
+    ring: FunctionField
+
+    @classmethod
+    def of(cls, ring: Ring) -> FunctionArithmetic:
+        """Return the arithmetic of k(t) by the field of constants k."""
+        assert isinstance(ring, FunctionField)
+        if ring.base.order is None:
+            return OverRationals(ring)
+        return OverEven(ring) if ring.characteristic == 2 else OverOdd(ring)
+
+    @classmethod
+    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
+        """Return the field of a place or of a quotient."""
+        if isinstance(place, FunctionPlace):
+            return place.field
+        found: Ring | None = next((x.field for x in elements if isinstance(x, Quotient)), None)
+        return found
+
+    def read_place(self, text: Any) -> FunctionPlace:
+        """Return a monic irreducible polynomial or infinity."""
+        return place_of_functions(self.ring, text)
+
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return the symbol by a residue; in characteristic 2 that of [a, b | F), where a may be 0."""
+        field = self.ring
+        even = field.characteristic == 2
+        a, b = field(a), field(b)
+        if field.is_zero(b) or (field.is_zero(a) and not even):
+            raise RingError(
+                "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
+            )
+        v = self.read_place(place)
+        form = normal_form(field, Constants(a, field.one if even else field.zero, b))
+        return self._symbol(form, v)
+
+    def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:
+        return symbol(self.ring, form, v)
+
+    def ramified(self, form: NormalForm) -> tuple[FunctionPlace, ...]:
+        """Return the places with a residue that is not trivial, by degree, infinity last."""
+        return ramified_places_functions(self.ring, form)
+
+    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+        """Return the product of the polynomials."""
+        product = self.ring.one
+        for v in ramified:
+            if v.poly is not None:
+                product = product * self.ring.quotient(v.poly, self.ring.one.num)
+        return product
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, found by minimising it at all places."""
+        w, x, y = solve_conic_functions(self.ring, c)
+        reason = "no place is ramified, and this is a zero divisor"
+        return found(self.ring, c, (w, x, y, self.ring.zero), "conic", reason)
+
+    def unit_and_prime(self, c: Constants, place: FunctionPlace) -> tuple[Vector, Vector] | None:
+        """Return u and j at a polynomial, or at infinity with 1/t in the place of t."""
+        ring = self.ring
+        if place.poly is not None:
+            return unit_and_prime(ResidueField(ring, place.poly), c, ring.one)
+        turned = Constants(*(inverted(ring, x) for x in c))
+        shown = unit_and_prime(ResidueField(ring, ring.gen.num), turned, ring.one)
+        if shown is None:
+            return None
+        u, j = ([inverted(ring, x) for x in v] for v in shown)
+        return u, j
+
+
+class OverOdd(FunctionArithmetic):
+    """The arithmetic of GF(q)(t), q odd: slots are built from local classes."""
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot and three conics."""
+        e = common_slot_functions(self.ring, outer, [outer.a, inner.a])
+        assert e is not None, "isomorphic algebras have a common slot"
+        return through_slot(self.ring, outer, inner, e, self._conic_point)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by a common slot of (a, b) for a and s; there is one if there is an x."""
+        c = Constants(form.a, self.ring.zero, form.b)
+        e = common_slot_functions(self.ring, c, [c.a, s])
+        return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
+
+    def _conic_point(self, c: Constants) -> tuple[Any, Any, Any]:
+        return solve_conic_functions(self.ring, c)
+
+
+class OverEven(FunctionArithmetic):
+    """The arithmetic of GF(q)(t), q even: every algebra contains all inseparable square roots."""
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a square root of b and one conic."""
+        return embed_even(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
+        raise AssertionError("in characteristic 2 square roots are norms")
+
+    def square_parts(self, x: Any) -> tuple[Any, Any]:
+        """Return the even and the odd part of x, each under its root."""
+        return square_parts(self.ring, x)
+
+    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+        """Return w and r by comparing parts."""
+        return as_norm(self.ring, x, s)
+
+    def artin_schreier(self, x: Any) -> Any:
+        """Return y from the leading terms down."""
+        return artin_schreier(self.ring, x)
+
+
+class OverRationals(FunctionArithmetic):
+    """The arithmetic of ℚ(x): residues decide up to an algebra over ℚ (Faddeev's exact sequence)."""
+
+    splits_if_unramified = False
+
+    def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:
+        raise UndecidedError(
+            f"the completions of {self.ring} are not local fields: the residue alone does not decide there"
+        )
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, or the places where a value of the algebra ramifies over ℚ."""
+        try:
+            return super().unramified_zero(c, form)
+        except RamifiedError as error:
+            shown = ", ".join(map(str, error.place))
+            reason = (
+                "all residues are trivial, so the algebra comes from one over QQ, its value at a point of "
+                f"the line, and that one is ramified at {shown}"
+            )
+            return none("specialisation", reason, error.place, "Faddeev's exact sequence")
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield values of the variable at which the algebra is a division algebra over ℚ."""
+        return specialised_evidence(c)
+
+    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+        """Compare the residues, and then the values at a point where both are unramified."""
+        return same_class_rational_functions(self.ring, form, other)
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot that is searched for."""
+        e = searched_slot(self.ring, outer, inner, self.same_class)
+        return through_slot(self.ring, outer, inner, e, functools.partial(conic_point, self.ring))
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x where a rational point of the line does not forbid it and one is found."""
+        found = traceless_root_functions(self.ring, form, s)
+        return None if found is None else (self.ring.zero, *found)

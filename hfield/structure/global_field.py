@@ -1,0 +1,182 @@
+"""What structure asks of a field with places: one protocol, one object for each kind of field.
+
+A kind is a class of rings with the class of :class:`GlobalField` that knows its arithmetic, one line in the
+table below; ``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, nullcontext
+from functools import cache
+from importlib import import_module
+from typing import Any, ClassVar
+
+from hfield.errors import UndecidedError
+from hfield.factorisation import Factors
+from hfield.product import Constants, Coordinates
+from hfield.rings.base import Ring
+from hfield.rings.functions import FunctionField
+from hfield.rings.integers import Rationals
+from hfield.rings.quadratic import QuadraticField
+from hfield.structure.forms import NormalForm
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
+
+# Where the arithmetic of a kind is, imported when one of its fields is first asked.
+_KINDS: dict[type[Ring], str] = {
+    Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
+    FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
+    QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
+}
+
+
+def global_field(ring: Ring) -> GlobalField | None:
+    """Return the arithmetic of a field with places, or None for a ring of any other kind."""
+    for known in type(ring).__mro__:
+        if known in _KINDS:
+            return _arithmetic(known).of(ring)
+    return None
+
+
+def known_field(ring: Ring) -> GlobalField:
+    """Return the arithmetic of a field with places. Raises :class:`UndecidedError` for any other ring."""
+    field = global_field(ring)
+    if field is None:
+        raise UndecidedError(f"{ring.name} has no theory of places here")
+    return field
+
+
+def field_named_by(*elements: Any, place: Any = None) -> Ring | None:
+    """Return the field that elements or a place belong to, as the first kind says that knows them."""
+    for known in _KINDS:
+        field = _arithmetic(known).named_by(*elements, place=place)
+        if field is not None:
+            return field
+    return None
+
+
+@cache
+def _arithmetic(known: type[Ring]) -> type[GlobalField]:
+    module, _, name = _KINDS[known].rpartition(".")
+    return getattr(import_module(f"hfield.structure.{module}"), name)  # type: ignore[no-any-return]
+
+
+class GlobalField(ABC):
+    """The arithmetic of a field with places, as far as quaternion algebras over it need it.
+
+    Forms are nondegenerate normal forms (a, b | F), or [a, b | F) in characteristic 2. The theory is that of
+    J. Voight, *Quaternion Algebras*, chapters 12 and 14. What is not found in bounded time, or hangs on a
+    factorisation out of reach, raises :class:`hfield.UndecidedError`.
+    """
+
+    ring: Any  # the field, of the class that stands in the table above
+    splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    finite_orders: ClassVar[Mapping[int, int] | None] = None
+    """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+
+    @classmethod
+    def of(cls, ring: Ring) -> GlobalField:
+        """Return the arithmetic of a field of this kind; a kind with cases picks one here."""
+        return cls(ring)
+
+    @classmethod
+    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
+        """Return the field of this kind that elements or a place belong to by their type, or None."""
+        return None
+
+    # --- places and symbols --------------------------------------------------------------------
+
+    @abstractmethod
+    def read_place(self, text: Any) -> Any:
+        """Return the place that a text names; a place is returned as it is. Raises :class:`RingError`."""
+
+    @abstractmethod
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
+
+        ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
+        Raises :class:`RingError` for a 0 and for a place that is none.
+        """
+
+    @abstractmethod
+    def ramified(self, form: NormalForm) -> tuple[Any, ...]:
+        """Return the places where a form does not split: finite ones ascending, then infinite ones.
+
+        Where the field is no global field in the strict sense, the places with a residue (Faddeev).
+        """
+
+    @abstractmethod
+    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+        """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[Any, ...]:
+        """Return some places where a form does not split, without factoring anything."""
+        return ()
+
+    # --- zeros of norm forms, and why there are none -------------------------------------------
+
+    @abstractmethod
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return an element of norm 0 of an algebra that :meth:`ramified` finds nowhere ramified.
+
+        It has one by the theorem of Hasse and Minkowski, if ``splits_if_unramified``; else the answer may be
+        that there is none.
+        """
+
+    @abstractmethod
+    def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+        """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
+
+        None where it has a zero, or where the residue field is not finite.
+        """
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""
+        for place in places:
+            found = self.unit_and_prime(c, place)
+            if found is not None:
+                u, j = ([self.ring.text(self.ring(x)) for x in v] for v in found)
+                yield {"by": "place", "place": str(place), "u": u, "j": j}
+
+    # --- isomorphisms and square roots ---------------------------------------------------------
+
+    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+        """Tell whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
+        return self.ramified(form) == self.ramified(other)
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Let the primes that are found in one of the constants serve for all, while this lasts."""
+        return nullcontext()
+
+    @abstractmethod
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
+
+        Both are the constants of normal forms, and isomorphic; division algebras, where that is of use.
+        """
+
+    @abstractmethod
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
+
+        It is a division algebra, the characteristic is not 2, and s is no square (Voight, 14.6.7).
+        """
+
+    # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
+
+    def square_parts(self, x: Any) -> tuple[Any, Any]:
+        """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""
+        raise UndecidedError(f"elements of {self.ring} are not split into squares here")
+
+    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+        """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
+        raise UndecidedError(f"elements of {self.ring} are not split into squares here")
+
+    def artin_schreier(self, x: Any) -> Any:
+        """Return y with ``y² + y = x``, or None."""
+        raise UndecidedError(f"y² + y = x is not solved over {self.ring}")

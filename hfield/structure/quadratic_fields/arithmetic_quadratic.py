@@ -1,0 +1,137 @@
+"""Quadratic number fields as global fields."""
+
+import functools
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from hfield.errors import RingError, shorten
+from hfield.factorisation import Factors, factorise, known_primes
+from hfield.product import Constants, Coordinates
+from hfield.rings.base import Ring
+from hfield.rings.integers import QQ
+from hfield.rings.quadratic import QuadraticField
+from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
+from hfield.rings.surds import Surd
+from hfield.structure.forms import NormalForm
+from hfield.structure.global_field import GlobalField
+from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import unit_and_prime
+from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
+from hfield.structure.quadratic_fields.hilbert_quadratic import (
+    hilbert_symbol_quadratic,
+    integral,
+    is_local_square,
+    p_adic_root,
+    pair,
+    ramified_places_quadratic,
+)
+from hfield.structure.quadratic_fields.prime_ideals import primes_above
+from hfield.structure.quadratic_fields.slots_quadratic import common_slot
+from hfield.structure.rationals.conic_rationals import solve_conic
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
+from hfield.structure.rationals.prime_numbers import PrimePlace
+from hfield.structure.rationals.rational_embedding import traceless_root_rational
+
+
+class QuadraticArithmetic(GlobalField):
+    """The arithmetic of ℚ(√d): tame symbols, and the product formula at a lone place above 2."""
+
+    ring: QuadraticField
+    # a root of unity of degree at most 2 over it has order 1 to 6, 8, 10 or 12
+    finite_orders: ClassVar[Mapping[int, int]] = {2: 3, 3: 1, 5: 1}
+
+    @classmethod
+    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
+        """Return ℚ(√d) for a place of it or for numbers with one root; raises RingError for several."""
+        if isinstance(place, QuadraticPlace):
+            return QuadraticField(place.d)
+        roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
+        if len(roots) > 1:
+            shown = " and ".join(map(shorten, elements))
+            raise RingError(f"{shown} lie in no common quadratic field")
+        if not roots:
+            return None
+        d = roots.pop()
+        factorise(d)  # the theory of places asks for a squarefree d
+        return QuadraticField(d)
+
+    def read_place(self, text: Any) -> QuadraticPlace:
+        """Return a prime ideal or an infinite place."""
+        return place_of_quadratic(self.ring.d, text)
+
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return the symbol; at a lone place above 2 the norms of a and b are factored."""
+        x, y = (pair(self.ring, self.ring(x)) for x in (a, b))
+        with known_primes(factors):
+            return hilbert_symbol_quadratic(self.ring.d, x, y, place)
+
+    def ramified(self, form: NormalForm) -> tuple[QuadraticPlace, ...]:
+        """Return the places with a symbol of −1; the norms of a and b are factored."""
+        a, b = (pair(self.ring, x) for x in form.constants)
+        return ramified_places_quadratic(self.ring.d, a, b)
+
+    def discriminant(self, ramified: tuple[Any, ...]) -> tuple[QuadraticPlace, ...]:
+        """Return the prime ideals, whose product it is."""
+        return tuple(v for v in ramified if v.prime)
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, or, for rational a and b, a square root of d over ℚ less √d."""
+        q = form.back(self._zero(form))
+        return found(self.ring, c, q, "conic", CONIC)
+
+    def _zero(self, form: NormalForm) -> Coordinates:
+        ring = self.ring
+        (a, s), (b, t) = (pair(ring, x) for x in form.constants)
+        if s or t:
+            x, y, z = solve_conic_quadratic(ring, form.a, form.b)
+            return z, x, y, ring.zero
+        if not ramified_places_q(a, b):
+            x, y, z = (ring(u) for u in solve_conic(a, b))
+            return z, x, y, ring.zero
+        root = traceless_root_rational(QQ, Constants(QQ(a), QQ.zero, QQ(b)), QQ(ring.d))
+        assert root is not None, "an algebra over ℚ that ℚ(√d) splits contains a square root of d"
+        _, x, y, z = (ring(u) for u in root)
+        return -ring.gen, x, y, z
+
+    def unit_and_prime(self, c: Constants, place: QuadraticPlace) -> tuple[Vector, Vector] | None:
+        """Return u and j at a prime ideal; at one that splits, for rational numbers close by."""
+        if not place.prime:
+            return None
+        if place.root is None:
+            return unit_and_prime(primes_above(self.ring, place.prime)[0], c, self.ring.one)
+        return unit_and_prime(PrimePlace(place.prime), self._completed(c, place), Fraction(1))
+
+    def _completed(self, c: Constants, place: QuadraticPlace) -> Constants:
+        """Return rational numbers close to the images of the constants at a place that splits."""
+        pairs = [pair(self.ring, x) for x in c]
+        sizes = sum(
+            abs(n).bit_length() for u in pairs for x in u for n in (x.numerator, x.denominator)
+        )
+        root = p_adic_root(place, 2 * sizes // place.prime.bit_length() + 12)
+        return Constants(*(u + v * root for u, v in pairs))
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot and three conics."""
+        return through_slot(self.ring, outer, inner, *self._slot(outer, [outer.a, inner.a]))
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by a common slot, unless s is a square at a ramified place."""
+        c = Constants(form.a, self.ring.zero, form.b)
+        local = integral(pair(self.ring, s))
+        if any(is_local_square(v, local) for v in self.ramified(form)):
+            return None
+        return generator_by_slot(self.ring, s, c, *self._slot(c, [c.a, s]))[0]
+
+    def _slot(self, c: Constants, numbers: list[Any]) -> tuple[Any, Point]:
+        """Return a common slot built from local classes, and what solves conics with its primes."""
+        e, primes = common_slot(self.ring, c, numbers)
+        return e, functools.partial(_conic_point, self.ring, primes)
+
+
+def _conic_point(field: QuadraticField, known: Iterable[int], c: Constants) -> tuple[Any, Any, Any]:
+    """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``, given the primes of the norms of a and b."""
+    x, y, w = solve_conic_quadratic(field, c.a, c.b, known)
+    return w, x, y

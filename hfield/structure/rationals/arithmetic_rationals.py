@@ -1,0 +1,82 @@
+"""ℚ as a global field."""
+
+from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from hfield.factorisation import WORD, Factors, is_prime, known_primes, shared_primes
+from hfield.product import Constants, Coordinates
+from hfield.structure.forms import NormalForm
+from hfield.structure.global_field import GlobalField
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import unit_and_prime
+from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.structure.rationals.conic_rationals import solve_conic
+from hfield.structure.rationals.hilbert_rationals import (
+    INFINITE,
+    Place,
+    discriminant_q,
+    hilbert_symbol_q,
+    place_of_q,
+    ramified_places_q,
+)
+from hfield.structure.rationals.prime_numbers import PrimePlace
+from hfield.structure.rationals.rational_embedding import embed_rational, traceless_root_rational
+from hfield.structure.rationals.whole_numbers import fraction, square_class
+
+
+class RationalArithmetic(GlobalField):
+    """The arithmetic of ℚ: symbols by formula, places as primes and ``"inf"``."""
+
+    # a root of unity of degree at most 2 has order 1, 2, 3, 4 or 6
+    finite_orders: ClassVar[Mapping[int, int]] = {2: 2, 3: 1}
+
+    def read_place(self, text: Any) -> Place:
+        """Return a prime or ``"inf"``."""
+        return place_of_q(text)
+
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return the symbol by formula; nothing is factored."""
+        a, b = (self.ring(x) if isinstance(x, str) else x for x in (a, b))
+        return hilbert_symbol_q(a, b, place)
+
+    def ramified(self, form: NormalForm) -> tuple[Place, ...]:
+        """Return the primes, and ``"inf"``, with a symbol of −1."""
+        return ramified_places_q(form.a, form.b)
+
+    def discriminant(self, ramified: tuple[Any, ...]) -> int:
+        """Return the product of the primes."""
+        return discriminant_q(ramified)
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[int, ...]:
+        """Return the primes below 200 with a symbol of −1."""
+        primes = (p for p in range(2, 200) if is_prime(p))
+        return tuple(p for p in primes if hilbert_symbol_q(form.a, form.b, p) < 0)
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic ``z² = a·x² + b·y²``."""
+        x, y, z = (self.ring(u) for u in solve_conic(form.a, form.b))
+        return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
+
+    def unit_and_prime(self, c: Constants, place: Place) -> tuple[Vector, Vector] | None:
+        """Return u and j at a prime."""
+        if place == INFINITE:
+            return None
+        rational = Constants(*(fraction(x) for x in c))
+        return unit_and_prime(PrimePlace(int(place)), rational, Fraction(1))
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Share the primes of constants that are longer than a word."""
+        numbers = [square_class(x) for form in forms for x in form.constants]
+        if all(-WORD < n < WORD for n in numbers):
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by an isometry of lattices."""
+        return embed_rational(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by an isometry with an algebra (s, e) of the same ramification."""
+        return traceless_root_rational(self.ring, Constants(form.a, self.ring.zero, form.b), s)

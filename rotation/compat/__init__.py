@@ -1,0 +1,11 @@
+"""A drop-in for scipy's rotations: its names, its order of coordinates, item assignment, its warnings.
+
+``from rotation.compat import Rotation`` in place of ``from scipy.spatial.transform import Rotation``; the
+arithmetic is ours. docs/rotation-compat.md lists what differs.
+"""
+
+from rotation.compat.curves import RotationSpline, Slerp
+from rotation.compat.rotations import Rotation
+from rotation.compat.transforms import RigidTransform
+
+__all__ = ["RigidTransform", "Rotation", "RotationSpline", "Slerp"]

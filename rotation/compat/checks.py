@@ -1,0 +1,78 @@
+"""What scipy checks of its arguments, with the words that programs may look for."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from rotation.errors import RotationError
+
+Array = Any
+
+
+def numbers(value: Any, name: str, shape: str, last: tuple[int, ...]) -> Array:
+    """Return ``value`` as float64; its last axes have the lengths ``last``."""
+    array = np.asarray(value, dtype=np.float64)
+    if array.ndim < len(last) or array.shape[array.ndim - len(last) :] != last:
+        raise RotationError(f"Expected `{name}` to have shape {shape}, got {array.shape}.")
+    return array
+
+
+def common(one: tuple[int, ...], other: tuple[int, ...], what: str = "Cannot broadcast") -> None:
+    """Raise RotationError unless two batch shapes broadcast."""
+    try:
+        np.broadcast_shapes(one, other)
+    except ValueError:
+        raise RotationError(f"{what} in both rotations, got {one} and {other}.") from None
+
+
+def batch(num: int | None, shape: Any) -> tuple[int, ...]:
+    """Return the batch shape that scipy's ``num`` or ``shape`` stands for."""
+    if num is not None and shape is not None:
+        raise RotationError("Only one of `num` or `shape` can be given.")
+    if shape is None:
+        return () if num is None else (int(num),)
+    given = (shape,) if isinstance(shape, int) else shape
+    if not isinstance(given, Iterable) or not all(isinstance(n, int) for n in given):
+        raise RotationError("`shape` must be an int or a tuple of ints or None.")
+    return tuple(given)
+
+
+def weighted(weights: Any, shape: tuple[int, ...]) -> Array | None:
+    """Return weights that broadcast to ``shape`` and are not negative."""
+    if weights is None:
+        return None
+    w = np.asarray(weights, dtype=np.float64)
+    try:
+        fits = np.broadcast_shapes(w.shape, shape) == shape
+    except ValueError:
+        fits = False
+    if not fits:
+        raise RotationError(
+            f"Expected `weights` to have number of values equal to number of rotations, "
+            f"or a shape that broadcasts: got {w.shape} values and {shape} rotations."
+        )
+    if np.any(w < 0.0):
+        raise RotationError("`weights` must be non-negative.")
+    return w
+
+
+def averaged(axis: Any, ndim: int) -> tuple[int, ...]:
+    """Return the axes to average over."""
+    if axis is None:
+        return tuple(range(ndim))
+    axes = axis if isinstance(axis, tuple) else (axis,)
+    if not all(isinstance(a, int | np.integer) for a in axes):
+        raise RotationError("`axis` must be None, int, or tuple of ints.")
+    if any(not -ndim <= a < ndim for a in axes):
+        raise RotationError(f"axis {axis} is out of bounds for rotation with shape of {ndim} axes.")
+    return tuple({int(a) % ndim for a in axes})
+
+
+def exponent(n: Any, modulus: Any) -> Any:
+    """Return an exponent as a number, as scipy takes one."""
+    if modulus is not None:
+        raise NotImplementedError("modulus not supported")
+    if np.ndim(n) and np.shape(n) != (1,):
+        raise RotationError("Array exponent must be a scalar")
+    return float(np.reshape(n, ()))

@@ -1,0 +1,69 @@
+"""`Slerp` and `RotationSpline` as scipy's."""
+
+from typing import Any
+
+import numpy as np
+
+from rotation import interpolation, spline
+from rotation.compat.rotations import Rotation
+from rotation.errors import DTypeError, RotationError
+
+
+class Slerp:
+    """The curve through keyframes that turns at constant rate between each two of them."""
+
+    def __init__(self, times: Any, rotations: Rotation) -> None:
+        if not isinstance(rotations, Rotation):
+            raise DTypeError("`rotations` must be a `Rotation` instance.")
+        if rotations.single or len(rotations) < 2:
+            raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
+        if len(rotations.shape) > 1:
+            raise RotationError("Rotations with more than 1 leading dimension are not supported.")
+        t = np.asarray(times, dtype=np.float64)
+        if t.ndim != 1:
+            raise RotationError(
+                f"Expected times to be specified in a 1 dimensional array, got {t.ndim} dimensions."
+            )
+        if len(t) != len(rotations):
+            raise RotationError(
+                "Expected number of rotations to be equal to number of timestamps given, "
+                f"got {len(rotations)} rotations and {len(t)} timestamps."
+            )
+        if not np.all(np.diff(t) > 0.0):
+            raise RotationError("Times must be in strictly increasing order.")
+        self.times, self._curve = t, interpolation.Slerp(t, rotations._ours)
+
+    def __call__(self, times: Any) -> Rotation:
+        """Return the rotations at ``times``."""
+        t = np.asarray(times, dtype=np.float64)
+        if t.ndim > 1:
+            raise RotationError("`times` must be at most 1-dimensional.")
+        if np.any((t < self.times[0]) | (t > self.times[-1])):
+            raise RotationError(
+                f"Interpolation times must be within the range [{self.times[0]}, {self.times[-1]}], "
+                "both inclusive."
+            )
+        return Rotation._of(self._curve(t)._q)
+
+
+class RotationSpline:
+    """The curve through keyframes with two continuous derivatives."""
+
+    def __init__(self, times: Any, rotations: Rotation) -> None:
+        if not isinstance(rotations, Rotation) or rotations.single or len(rotations) < 2:
+            raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
+        if len(rotations.shape) > 1:
+            raise RotationError("Rotations with more than 1 leading dimension are not supported.")
+        self.times = np.asarray(times, dtype=np.float64)
+        self.rotations = rotations
+        self._curve = spline.RotationSpline(self.times, rotations._ours)
+
+    def __call__(self, times: Any, order: int = 0) -> Any:
+        """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
+        if order not in (0, 1, 2):
+            raise RotationError("`order` must be 0, 1 or 2.")
+        t = np.asarray(times, dtype=np.float64)
+        if t.ndim > 1:
+            raise RotationError("`times` must be at most 1-dimensional.")
+        found = self._curve.extended(t, order)
+        return found if order else Rotation._of(found._q)

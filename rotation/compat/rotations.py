@@ -1,0 +1,361 @@
+"""`Rotation` with the names, the conventions and the habits of scipy's."""
+
+import warnings
+from collections.abc import Iterator
+from typing import Any, Self
+
+import numpy as np
+
+from rotation import davenport, groups, quaternions
+from rotation import rotation as ours
+from rotation.compat import checks
+from rotation.errors import DTypeError, RotationError
+from rotation.euler import sequence
+from rotation.matrices import from_matrix
+from rotation.namespaces import quiet
+from rotation.sampling import generator
+
+Array = Any
+_LOCKED = (
+    "Gimbal lock detected. Setting third angle to zero since it is not possible to "
+    "uniquely determine all angles."
+)
+_LOCK = 1e-7
+
+
+class Rotation:
+    """One rotation or an array of them: scalar last, and items can be assigned.
+
+    Parameters
+    ----------
+    quat : array_like, shape (…, 4)
+        (x, y, z, w), or (w, x, y, z) with ``scalar_first``.
+    normalize, copy : bool
+        Without the first, unit quaternions are taken as they are.
+    """
+
+    __array_ufunc__ = None
+
+    def __init__(
+        self, quat: Any, normalize: bool = True, copy: bool = True, scalar_first: bool = False
+    ) -> None:
+        q = checks.numbers(quat, "quat", "(..., 4)", (4,))
+        q = q if scalar_first else np.roll(q, 1, axis=-1)
+        q = quaternions.normalised(q) if normalize else q
+        self._q = np.array(q)
+
+    @classmethod
+    def _of(cls, q: Array) -> Self:
+        self = object.__new__(cls)
+        self._q = q if q.flags.writeable else q.copy()
+        return self
+
+    @property
+    def _ours(self) -> ours.Rotation:
+        return ours.Rotation._of(self._q.copy())
+
+    @property
+    def _quat(self) -> Array:
+        return self.as_quat()
+
+    # Making
+
+    @classmethod
+    def from_quat(cls, quat: Any, *, scalar_first: bool = False) -> Self:
+        """Make rotations from quaternions, scalar last."""
+        return cls(quat, scalar_first=scalar_first)
+
+    @classmethod
+    @quiet
+    def from_matrix(cls, matrix: Any, *, assume_valid: bool = False) -> Self:
+        """Make rotations from matrices; what is not orthogonal is replaced by the nearest rotation."""
+        m = checks.numbers(matrix, "matrix", "(..., 3, 3)", (3, 3))
+        if np.any(np.linalg.det(m) <= 0.0):
+            raise RotationError("Non-positive determinant (left-handed or null coordinate frame)")
+        try:
+            return cls._of(from_matrix(m))
+        except RotationError:
+            return cls._of(from_matrix(m, orthonormalize=True))
+
+    @classmethod
+    def from_rotvec(cls, rotvec: Any, degrees: bool = False) -> Self:
+        """Make rotations from rotation vectors."""
+        v = checks.numbers(rotvec, "rot_vec", "(..., 3)", (3,))
+        return cls._of(ours.Rotation.from_rotvec(v, degrees)._q)
+
+    @classmethod
+    def from_mrp(cls, mrp: Any) -> Self:
+        """Make rotations from modified Rodrigues parameters."""
+        v = checks.numbers(mrp, "mrp", "(..., 3)", (3,))
+        return cls._of(ours.Rotation.from_mrp(v)._q)
+
+    @classmethod
+    def from_euler(cls, seq: str, angles: Any, degrees: bool = False) -> Self:
+        """Make rotations from Euler angles."""
+        a = _angles(angles, len(sequence(seq).axes))
+        return cls._of(ours.Rotation.from_euler(seq, a[None], degrees)._q[0])
+
+    @classmethod
+    def from_davenport(cls, axes: Any, order: str, angles: Any, degrees: bool = False) -> Self:
+        """Make rotations from angles about one to three axes."""
+        e = np.atleast_2d(np.asarray(axes, dtype=np.float64))
+        a = _angles(angles, e.shape[-2])
+        batch = np.broadcast_shapes(e.shape[:-2], a.shape[:-1])
+        if e.ndim == 2:
+            unit = _davenport_axes(e, order)
+            return cls._of(davenport.from_davenport(unit, order, a[None], degrees)[0])
+        e, a = (
+            np.broadcast_to(e, (*batch, *e.shape[-2:])),
+            np.broadcast_to(a, (*batch, a.shape[-1])),
+        )
+        q = np.empty((*batch, 4))
+        for row in np.ndindex(batch):
+            q[row] = cls.from_davenport(e[row], order, a[row], degrees)._q
+        return cls._of(q)
+
+    @staticmethod
+    def identity(num: int | None = None, *, shape: Any = None) -> "Rotation":
+        """Return the identity, or a batch of it."""
+        return Rotation._of(ours.Rotation.identity(checks.batch(num, shape))._q)
+
+    @staticmethod
+    def random(
+        num: int | None = None, rng: Any = None, *, shape: Any = None, random_state: Any = None
+    ) -> "Rotation":
+        """Return rotations distributed uniformly; ``random_state`` is the older name of ``rng``."""
+        size = checks.batch(num, shape)
+        rng = random_state if rng is None else rng
+        legacy = rng if hasattr(rng, "random_sample") else generator(rng, None)
+        sample = legacy.normal(size=(*size, 4))
+        return Rotation.from_quat(sample)
+
+    @classmethod
+    def create_group(cls, group: str, axis: str = "Z") -> Self:
+        """Return the rotations of a finite group."""
+        if not isinstance(group, str):
+            raise RotationError("`group` argument must be a string")
+        if not isinstance(axis, str) or axis not in tuple("xyzXYZ"):
+            raise RotationError("`axis` must be one of x, y, z, X, Y, Z")
+        if group not in ("I", "O", "T") and not (group[:1] in ("C", "D") and group[1:].isdigit()):
+            raise RotationError("`group` must be one of 'I', 'O', 'T', 'Dn', 'Cn'")
+        if group[1:].isdigit() and int(group[1:]) < 1:
+            raise RotationError("Group order must be positive")
+        return cls._of(groups.elements(group, axis))
+
+    # Reading
+
+    def as_quat(self, canonical: bool = False, *, scalar_first: bool = False) -> Array:
+        """Return the quaternions, scalar last."""
+        q = quaternions.canonical(self._q) if canonical else self._q
+        return np.array(q) if scalar_first else np.roll(q, -1, axis=-1)
+
+    def as_matrix(self) -> Array:
+        """Return the matrices."""
+        return self._ours.as_matrix()
+
+    def as_rotvec(self, degrees: bool = False) -> Array:
+        """Return the rotation vectors."""
+        return self._ours.as_rotvec(degrees)
+
+    def as_mrp(self) -> Array:
+        """Return the modified Rodrigues parameters."""
+        return self._ours.as_mrp()
+
+    def as_euler(
+        self, seq: str, degrees: bool = False, *, suppress_warnings: bool = False
+    ) -> Array:
+        """Return Euler angles; in gimbal lock the third is 0, with a warning."""
+        axes, intrinsic = sequence(seq)
+        if len(axes) != 3:
+            raise RotationError(f"Expected 3 axes, got {seq}.")
+        order = "intrinsic" if intrinsic else "extrinsic"
+        _, locked = davenport.to_davenport(self._q, np.eye(3)[list(axes)], order, tolerance=_LOCK)
+        if not np.any(locked):
+            return self._ours.as_euler(seq, degrees)
+        return self.as_davenport(
+            np.eye(3)[list(axes)], order, degrees, suppress_warnings=suppress_warnings
+        )
+
+    def as_davenport(
+        self, axes: Any, order: str, degrees: bool = False, *, suppress_warnings: bool = False
+    ) -> Array:
+        """Return the angles about three axes; in gimbal lock the third is 0, with a warning."""
+        e = np.asarray(axes, dtype=np.float64)
+        if e.ndim > 2:
+            batch = np.broadcast_shapes(e.shape[:-2], self.shape)
+            e = np.broadcast_to(e, (*batch, *e.shape[-2:]))
+            turns = self._of(np.array(np.broadcast_to(self._q, (*batch, 4))))._q
+            found = np.empty((*batch, 3))
+            for row in np.ndindex(batch):
+                one = self._of(turns[row])
+                found[row] = one.as_davenport(
+                    e[row], order, degrees, suppress_warnings=suppress_warnings
+                )
+            return found
+        unit = _davenport_axes(axes, order)
+        angles, locked = davenport.to_davenport(self._q, unit, order, degrees, _LOCK)
+        if np.any(locked) and not suppress_warnings:
+            warnings.warn(_LOCKED, UserWarning, stacklevel=2)
+        return angles
+
+    def magnitude(self) -> Array:
+        """Return the angles of rotation."""
+        return self._ours.magnitude()
+
+    # The group
+
+    def __mul__(self, other: object) -> Self:
+        if not isinstance(other, Rotation):
+            return NotImplemented
+        checks.common(self.shape, other.shape)
+        return self._of(quaternions.product(self._q, other._q))
+
+    def __pow__(self, n: Any, modulus: Any = None) -> Self:
+        e = checks.exponent(n, modulus)
+        if e == 1.0:
+            return self._of(self._q.copy())
+        return self.inv() if e == -1.0 else self._of((self._ours**e)._q)
+
+    def inv(self) -> Self:
+        """Return the inverse rotations."""
+        return self._of(quaternions.inverse(self._q))
+
+    def apply(self, vectors: Any, inverse: bool = False) -> Array:
+        """Rotate vectors."""
+        v = np.asarray(vectors, dtype=np.float64)
+        if not v.ndim or v.shape[-1] != 3:
+            raise RotationError(f"Expected input of shape (..., 3), got {v.shape}.")
+        checks.common(v.shape[:-1], self.shape)
+        return self._ours.apply(v, inverse)
+
+    def approx_equal(
+        self, other: "Rotation", atol: float | None = None, degrees: bool = False
+    ) -> Any:
+        """Return where the angle from one rotation to the other is less than ``atol``."""
+        checks.common(self.shape, other.shape, "Expected broadcastable shapes")
+        if atol is None:
+            if degrees:
+                warnings.warn(
+                    "atol must be set to use the degrees flag, defaulting to 1e-8 radians.",
+                    stacklevel=2,
+                )
+            atol = 1e-8
+        elif degrees:
+            atol = np.deg2rad(atol)
+        return (other * self.inv()).magnitude() < atol
+
+    # Many into one
+
+    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+        """Return the mean rotation."""
+        if not self._q.size:
+            raise RotationError("Mean of an empty rotation set is undefined.")
+        axes = checks.averaged(axis, len(self.shape))
+        return self._of(self._ours.mean(checks.weighted(weights, self.shape), axes)._q)
+
+    def reduce(
+        self,
+        left: "Rotation | None" = None,
+        right: "Rotation | None" = None,
+        return_indices: bool = False,
+    ) -> Any:
+        """Return of all products ``l·p·r`` the one of the smallest angle."""
+        if left is None and right is None:
+            reduced = self._of(self._q.copy())
+            return (reduced, None, None) if return_indices else reduced
+        ls, rs = (None if s is None else ours.Rotation(s._q.reshape(-1, 4)) for s in (left, right))
+        found, m, n = self._ours.reduce(ls, rs, return_indices=True)
+        if not return_indices:
+            return self._of(found._q)
+        return self._of(found._q), None if left is None else m, None if right is None else n
+
+    @classmethod
+    def align_vectors(
+        cls, a: Any, b: Any, weights: Any = None, return_sensitivity: bool = False
+    ) -> Any:
+        """Return the rotation that takes vectors b closest to vectors a."""
+        from rotation.compat.alignment import aligned
+
+        q, rssd, sensitivity = aligned(a, b, weights, return_sensitivity)
+        return (cls._of(q), rssd, sensitivity) if return_sensitivity else (cls._of(q), rssd)
+
+    @staticmethod
+    def concatenate(rotations: Any) -> "Rotation":
+        """Join rotations along their first axis."""
+        members = [rotations] if isinstance(rotations, Rotation) else list(rotations)
+        if not all(isinstance(r, Rotation) for r in members):
+            raise DTypeError("input must contain Rotation objects only")
+        return Rotation._of(np.concatenate([np.atleast_2d(r._q) for r in members]))
+
+    # As an array
+
+    @property
+    def single(self) -> bool:
+        """Whether this is one rotation."""
+        return self._q.ndim == 1
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The batch shape."""
+        return self._q.shape[:-1]
+
+    def __len__(self) -> int:
+        if self.single:
+            raise TypeError("Single rotation has no len().")
+        return len(self._q)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, index: Any) -> Self:
+        if self.single:
+            raise TypeError("Single rotation is not subscriptable.")
+        index = index if isinstance(index, tuple) else (index,)
+        if Ellipsis not in [i for i in index if i is Ellipsis]:
+            index = (*index, Ellipsis)
+        return self._of(np.array(self._q[(*index, slice(None))]))
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        if self.single:
+            raise TypeError("Single rotation is not subscriptable.")
+        if not isinstance(value, Rotation):
+            raise DTypeError("value must be a Rotation object")
+        self._q[index] = value._q
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
+
+    def __repr__(self) -> str:
+        matrix = repr(self.as_matrix()).replace("\n", "\n" + " " * len("Rotation.from_matrix("))
+        return f"Rotation.from_matrix({matrix})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self._q.copy())
+
+
+def _restored(kind: type[Rotation], q: Array) -> Rotation:
+    return kind._of(q)
+
+
+def _angles(angles: Any, number: int) -> Array:
+    """Return angles with the last axis of ``number``; about one axis also a number."""
+    a = np.asarray(angles, dtype=np.float64)
+    if number == 1 and a.ndim == 0:
+        a = a[..., None]
+    if not a.ndim or a.shape[-1] != number:
+        raise RotationError(
+            f"Expected last dimension of `angles` to match number of sequence axes: "
+            f"Expected `angles` to have {number}, got shape {a.shape}."
+        )
+    return a
+
+
+def _davenport_axes(axes: Any, order: str) -> Array:
+    if order not in ("e", "extrinsic", "i", "intrinsic"):
+        raise RotationError("order should be 'e'/'extrinsic' or 'i'/'intrinsic'")
+    try:
+        return davenport.checked_axes(np.asarray(axes, dtype=np.float64), order)[0]
+    except RotationError as error:
+        if "perpendicular" in str(error):
+            raise RotationError(f"Consecutive axes must be orthogonal: {error}") from None
+        raise

@@ -1,0 +1,226 @@
+"""`RigidTransform` with the names, the conventions and the habits of scipy's: it holds matrices."""
+
+from collections.abc import Iterator
+from typing import Any, Self
+
+import numpy as np
+
+from rotation import rigid
+from rotation.compat import checks
+from rotation.compat.rotations import Rotation
+from rotation.errors import DTypeError, RotationError
+
+Array = Any
+
+
+class RigidTransform:
+    """One rigid motion or an array of them; items can be assigned."""
+
+    __array_ufunc__ = None
+
+    def __init__(self, matrix: Any, normalize: bool = True, copy: bool = True) -> None:
+        m = checks.numbers(matrix, "matrix", "(..., 4, 4)", (4, 4))
+        wrong = np.any(m[..., 3, :] != [0.0, 0.0, 0.0, 1.0], axis=-1)
+        if np.any(wrong):
+            row = tuple(int(i) for i in np.argwhere(wrong)[0])
+            raise RotationError(
+                f"Expected last row of transformation matrix {row} to be exactly [0, 0, 0, 1], "
+                f"got {m[(*row, 3)]}"
+            )
+        self._matrix = np.array(m) if normalize or copy else m
+        if normalize:
+            self._matrix[..., :3, :3] = Rotation.from_matrix(m[..., :3, :3]).as_matrix()
+
+    @classmethod
+    def _of(cls, m: Array) -> Self:
+        self = object.__new__(cls)
+        self._matrix = m if m.flags.writeable else m.copy()
+        return self
+
+    @classmethod
+    def _from_ours(cls, transform: rigid.RigidTransform) -> Self:
+        return cls._of(transform.as_matrix())
+
+    @property
+    def _ours(self) -> rigid.RigidTransform:
+        return rigid.RigidTransform._of(self.rotation._q.copy(), self.translation)
+
+    # Making
+
+    @classmethod
+    def from_matrix(cls, matrix: Any) -> Self:
+        """Make transforms from homogeneous matrices."""
+        return cls(matrix)
+
+    @classmethod
+    def from_rotation(cls, rotation: Rotation) -> Self:
+        """Make transforms that turn and do not shift."""
+        return cls._from_ours(rigid.RigidTransform.from_rotation(_checked(rotation)._ours))
+
+    @classmethod
+    def from_translation(cls, translation: Any) -> Self:
+        """Make transforms that shift and do not turn."""
+        t = checks.numbers(translation, "translation", "(..., 3)", (3,))
+        return cls._from_ours(rigid.RigidTransform.from_translation(t))
+
+    @classmethod
+    def from_components(cls, translation: Any, rotation: Rotation) -> Self:
+        """Make transforms that turn first, then shift."""
+        return cls.from_translation(translation) * cls.from_rotation(rotation)
+
+    @classmethod
+    def from_exp_coords(cls, exp_coords: Any) -> Self:
+        """Make transforms from exponential coordinates."""
+        x = checks.numbers(exp_coords, "exp_coords", "(..., 6)", (6,))
+        return cls._from_ours(rigid.RigidTransform.from_exp_coords(x))
+
+    @classmethod
+    def from_dual_quat(cls, dual_quat: Any, *, scalar_first: bool = False) -> Self:
+        """Make transforms from dual quaternions; one whose real part is zero turns nothing."""
+        d = checks.numbers(dual_quat, "dual_quat", "(..., 8)", (8,)).copy()
+        nothing = ~d[..., :4].any(axis=-1)
+        d[..., 0 if scalar_first else 3][nothing] = 1.0
+        made = rigid.RigidTransform.from_dual_quat(d, scalar_first=scalar_first)
+        return cls._from_ours(made)
+
+    @staticmethod
+    def identity(num: int | None = None, *, shape: Any = None) -> "RigidTransform":
+        """Return the identity, or a batch of it."""
+        if num is not None and shape is not None:
+            raise RotationError("Only one of `num` and `shape` can be specified.")
+        return RigidTransform._from_ours(rigid.RigidTransform.identity(checks.batch(num, shape)))
+
+    @staticmethod
+    def concatenate(transforms: Any) -> "RigidTransform":
+        """Join transforms along their first axis."""
+        members = [transforms] if isinstance(transforms, RigidTransform) else list(transforms)
+        if not all(isinstance(m, RigidTransform) for m in members):
+            raise DTypeError("input must contain RigidTransform objects only")
+        return RigidTransform._of(
+            np.concatenate([m._matrix[None] if m.single else m._matrix for m in members])
+        )
+
+    # Reading
+
+    @property
+    def rotation(self) -> Rotation:
+        """The rotations."""
+        return Rotation.from_matrix(self._matrix[..., :3, :3])
+
+    @property
+    def translation(self) -> Array:
+        """The translations."""
+        return np.array(self._matrix[..., :3, 3])
+
+    def as_matrix(self) -> Array:
+        """Return the homogeneous matrices."""
+        return np.array(self._matrix)
+
+    def as_components(self) -> tuple[Array, Rotation]:
+        """Return the translations and the rotations."""
+        return self.translation, self.rotation
+
+    def as_exp_coords(self) -> Array:
+        """Return the exponential coordinates."""
+        return self._ours.as_exp_coords()
+
+    def as_dual_quat(self, *, scalar_first: bool = False) -> Array:
+        """Return the unit dual quaternions."""
+        return self._ours.as_dual_quat(scalar_first=scalar_first)
+
+    # The group
+
+    def __mul__(self, other: object) -> Self:
+        if not isinstance(other, RigidTransform):
+            return NotImplemented
+        checks.common(self.shape, other.shape)
+        product = np.matmul(self._matrix, other._matrix)
+        product[..., 3, :] = [0.0, 0.0, 0.0, 1.0]
+        return self._of(product)
+
+    def __pow__(self, n: Any, modulus: Any = None) -> Self:
+        e = checks.exponent(n, modulus)
+        if e in (1.0, -1.0):
+            return self._of(self._matrix.copy()) if e > 0.0 else self.inv()
+        return self._from_ours(self._ours**e)
+
+    def inv(self) -> Self:
+        """Return the inverse motions."""
+        back = np.zeros_like(self._matrix)
+        turn = np.swapaxes(self._matrix[..., :3, :3], -1, -2)
+        back[..., :3, :3], back[..., 3, 3] = turn, 1.0
+        back[..., :3, 3] = -np.matmul(turn, self._matrix[..., :3, 3, None])[..., 0]
+        return self._of(back)
+
+    def apply(self, vector: Any, inverse: bool = False) -> Array:
+        """Move vectors."""
+        v = np.asarray(vector, dtype=np.float64)
+        if not v.ndim or v.shape[-1] != 3:
+            raise RotationError(f"Expected vector to have shape (..., 3), got {v.shape}.")
+        checks.common(v.shape[:-1], self.shape, "operands could not be broadcast together")
+        m = self.inv()._matrix if inverse else self._matrix
+        return np.matmul(m[..., :3, :3], v[..., None])[..., 0] + m[..., :3, 3]
+
+    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+        """Return the mean of the rotations with the mean of the translations."""
+        if not self._matrix.size:
+            raise RotationError("Mean of an empty rotation set is undefined.")
+        axes = checks.averaged(axis, len(self.shape))
+        w = checks.weighted(weights, self.shape)
+        if weights is not None and np.shape(weights) != self.shape:
+            raise RotationError(
+                f"Expected `weights` to have shape {self.shape}, got {np.shape(weights)}."
+            )
+        return self._from_ours(self._ours.mean(w, axes))
+
+    # As an array
+
+    @property
+    def single(self) -> bool:
+        """Whether this is one transform."""
+        return self._matrix.ndim == 2
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The batch shape."""
+        return self._matrix.shape[:-2]
+
+    def __len__(self) -> int:
+        if self.single:
+            raise TypeError("Single transform has no len().")
+        return len(self._matrix)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, index: Any) -> Self:
+        if self.single:
+            raise TypeError("Single transform is not subscriptable.")
+        return self._of(np.array(self._matrix[index]))
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        if self.single:
+            raise TypeError("Single transform is not subscriptable.")
+        if not isinstance(value, RigidTransform):
+            raise DTypeError("value must be a RigidTransform object")
+        self._matrix[index] = value._matrix
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
+
+    def __repr__(self) -> str:
+        matrix = repr(self._matrix).replace("\n", "\n" + " " * len("RigidTransform.from_matrix("))
+        return f"RigidTransform.from_matrix({matrix})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self._matrix.copy())
+
+
+def _restored(kind: type[RigidTransform], m: Array) -> RigidTransform:
+    return kind._of(m)
+
+
+def _checked(rotation: Any) -> Rotation:
+    if not isinstance(rotation, Rotation):
+        raise DTypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
+    return rotation

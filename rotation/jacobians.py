@@ -1,0 +1,117 @@
+"""Derivatives of rotation vectors: the Jacobians of the exponential and of the logarithm.
+
+``J(v) = 1 + A·[v]× + B·[v]×²`` with ``A = (1 − cos θ)/θ²`` and ``B = (θ − sin θ)/θ³``, θ the length
+of v; its inverse is ``1 − ½·[v]× + C·[v]×²`` with ``C = (1 − (θ/2)·cot(θ/2))/θ²``. G. S. Chirikjian,
+"Stochastic models, information theory, and Lie groups" 2 (2012), section 10.3.
+"""
+
+import math
+from fractions import Fraction
+from typing import Any
+
+from rotation.coordinates import Coordinates, join, split, sum_of_squares
+from rotation.namespaces import Array, expect_last, floats, namespace
+from rotation.rowwise import Formula
+
+_TERMS = 12
+# By t = θ²: of A, B and C, whose quotients lose their digits where t is small.
+_A = [(-1.0) ** k / math.factorial(2 * k + 2) for k in range(_TERMS)]
+_B = [(-1.0) ** k / math.factorial(2 * k + 3) for k in range(_TERMS)]
+_BERNOULLI = (
+    "1/6 1/30 1/42 1/30 5/66 691/2730 7/6 3617/510 43867/798 174611/330 854513/138 236364091/2730"
+)
+_C = [float(Fraction(b) / math.factorial(2 * k)) for k, b in enumerate(_BERNOULLI.split(), start=1)]
+_NEAR = 1.0
+
+
+def left_jacobian(rotvec: Any) -> Array:
+    """Return the left Jacobians (…, 3, 3) of the exponential at rotation vectors (…, 3), in radians.
+
+    ``exp(v + dv) = exp(J(v)·dv)·exp(v)`` to first order. The right Jacobian is ``left_jacobian(-v)``. A
+    body whose rotation vector changes at the rate v̇ has the angular velocity ``J(v)·v̇`` in the axes of
+    the world.
+
+    Raises
+    ------
+    RotationError
+        The last axis is not of three.
+    """
+    return _LEFT(_vectors(rotvec))
+
+
+def inverse_left_jacobian(rotvec: Any) -> Array:
+    """Return the inverses (…, 3, 3) of the left Jacobians: those of the logarithm.
+
+    ``log(exp(dv)·exp(v)) = v + J⁻¹(v)·dv`` to first order. At lengths that are multiples of 2π
+    other than 0 there is none: entries are large or not finite there.
+
+    Raises
+    ------
+    RotationError
+        The last axis is not of three.
+    """
+    return _INVERSE(_vectors(rotvec))
+
+
+def _vectors(rotvec: Any) -> Array:
+    v = floats(rotvec, "rotation vectors")
+    expect_last(v, (3,), "rotation vectors")
+    return v
+
+
+def _series(coefficients: list[float], t: Array) -> Array:
+    total: Array = coefficients[-1]
+    for c in coefficients[-2::-1]:
+        total = total * t + c
+    return total
+
+
+def _factors(xp: Any, t: Array) -> tuple[Array, Array, Array, Array]:
+    """Return θ, where it is small enough for series, and where not θ² and else 1."""
+    near = t < _NEAR
+    far = xp.where(near, xp.ones_like(t), t)
+    return xp.sqrt(far), near, far, xp.where(near, t, xp.zeros_like(t))
+
+
+def exponential_factors(xp: Any, v: Coordinates) -> tuple[Array, Array]:
+    """Return A and B for rotation vectors."""
+    theta, near, far, small = _factors(xp, sum_of_squares(v))
+    half = xp.sin(0.5 * theta)
+    a = xp.where(near, _series(_A, small), 2.0 * half * half / far)
+    b = xp.where(near, _series(_B, small), (theta - xp.sin(theta)) / (far * theta))
+    return a, b
+
+
+def logarithm_factor(xp: Any, v: Coordinates) -> Array:
+    """Return C for rotation vectors."""
+    theta, near, far, small = _factors(xp, sum_of_squares(v))
+    half = 0.5 * theta
+    return xp.where(near, _series(_C, small), (1.0 - half * xp.cos(half) / xp.sin(half)) / far)
+
+
+def _matrix(xp: Any, v: Coordinates, linear: Array, square: Array) -> Array:
+    """``1 + linear·[v]× + square·[v]×²``."""
+    x, y, z = v
+    one = xp.ones_like(square)
+    xy, xz, yz = square * (x * y), square * (x * z), square * (y * z)
+    entries = [
+        [one - square * (y * y + z * z), xy - linear * z, xz + linear * y],
+        [xy + linear * z, one - square * (x * x + z * z), yz - linear * x],
+        [xz - linear * y, yz + linear * x, one - square * (x * x + y * y)],
+    ]
+    return xp.stack([join(xp, tuple(row)) for row in entries], axis=-2)
+
+
+def _left(v: Array) -> Array:
+    xp = namespace(v)
+    return _matrix(xp, split(v), *exponential_factors(xp, split(v)))
+
+
+def _inverse(v: Array) -> Array:
+    xp = namespace(v)
+    c = logarithm_factor(xp, split(v))
+    return _matrix(xp, split(v), -0.5 * xp.ones_like(c), c)
+
+
+_LEFT = Formula(_left, (3,))
+_INVERSE = Formula(_inverse, (3,))

@@ -1,0 +1,176 @@
+"""A curve through keyframes whose angular velocity and acceleration are continuous.
+
+Between two keyframes the rotation vector from the first of them is a cubic of time. The rates at keyframes
+are those for which the acceleration has no jump; at the ends they are the mean rates of the intervals there.
+These equations are nearly linear, and are solved by repeated solution of their linear part. The curve is the
+one of scipy's `RotationSpline`.
+"""
+
+from math import factorial
+from typing import Any
+
+import numpy as np
+
+from rotation.batch import expect_rotations
+from rotation.errors import RotationError
+from rotation.interpolation import Slerp
+from rotation.jacobians import inverse_left_jacobian, left_jacobian
+from rotation.namespaces import Array, floats
+from rotation.rotation import Rotation
+
+_STEPS = 100  # far more than are needed where steps stay below half a turn
+
+
+class RotationSpline:
+    """The smooth curve through keyframes: two continuous derivatives.
+
+    Parameters
+    ----------
+    times : array_like, shape (n,)
+        Strictly increasing.
+    rotations : Rotation, shape (n,)
+        At least two keyframes; from each to the next it goes the shorter way.
+
+    Raises
+    ------
+    RotationError
+        Times that do not increase or do not fit the rotations, or keyframes for which no curve was found.
+    """
+
+    def __init__(self, times: Any, rotations: Rotation) -> None:
+        expect_rotations(rotations=rotations)
+        if rotations.ndim != 1:
+            raise RotationError("a spline goes through a list of rotations, of shape (n,)")
+        self._keys = Slerp(times, rotations)
+        self.times, self.rotations = self._keys.times, self._keys.rotations
+        self._h = np.diff(self.times)[:, None]
+        # In the axes of the body: R(t) = R[k]·exp(θ(t)), the rate of which is ω = J(−θ)·θ̇.
+        self._steps = (self.rotations[:-1].inv() * self.rotations[1:]).as_rotvec()
+        self._rates = self._solved()
+
+    def __call__(self, times: Any, order: int = 0) -> Any:
+        """Return rotations (order 0), rates (1) or accelerations (2), (…, 3), in the axes of the body.
+
+        Raises
+        ------
+        RotationError
+            A time outside, or another order.
+        """
+        t = floats(times, "times")
+        self._keys._place(t)
+        return self.extended(t, order)
+
+    def extended(self, times: Any, order: int = 0) -> Any:
+        """Return the same; before the first and after the last keyframe their cubics go on."""
+        if order not in (0, 1, 2):
+            raise RotationError(f"order {order!r}: 0, 1 or 2 is expected")
+        x = floats(times, "times")
+        n = np.clip(np.searchsorted(self.times, x, side="right") - 1, 0, len(self.times) - 2)
+        s = (x - self.times[n]) / (self.times[n + 1] - self.times[n])
+        theta, rate, bend = self._cubic(n, s[..., None])
+        if order == 0:
+            return self.rotations[n] * Rotation.from_rotvec(theta)
+        if order == 1:
+            return _turned(theta, rate)
+        return _accelerated(theta, rate, bend)
+
+    def _cubic(self, n: Any, s: Array, rates: Array | None = None) -> tuple[Array, Array, Array]:
+        """The rotation vector in interval n at the fraction s of it, and its two derivatives by time."""
+        w = self._rates if rates is None else rates
+        d, h = self._steps[n], self._h[n]
+        start = w[n]
+        end = np.einsum("...ij,...j->...i", inverse_left_jacobian(-d), w[n + 1])
+        a, b = 3.0 * d / h - 2.0 * start - end, start + end - 2.0 * d / h
+        theta = h * s * (start + s * (a + s * b))
+        return theta, start + s * (2.0 * a + 3.0 * s * b), (2.0 * a + 6.0 * s * b) / h
+
+    def _jumps(self, rates: Array) -> Array:
+        """The jumps of the acceleration at the keyframes between the ends."""
+        n = np.arange(len(self._steps))
+        one = np.ones((len(n), 1))
+        first = self._cubic(n, 0.0 * one, rates)[2]
+        last = _accelerated(*self._cubic(n, one, rates))
+        return np.asarray(first[1:] - last[:-1])
+
+    def _solved(self) -> Array:
+        means = self._steps / self._h
+        rates = np.concatenate([means[:1], 0.5 * (means[1:] + means[:-1]), means[-1:]])
+        size = float(np.max(np.abs(means)))
+        before = np.inf
+        for _ in range(_STEPS):
+            change = _tridiagonal(1.0 / self._h[:, 0], self._jumps(rates))
+            rates[1:-1] += change
+            now = float(np.max(np.abs(change), initial=0.0))
+            if now <= 1e-14 * size or (now <= 1e-9 * size and now >= 0.5 * before):
+                return rates
+            before = now
+        if not np.isfinite(size):
+            return rates * np.nan
+        raise RotationError(
+            "no smooth curve was found: the keyframes are too far from each other; give some between them"
+        )
+
+
+def _tridiagonal(inverse: Array, right: Array) -> Array:
+    """Solve the equations of an ordinary cubic spline for its slopes; ``inverse`` are those of the steps.
+
+    ``2·i[k]·x[k−1] + 4·(i[k] + i[k+1])·x[k] + 2·i[k+1]·x[k+1] = right[k]``, by elimination.
+    """
+    n = len(right)
+    x = right.copy()
+    diagonal = 4.0 * (inverse[:-1] + inverse[1:])
+    beside = 2.0 * inverse[1:-1]
+    for k in range(1, n):
+        factor = beside[k - 1] / diagonal[k - 1]
+        diagonal[k] -= factor * beside[k - 1]
+        x[k] -= factor * x[k - 1]
+    for k in range(n - 1, -1, -1):
+        if k + 1 < n:
+            x[k] -= beside[k] * x[k + 1]
+        x[k] /= diagonal[k]
+    return x
+
+
+def _turned(theta: Array, rate: Array) -> Array:
+    return np.asarray(np.einsum("...ij,...j->...i", left_jacobian(-theta), rate))
+
+
+def _accelerated(theta: Array, rate: Array, bend: Array) -> Array:
+    """The derivative of ``J(−θ)·θ̇``: ``J(−θ)·θ̈`` and the part that the change of J makes."""
+    return _turned(theta, bend) + _change(theta, rate)
+
+
+def _change(theta: Array, rate: Array) -> Array:
+    """The derivative of ``J(−θ)·θ̇`` along θ̇, θ̇ fixed, by its series or in closed form."""
+    t = np.sum(theta * theta, axis=-1, keepdims=True)
+    far = np.where(t > 0.25, t, 1.0)
+    size = np.sqrt(far)
+    small = np.where(t > 0.25, 0.0, t)
+    sine, cosine = np.sin(size), np.cos(size)
+    # B, and the derivatives of A and B by θ² doubled.
+    b = np.where(t > 0.25, (size - sine) / (far * size), _sum(_B, small))
+    da = np.where(t > 0.25, (size * sine - 2.0 * (1.0 - cosine)) / far**2, _sum(_DA, small))
+    db = np.where(
+        t > 0.25, (3.0 * sine - size * cosine - 2.0 * size) / (far**2 * size), _sum(_DB, small)
+    )
+    along = np.sum(theta * rate, axis=-1, keepdims=True)
+    across = np.cross(theta, rate)
+    return np.asarray(
+        -da * along * across + db * along * np.cross(theta, across) + b * np.cross(rate, across)
+    )
+
+
+def _series(first: int, derived: bool) -> list[float]:
+    """Coefficients of A (first = 2) or B (3) by θ², or of twice their derivatives."""
+    values = [(-1.0) ** k / factorial(2 * k + first) for k in range(12)]
+    return [2.0 * (k + 1) * v for k, v in enumerate(values[1:])] if derived else values
+
+
+def _sum(coefficients: list[float], t: Array) -> Array:
+    total: Array = np.zeros_like(t)
+    for c in reversed(coefficients):
+        total = total * t + c
+    return total
+
+
+_B, _DA, _DB = _series(3, False), _series(2, True), _series(3, True)

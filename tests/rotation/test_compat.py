@@ -1,0 +1,51 @@
+"""The habits of scipy's users: scalar last, item assignment, warnings."""
+
+import copy
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+
+from rotation import Rotation as Ours
+from rotation import RotationError
+from rotation.compat import RigidTransform, Rotation, Slerp
+
+
+def test_the_scalar_is_last_and_items_can_be_assigned() -> None:
+    r = Rotation.from_quat([[0, 0, 0, 1], [0, 0, 1, 1]])
+    np.testing.assert_allclose(r.as_quat()[1], [0, 0, 0.5**0.5, 0.5**0.5])
+    before = copy.deepcopy(r)
+    r[0] = r[1]
+    assert r.approx_equal(before[1]).all()
+    assert before[0].magnitude() == 0.0
+    t = RigidTransform.identity(2)
+    t[1] = RigidTransform.from_translation([1, 2, 3])
+    np.testing.assert_array_equal(t.translation, [[0, 0, 0], [1, 2, 3]])
+    assert pickle.loads(pickle.dumps(r)).approx_equal(r).all()
+
+
+def test_gimbal_lock_warns() -> None:
+    r = Rotation.from_euler("zyx", [10, 90, 20], degrees=True)
+    with pytest.warns(UserWarning, match="Gimbal lock"):
+        angles = r.as_euler("zyx", degrees=True)
+    assert angles[2] == 0.0
+    assert Rotation.from_euler("zyx", angles, degrees=True).approx_equal(r, atol=1e-7)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        r.as_euler("zyx", suppress_warnings=True)
+
+
+def test_the_arithmetic_is_ours() -> None:
+    r = Rotation.random(20, rng=1)
+    ours = Ours.from_quat(r.as_quat(), scalar_first=False)
+    np.testing.assert_array_equal(r.as_matrix(), ours.as_matrix())
+    np.testing.assert_array_equal((r * r).as_rotvec(), (ours * ours).as_rotvec())
+    np.testing.assert_array_equal(Slerp([0, 1], r[:2])(0.3).as_quat().shape, (4,))
+
+
+def test_errors_are_value_errors_of_ours() -> None:
+    with pytest.raises(RotationError, match="Expected `quat`"):
+        Rotation.from_quat([1, 2, 3])
+    with pytest.raises(RotationError, match="Non-positive determinant"):
+        Rotation.from_matrix(-np.eye(3))

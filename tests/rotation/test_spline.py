@@ -1,0 +1,62 @@
+"""The spline through rotations: it goes through them, and its rate and acceleration have no jump."""
+
+import numpy as np
+import pytest
+
+from rotation import Rotation, RotationError, RotationSpline
+
+RNG = np.random.default_rng(31)
+
+
+def keyframes(n: int, scale: float) -> tuple[np.ndarray, Rotation]:
+    steps = RNG.standard_normal((n, 3)) * scale
+    return np.cumsum(RNG.uniform(0.5, 1.5, n)), Rotation.from_rotvec(steps).cumprod("body")
+
+
+@pytest.mark.parametrize("scale", [1e-9, 0.1, 1.0])
+def test_it_goes_through_the_keyframes_without_a_jump(scale: float) -> None:
+    times, keys = keyframes(9, scale)
+    curve = RotationSpline(times, keys)
+    assert curve(times).approx_equal(keys, atol=1e-14).all()
+    inner, e = times[1:-1], 1e-9
+    for order in (1, 2):
+        np.testing.assert_allclose(
+            curve(inner - e, order), curve(inner + e, order), rtol=0, atol=1e-6 * scale
+        )
+
+
+def test_rates_and_accelerations_are_the_derivatives() -> None:
+    times, keys = keyframes(6, 0.9)
+    curve, e = RotationSpline(times, keys), 1e-5
+    at = np.linspace(times[0] + 0.01, times[-1] - 0.01, 40)
+    turned = (curve(at - e).inv() * curve(at + e)).as_rotvec() / (2 * e)
+    np.testing.assert_allclose(turned, curve(at, 1), atol=1e-7)
+    np.testing.assert_allclose(
+        (curve(at + e, 1) - curve(at - e, 1)) / (2 * e), curve(at, 2), atol=1e-6
+    )
+
+
+def test_it_is_scipys() -> None:
+    scipy = pytest.importorskip("scipy.spatial.transform")
+    times, keys = keyframes(12, 0.5)
+    ours, theirs = RotationSpline(times, keys), scipy.RotationSpline(times, keys.to_scipy())
+    at = np.linspace(times[0], times[-1], 50)
+    assert ours(at).approx_equal(Rotation.from_scipy(theirs(at)), atol=1e-8).all()
+    for order in (1, 2):
+        np.testing.assert_allclose(ours(at, order), theirs(at, order), atol=1e-6)
+
+
+def test_two_keyframes_and_mistakes() -> None:
+    keys = Rotation.from_euler("Z", [0, 60], degrees=True)
+    curve = RotationSpline([0, 2], keys)
+    np.testing.assert_allclose(curve(0.5).as_rotvec(degrees=True), [0, 0, 15], atol=1e-12)
+    np.testing.assert_allclose(curve([0, 2], 2), 0, atol=1e-14)
+    for bad in (
+        lambda: RotationSpline([0, 0], keys),
+        lambda: RotationSpline([0], keys[:1]),
+        lambda: RotationSpline([0, 1], keys.reshape(2, 1)),
+        lambda: curve(3.0),
+        lambda: curve(1.0, order=3),
+    ):
+        with pytest.raises(RotationError):
+            bad()
