@@ -13,8 +13,8 @@ from concurrent.futures import ProcessPoolExecutor
 from math import gcd
 
 from hfield import QuaternionAlgebra
-from hfield.lattices.brandt import number_of_ideals
 from hfield.factorisation import factorise
+from hfield.lattices.brandt import number_of_ideals
 
 
 def definite_discriminants(bound: int) -> list[int]:
