@@ -74,6 +74,20 @@ OUTCOMES |= dict.fromkeys((36, 24, -24, 152), "timeout")
 # A mutated message is no fault of the verdict: these lines are left out.
 MESSAGES = (r"^\s*(reject|return reject|self\.fail)\(f?\".*\"\)$", r"^\s*f?\"[^\"]*\"$")
 
+# Put in front of the tests of the copy: what a cache remembers was decided by another mutant.
+FORGETTING = """
+
+@pytest.fixture(autouse=True)
+def _forget():
+    for name, module in list(sys.modules.items()):
+        if name.startswith("hfield"):
+            for key, value in list(vars(module).items()):
+                if hasattr(value, "cache_clear"):
+                    value.cache_clear()
+                elif key == "_proofs" and isinstance(value, dict):
+                    value.clear()
+"""
+
 
 def copied(target: Path, sources: tuple[str, ...], tests: tuple[str, ...]) -> None:
     """Copy what mutmut needs into a folder of its own."""
@@ -81,6 +95,8 @@ def copied(target: Path, sources: tuple[str, ...], tests: tuple[str, ...]) -> No
         shutil.copytree(ROOT / name, target / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("pyproject.toml", "README.md"):
         shutil.copy(ROOT / name, target / name)
+    with (target / "tests" / "conftest.py").open("a") as out:
+        out.write(FORGETTING)
     lines = {
         "source_paths": ["hfield"],
         "only_mutate": list(sources),
