@@ -65,6 +65,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             "tests/adversary/test_breaks.py",
             "tests/proving/test_evidence.py",
             "tests/proving/test_verdicts.py",
+            "tests/proving/test_scopes.py",
         ),
     ),
     "rings": (("hfield/rings/*.py",), ("tests/rings", "tests/test_elements.py")),
@@ -111,7 +112,11 @@ def copied(target: Path, sources: tuple[str, ...], tests: tuple[str, ...]) -> No
             "-o",
             "addopts=",
         ],
-        "also_copy": ["rotation", "anim", "scripts", "docs", "README.md"],
+        "also_copy": [
+            *("rotation", "anim", "scripts", "docs", "README.md"),
+            *(str(stub.relative_to(ROOT)) for stub in ROOT.glob("hfield/**/*.pyi")),
+            *(str(page.relative_to(ROOT)) for page in ROOT.glob("hfield/**/*.toml")),
+        ],
         "do_not_mutate_patterns": list(MESSAGES),
     }
     with (target / "pyproject.toml").open("a") as out:
