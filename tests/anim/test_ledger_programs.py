@@ -1,11 +1,9 @@
 """Claims about the programs and pictures of sections 3.3 and 3.4: counted, inspected, and the code proved."""
 
 import importlib
-import inspect
 import json
 import subprocess
 import sys
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -19,9 +17,9 @@ from hfield.cli import main
 from hfield.ledger.claim import NO_FIELD, decide
 from hfield.product import Constants, conjugate, multiply
 from hfield.rings import ring
-from rotation import thesis
 from rotation.ledger.symbols import code
 from rotation.matrices import R_x, R_y, R_z
+from tests.ledger.spoilt_thesis import spoilt_thesis
 
 
 def verdict(name: str) -> str:
@@ -64,34 +62,17 @@ MUTANTS = {
 ROOMS = ("optimised", "euler_angles", "quaternion_matrix")
 
 
-@pytest.fixture
-def again() -> Iterator[Any]:
-    """Read the functions on symbols anew; after the test with the true functions."""
-
-    def reread() -> None:
-        for room in ROOMS:
-            importlib.reload(sys.modules[f"anim.ledger.{room}"])
-        importlib.reload(sys.modules["anim.ledger"])
-
-    yield reread
-    importlib.reload(thesis)
-    reread()
-
-
 @pytest.mark.parametrize("line", MUTANTS)
-def test_what_is_proved_is_the_code(line: str, again: Any) -> None:
+def test_what_is_proved_is_the_code(line: str) -> None:
     mutant, expected = MUTANTS[line]
-    source = inspect.getsource(thesis)
-    assert source.count(line) == 1
-    exec(compile(source.replace(line, mutant), thesis.__name__, "exec"), vars(thesis))
-    again()
     red = set()
-    computed = {name for room in ROOMS for name in sys.modules[f"anim.ledger.{room}"].COMPUTED}
-    for claim in sys.modules["anim.ledger"].CLAIMS:
-        if claim.id in computed and claim.fieldless:
-            row = decide(claim, NO_FIELD)
-            said = row.as_corrected or row.as_printed
-            red |= {claim.id} if said.verdict != "proved" else set()
+    with spoilt_thesis(line, mutant, "anim.ledger", ROOMS) as spoilt:
+        computed = {name for room in ROOMS for name in sys.modules[f"anim.ledger.{room}"].COMPUTED}
+        for claim in spoilt:
+            if claim.id in computed and claim.fieldless:
+                row = decide(claim, NO_FIELD)
+                said = row.as_corrected or row.as_printed
+                red |= {claim.id} if said.verdict != "proved" else set()
     assert red == expected
 
 

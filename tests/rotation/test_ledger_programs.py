@@ -1,13 +1,9 @@
 """Claims about the functions of sections 3.1 and 3.2: what is proved is the code, and the order of ℚ."""
 
-import importlib
-import inspect
 import json
 import random
 import sys
-from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
 
 import pytest
 from hypothesis import given
@@ -17,10 +13,10 @@ from hfield.certificates.check import check_text
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, Claim, decide
 from hfield.rings import ring
-from rotation import thesis
 from rotation.ledger import generator, tables
 from rotation.ledger.order import Less, between
 from rotation.ledger.symbols import Symbol, code, coordinates, equal, read_as
+from tests.ledger.spoilt_thesis import spoilt_thesis
 
 FORMULAS = ("quaternion_functions", "matrix_functions", "second_test")
 
@@ -40,34 +36,21 @@ MUTANTS = {
 }
 
 
-@pytest.fixture
-def again() -> Iterator[Any]:
-    """Read the functions on symbols anew; after the test with the true functions."""
-
-    def reread() -> None:
-        for name in FORMULAS:
-            importlib.reload(sys.modules[f"rotation.ledger.{name}"])
-        importlib.reload(sys.modules["rotation.ledger"])
-
-    yield reread
-    importlib.reload(thesis)
-    reread()
-
-
 @pytest.mark.parametrize("line", MUTANTS)
-def test_what_is_proved_is_the_code(line: str, again: Any) -> None:
+def test_what_is_proved_is_the_code(line: str) -> None:
     """A wrong function turns its own rows red, and those of the functions that call it."""
     mutant, expected = MUTANTS[line]
-    source = inspect.getsource(thesis)
-    assert source.count(line) == 1
-    exec(compile(source.replace(line, mutant), thesis.__name__, "exec"), vars(thesis))
-    again()
-    red = {
-        claim.id.removeprefix("C3.1.1-").removeprefix("C3.1.2")
-        for claim in sys.modules["rotation.ledger"].CLAIMS
-        if any(claim.id in sys.modules[f"rotation.ledger.{name}"].COMPUTED for name in FORMULAS[:2])
-        and wrong_now(claim)
-    }
+    with spoilt_thesis(line, mutant, "rotation.ledger", FORMULAS) as spoilt:
+        computed = {
+            name
+            for room in FORMULAS[:2]
+            for name in sys.modules[f"rotation.ledger.{room}"].COMPUTED
+        }
+        red = {
+            claim.id.removeprefix("C3.1.1-").removeprefix("C3.1.2")
+            for claim in spoilt
+            if claim.id in computed and wrong_now(claim)
+        }
     assert red - {"a"} == expected
 
 
