@@ -45,10 +45,8 @@ class Algebra:
             [0, 0, 0, -1],
         ]
         self._bar: Rows = tuple(_whole(row, s) for row in bar)
-        square = t * t + 4 * a
-        if not square * b:
+        if not (t * t + 4 * a) * b:
             reject("the algebra is degenerate: (t² + 4a)·b is 0")
-        self.definite = square < 0 and b < 0
 
     def left(self, x: Sequence[int]) -> Rows:
         """Return the matrix that takes a row y to x·y."""

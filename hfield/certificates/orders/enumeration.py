@@ -41,12 +41,12 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
 
 
 def _triangle(gram: Rows) -> list[list[int]]:
-    """Eliminate without fractions: the leading minors are on the diagonal, and must be positive."""
+    """Eliminate without fractions: the leading minors are on the diagonal, and have to be positive."""
     m = [list(row) for row in gram]
     before = 1
     for c in range(4):
         if m[c][c] <= 0:
-            reject("the norm is not positive definite on this lattice")
+            reject("nothing is exhausted where the norm is indefinite, as it is in this algebra")
         for r in range(c + 1, 4):
             f = m[r][c]
             m[r] = [(m[c][c] * x - f * y) // before for x, y in zip(m[r], m[c], strict=True)]
