@@ -8,7 +8,6 @@ and no Hermite form of sixteen rows is needed.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING, Any

@@ -67,7 +67,7 @@ def coordinates(matrix: Any, row: Sequence[int]) -> tuple[Fraction, Fraction, Fr
         found.append(c)
         if c:
             for m in range(n + 1, 4):
-                rest[m] -= c * matrix[n, m]
+                rest[m] -= c * int(matrix[n, m])
     return found[0], found[1], found[2], found[3]
 
 
