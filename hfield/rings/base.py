@@ -22,6 +22,8 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.product import Constants
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
 from hfield.rings.printing import from_unicode, number_text
 
@@ -163,6 +165,14 @@ class Ring(ABC):
     def scalar(self, x: Any) -> Any:
         """Turn an entry of ``array`` back into an element."""
         return x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+
+    def holding(self, constants: Constants) -> Holding:
+        """Return how elements of the algebra with these constants are held; by default as they are."""
+        return Holding(self, constants)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Return how arrays of such elements are held; by default as four arrays of the ring."""
+        return Batch(self, constants)
 
     def places(self) -> Iterator[Any]:
         """Run through the places of a global field without end, infinite ones first; texts read back.
