@@ -59,7 +59,7 @@ def test_every_command_has_help(capsys, name):
         (["-x"], "expected a command first"),
         ([""], "there is no command"),
         (["eval"], "EXPR"),
-        (["eval", "i", "j"], "'j'"),
+        (["table", "j"], "'j'"),
         (["eval", "i", "--feild", "QQ"], "did you mean --field"),
         (["eval", "i", "--field=GF9", "--fromat=json"], "did you mean --format"),
         (["eval", "i", "--field", "QQ", "--algebra", "(1,1|QQ)"], "not allowed with"),
