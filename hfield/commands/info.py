@@ -20,6 +20,11 @@ HELP = (
     "Show what is known of an algebra: its table, centre, radical, whether it is a division algebra or "
     "split (with the isomorphism or the reason), where it ramifies, a maximal order, or counts."
 )
+EXAMPLES = (
+    "hfield info '(-1,-3|QQ)'",
+    "hfield info 'H(GF(9))' '[1,t|GF(4)(t))'",
+    "hfield info --from algebras.txt --format jsonl",
+)
 COLUMNS = (
     *("algebra", "field", "commutative", "central_simple", "division", "reason"),
     *("ramified_places", "discriminant", "undecided", "error"),
