@@ -85,8 +85,9 @@ def _table(chosen: Sequence[Claim], style: Style) -> str:
         star = "*" if claim.headline else " "
         start = f"{star} {claim.id:<{ids}}  {claim.name:<{names}}  {claim.kind:<{kinds}}  "
         if len(start) > style.width - 25:  # too narrow for four columns: the statement goes below
-            lines.append(f"{star} {claim.id:<{ids}}  {claim.name}  ({claim.kind})")
             start = " " * (ids + 4)
+            title = f"{star} {claim.id:<{ids}}  {claim.name}  ({claim.kind})"
+            lines += textwrap.wrap(title, style.width, subsequent_indent=start)
             lines += textwrap.wrap(
                 claim.statement, style.width, initial_indent=start, subsequent_indent=start
             )
