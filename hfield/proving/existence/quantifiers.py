@@ -20,7 +20,15 @@ from hfield.proving.evaluation.interpretation import RingInterpretation, bind
 from hfield.proving.existence.case_distinction import by_isolating, by_linear_algebra
 from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.existence.real_roots import by_roots
-from hfield.proving.existence.terms import Decide, about, by_terms, constants_in, matrix, true_place
+from hfield.proving.existence.terms import (
+    Decide,
+    about,
+    alone,
+    by_terms,
+    constants_in,
+    matrix,
+    true_place,
+)
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.methods import all_fields, one_ring
 from hfield.proving.polynomials.vanishing import constant
@@ -46,7 +54,7 @@ def vacuous(
         node = Logic("and", node, h)
     if true_place(about(statement, node), setting, FEW, deadline) is not None:
         return None
-    never = about(statement, Not(node))
+    never = alone(statement, Not(node), setting)
     decision = decide_one(never, setting, deadline)
     if decision.verdict != PROVED:
         return None
