@@ -26,7 +26,7 @@ def terms(prove: Prove, statement: Statement, setting: Setting, evidence: object
     """Show existence by terms: the statement with them put in is true for all values given."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
-    return prove(instance, setting, data["proof"]).within(_reach(setting)).also_by("witness")
+    return prove(instance, setting, data["proof"]).within(_reach(setting)).by("witness")
 
 
 def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -49,7 +49,7 @@ def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object
     for h in reversed(statement.hypotheses):
         cover = ("=>", h, cover)
     findings.append(prove(cover, setting, data["cover"]))
-    return together(findings).within(_reach(setting)).also_by("witness", "linear algebra")
+    return together(findings).within(_reach(setting)).by("witness")
 
 
 def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:

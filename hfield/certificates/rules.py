@@ -3,6 +3,8 @@
 Each is verified, as ``facts`` give it, before any step uses it. docs/trust.md has the proofs.
 """
 
+from collections.abc import Callable
+from math import lcm
 from typing import Any
 
 from hfield.certificates.clauses import Expansion
@@ -41,7 +43,7 @@ class Rules:
         self.expansion, self.setting, self.place = expansion, setting, place
         self.norms: dict[str, Evaluator] = {}  # by the algebra; "" is that of the statement
         self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
-        self.roots = False
+        self.rootless: Callable[[Ring, list[Any]], bool] | None = None
         self.cites: dict[str, None] = {}
         entries = a_list(facts, "facts")
         if len(entries) > MAX_FACTS:
@@ -54,11 +56,11 @@ class Rules:
                 self._norm(fact, setting.field)
             elif form == "squares" and self.squares is None:
                 self._squares(fact, setting.field)
-            elif form == "roots" and not self.roots:
-                by = an_object(fact, "form by", "a fact")["by"]
-                if by not in ("factors", "squares"):
-                    reject("the fact 'roots' is by 'factors' or by 'squares'")
-                self.roots = True
+            elif form == "roots" and self.rootless is None:
+                by = "factors" if setting.field.name == "QQ" else "squares"
+                if an_object(fact, "form by", "a fact")["by"] != by:
+                    reject(f"roots in {setting.field.name} are told by {by}")
+                self.rootless = _no_factor if by == "factors" else _no_square
             else:
                 reject("a fact is of no known form, or stands there twice")
 
@@ -159,19 +161,24 @@ class Rules:
     def _need_rootless(self, values: list[Any]) -> None:
         """Reject unless Σ cₖ·xᵏ has the degree that it seems to have, and no root in the field."""
         ring = self.setting.field
-        if ring is None or not self.roots:
+        if ring is None or self.rootless is None:
             reject("a step uses the fact 'roots', which is not there")
         if ring.is_zero(values[-1]):
             reject("the leading coefficient is 0")
-        if ring.name == "QQ":
-            below = 1
-            for value in values:
-                below *= value.denominator
-            if has_no_rational_root([int(value * below) for value in values]):
-                return
-        elif len(values) == 3 and ring.characteristic != 2:
-            c, b, a = values
-            four = ring.mul(ring.number(-4), ring.mul(a, c))
-            if not is_square(ring, ring.add(ring.mul(b, b), four)):
-                return
-        reject("a polynomial that should have no root may have one")
+        if not self.rootless(ring, values):
+            reject("a polynomial that should have no root may have one")
+
+
+def _no_factor(ring: Ring, values: list[Any]) -> bool:
+    """Tell whether a polynomial over ℚ has no root, as it has no linear factor."""
+    below = lcm(*(value.denominator for value in values))
+    return has_no_rational_root([int(value * below) for value in values])
+
+
+def _no_square(ring: Ring, values: list[Any]) -> bool:
+    """Tell whether a quadratic polynomial has no root, as its discriminant is no square."""
+    if len(values) != 3 or ring.characteristic == 2:
+        return False
+    c, b, a = values
+    four = ring.mul(ring.number(-4), ring.mul(a, c))
+    return not is_square(ring, ring.add(ring.mul(b, b), four))
