@@ -32,6 +32,11 @@ class Finding:
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
 
+def finding(scope: str, method: str) -> Finding:
+    """Return what a single piece of evidence shows."""
+    return Finding(scope, method)
+
+
 def together(findings: Iterable[Finding]) -> Finding:
     """Return what several findings show that are all needed: the narrowest scope, and each method once."""
     every = list(findings)

@@ -5,7 +5,7 @@ from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
 from hfield.certificates.context import Context
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding
+from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
 from hfield.certificates.items import Item
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import is_constant
@@ -23,11 +23,11 @@ def check_implication(expansion: Expansion, setting: Setting, data: Any) -> Find
     items = [Item(raw, context) for raw in a_list(data["items"], "items")]
     ring = setting.field
     if ring is None:
-        return Finding(_everywhere(expansion, items), "implication")
+        return finding(_everywhere(expansion, items), "implication")
     if not ring.is_field and (expansion.factors or not ring.is_domain):
         items = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
     _cover(expansion, Place(expansion, ring), items)
-    return Finding(FIELD, "implication").citing(*context.rules.cites)
+    return finding(FIELD, "implication").citing(*context.rules.cites)
 
 
 def _everywhere(expansion: Expansion, items: list[Item]) -> str:

@@ -11,11 +11,12 @@ from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Quaternion
 from hfield.certificates.exhaustion import check_all, check_exists, truth_at
 from hfield.certificates.existence import cases, none_exists, place, terms
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding
+from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
 from hfield.certificates.implication import check_implication
 from hfield.certificates.language import Tree
 from hfield.certificates.multilinear import check_multilinear
 from hfield.certificates.over_field import Place
+from hfield.certificates.quaternion_roots import quaternion_root
 from hfield.certificates.rejection import (
     a_text,
     an_integer,
@@ -26,7 +27,6 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.roots import complex_root, real_root
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.numbers import Floats
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree
 from hfield.certificates.transfer import fractions, reduction
@@ -36,7 +36,7 @@ from hfield.certificates.values import read_values
 def establish(statement: Statement, setting: Setting, verdict: str, evidence: object) -> Finding:
     """Check the evidence for a verdict on a statement; return what it shows."""
     kind = kind_of(evidence)
-    if verdict != "refuted" and isinstance(setting.field, Floats):
+    if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
     check = KINDS.get((verdict, bool(statement.exists), kind))
     if check is None:
@@ -56,7 +56,7 @@ def _identity(statement: Statement, setting: Setting, evidence: object) -> Findi
     over = _place(statement, setting)
     if not all(map(over.is_trivial, over.expansion.clauses)):
         reject("the statement does not hold by expanding")
-    return Finding(RINGS, "identity").within(_reach(statement, setting))
+    return finding(RINGS, "identity").within(_reach(statement, setting))
 
 
 def _implication(statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -86,22 +86,22 @@ def _exhaustion(statement: Statement, setting: Setting, evidence: object) -> Fin
     data = an_object(evidence, "kind cases", "the evidence")
     check = check_exists if statement.exists else check_all
     check(statement, setting, an_integer(data["cases"], "cases", 1))
-    return Finding(FIELD, "exhaustion")
+    return finding(FIELD, "exhaustion")
 
 
 def _multilinear(statement: Statement, setting: Setting, evidence: object) -> Finding:
     data = an_object(evidence, "kind unknowns tuples", "the evidence")
     check_multilinear(statement, setting, data)
-    return Finding(RINGS, "multilinear").within(_reach(statement, setting))
+    return finding(RINGS, "multilinear").within(_reach(statement, setting))
 
 
 def _counterexample(statement: Statement, setting: Setting, evidence: object) -> Finding:
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not False:
         reject("the statement is true for the values of the witness, or the algebra not defined")
-    if isinstance(ring, Floats):
-        return Finding(FIELD, "floats, exact on small integers")
-    return Finding(FIELD, _refuted(statement.matrix, ring.order is None))
+    if not ring.is_exact:
+        return finding(FIELD, "floats, exact on small integers")
+    return finding(FIELD, _refuted(statement.matrix, ring.order is None))
 
 
 def _refuted(tree: Tree, infinite: bool) -> str:
@@ -133,7 +133,7 @@ def _example(statement: Statement, setting: Setting, evidence: object) -> Findin
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not True:
         reject("the statement is false for the values of the witness, or the algebra not defined")
-    return Finding(FIELD, "witness")
+    return finding(FIELD, "witness")
 
 
 def _witness(
@@ -172,6 +172,7 @@ KINDS: dict[tuple[str, bool, str], Check] = {
     ("proved", True, "cases"): partial(cases, prove),
     ("proved", True, "real root"): real_root,
     ("proved", True, "complex root"): complex_root,
+    ("proved", True, "quaternion root"): quaternion_root,
     ("proved", False, "fractions"): partial(fractions, prove),
     ("proved", False, "reduction"): partial(reduction, prove),
     ("refuted", False, "witness"): _counterexample,

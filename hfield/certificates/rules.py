@@ -1,18 +1,15 @@
 """Rules of a field that steps of an implication use: forms that are 0 only at 0, polynomials without roots.
 
-Each is verified, as ``facts`` give it, before any step uses it. docs/trust.md has the proofs.
+Each is verified, before any step uses it. docs/trust.md has the proofs.
 """
 
-from collections.abc import Callable
-from math import lcm
 from typing import Any
 
+from hfield.certificates.anisotropy import anisotropic
 from hfield.certificates.clauses import Expansion
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.certificates.facts import has_no_rational_root, is_ordered, is_square, level_above
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
-from hfield.certificates.places import anisotropic
 from hfield.certificates.polynomials import (
     Names,
     Poly,
@@ -43,7 +40,7 @@ class Rules:
         self.expansion, self.setting, self.place = expansion, setting, place
         self.norms: dict[str, Evaluator] = {}  # by the algebra; "" is that of the statement
         self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
-        self.rootless: Callable[[Ring, list[Any]], bool] | None = None
+        self.roots = False
         self.cites: dict[str, None] = {}
         entries = a_list(facts, "facts")
         if len(entries) > MAX_FACTS:
@@ -56,11 +53,10 @@ class Rules:
                 self._norm(fact, setting.field)
             elif form == "squares" and self.squares is None:
                 self._squares(fact, setting.field)
-            elif form == "roots" and self.rootless is None:
-                by = "factors" if setting.field.name == "QQ" else "squares"
-                if an_object(fact, "form by", "a fact")["by"] != by:
-                    reject(f"roots in {setting.field.name} are told by {by}")
-                self.rootless = _no_factor if by == "factors" else _no_square
+            elif form == "roots" and not self.roots:
+                if an_object(fact, "form by", "a fact")["by"] != setting.field.roots_by:
+                    reject(f"roots in {setting.field.name} are told by {setting.field.roots_by}")
+                self.roots = True
             else:
                 reject("a fact is of no known form, or stands there twice")
 
@@ -94,9 +90,9 @@ class Rules:
         if most is not None:
             an_integer(most, "most", 1)
         if fact["by"] == "ordering":
-            if not is_ordered(ring):
+            if not ring.is_ordered:
                 reject(f"{ring.name} is not known to have an ordering")
-        elif fact["by"] != "level" or positive or most is None or not level_above(ring, most - 1):
+        elif fact["by"] != "level" or positive or most is None or not ring.level_above(most - 1):
             reject(f"sums of squares in {ring.name} may be 0")
         self.squares = most, positive
 
@@ -161,24 +157,9 @@ class Rules:
     def _need_rootless(self, values: list[Any]) -> None:
         """Reject unless Σ cₖ·xᵏ has the degree that it seems to have, and no root in the field."""
         ring = self.setting.field
-        if ring is None or self.rootless is None:
+        if ring is None or not self.roots:
             reject("a step uses the fact 'roots', which is not there")
         if ring.is_zero(values[-1]):
             reject("the leading coefficient is 0")
-        if not self.rootless(ring, values):
+        if not ring.has_no_root(values):
             reject("a polynomial that should have no root may have one")
-
-
-def _no_factor(ring: Ring, values: list[Any]) -> bool:
-    """Tell whether a polynomial over ℚ has no root, as it has no linear factor."""
-    below = lcm(*(value.denominator for value in values))
-    return has_no_rational_root([int(value * below) for value in values])
-
-
-def _no_square(ring: Ring, values: list[Any]) -> bool:
-    """Tell whether a quadratic polynomial has no root, as its discriminant is no square."""
-    if len(values) != 3 or ring.characteristic == 2:
-        return False
-    c, b, a = values
-    four = ring.mul(ring.number(-4), ring.mul(a, c))
-    return not is_square(ring, ring.add(ring.mul(b, b), four))

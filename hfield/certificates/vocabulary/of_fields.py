@@ -4,12 +4,11 @@ import re
 from itertools import product
 from typing import Any, NoReturn
 
+from hfield.certificates.anisotropy import anisotropic
 from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.certificates.facts import is_ordered, is_square, level_above
-from hfield.certificates.finding import FIELD, Finding
+from hfield.certificates.finding import FIELD, Finding, finding
 from hfield.certificates.over_field import Place
-from hfield.certificates.places import anisotropic
 from hfield.certificates.rejection import (
     a_list,
     an_integer,
@@ -65,12 +64,12 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
         constants = (minus_one, field.zero, minus_one)
         reason = {key: value for key, value in evidence.items() if key != "kind"}
         cited = anisotropic(field, constants, reason, setting.algebra)
-        return Finding(FIELD, "anisotropic norm").citing(*cited)
+        return finding(FIELD, "anisotropic norm").citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
             reject("the element is 0, or its norm is not")
-        return Finding(FIELD, "zero norm")
+        return finding(FIELD, "zero norm")
     _unfit(kind, verdict)
 
 
@@ -91,9 +90,9 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
         an_object(evidence, "kind", "the evidence")
-        if not (is_ordered(field) if bound is None else level_above(field, bound)):
+        if not (field.is_ordered if bound is None else field.level_above(bound)):
             reject(f"that −1 is no sum of squares in {field.name} cannot be verified")
-        return Finding(FIELD, "level")
+        return finding(FIELD, "level")
     if verdict == "refuted" and kind == "squares":
         data = an_object(evidence, "kind values", "the evidence")
         values = [field.read(text) for text in texts(data["values"], "values", 1)]
@@ -102,7 +101,7 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
             total = field.add(total, field.mul(x, x))
         if (bound is not None and len(values) > bound) or not field.equal(total, field.number(-1)):
             reject("the squares are too many, or do not add up to −1")
-        return Finding(FIELD, "sum of squares")
+        return finding(FIELD, "sum of squares")
     _unfit(kind, verdict)
 
 
@@ -115,9 +114,9 @@ def norm_criterion(
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "ordering" and parts == (">",):
         an_object(evidence, "kind", "the evidence")
-        if not is_ordered(field):
+        if not field.is_ordered:
             reject(f"{field.name} is not known to have an ordering")
-        return Finding(
+        return finding(
             FIELD, "ordering"
         )  # N(q) is a sum of squares, so it is positive wherever it is not 0
     if verdict == "refuted" and kind == "witness":
@@ -128,7 +127,7 @@ def norm_criterion(
             reject("the norm is not that number")
         if not (n < 0 if parts == (">",) else n > 0):
             reject("the norm does not contradict the criterion")
-        return Finding(FIELD, "witness")
+        return finding(FIELD, "witness")
     _unfit(kind, verdict)
 
 
@@ -141,16 +140,16 @@ def modulus_exists(
     if verdict == "proved" and kind == "closed" and field.name in CLOSED:
         an_object(evidence, "kind", "the evidence")
         # In RR a sum of squares is not negative.
-        return Finding(FIELD, "closed field").citing(CLOSED[field.name])
+        return finding(FIELD, "closed field").citing(CLOSED[field.name])
     if verdict == "proved" and kind == "identity":
         an_object(evidence, "kind", "the evidence")
         _identity("norm(q) == (q[0] + q[1] + q[2] + q[3])**2", setting)
-        return Finding(FIELD, "identity")
+        return finding(FIELD, "identity")
     if verdict == "refuted" and kind == "no root":
         data = an_object(evidence, "kind value", "the evidence")
-        if is_square(field, _evaluator(field).norm(_quaternion(field, data["value"]))):
+        if field.is_square(_evaluator(field).norm(_quaternion(field, data["value"]))):
             reject("the norm of the element is a square")
-        return Finding(FIELD, "witness")
+        return finding(FIELD, "witness")
     _unfit(kind, verdict)
 
 
@@ -167,29 +166,29 @@ def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "refuted" and kind == "all choices":
         _no_choice(field, parts[0], an_object(evidence, "kind elements roots", "the evidence"))
-        return Finding(FIELD, "all choices of roots")
+        return finding(FIELD, "all choices of roots")
     if verdict != "proved" or parts != ("*",):
         _unfit(kind, verdict)
     an_object(evidence, "kind", "the evidence")
     _identity("norm(p*q) == norm(p)*norm(q)", setting)
     p = field.characteristic
     if kind == "unique roots" and p == 2:
-        return Finding(
+        return finding(
             FIELD, kind
         )  # y² = z² means (y − z)² = 0, so the product of the roots is the root
-    if kind == "ordering" and is_ordered(field):
-        return Finding(
+    if kind == "ordering" and field.is_ordered:
+        return finding(
             FIELD, kind
         )  # the roots that are not negative: their products are not negative
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
         if field.order > MAX_TRIED:
-            return Finding(FIELD, "choice of roots")
+            return finding(FIELD, "choice of roots")
         _try_squares(field)
-        return Finding(FIELD, "exhaustion")
-    if kind == "pure subgroup" and field.order is None and not is_square(field, field.number(-1)):
+        return finding(FIELD, "exhaustion")
+    if kind == "pure subgroup" and field.order is None and not field.is_square(field.number(-1)):
         # {1, −1} is pure, so a complement of it contains one root of each.
-        return Finding(FIELD, "choice of roots").citing(KULIKOV)
+        return finding(FIELD, "choice of roots").citing(KULIKOV)
     _unfit(kind, verdict)
 
 

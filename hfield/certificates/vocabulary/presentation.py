@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.certificates.finding import FIELD, RINGS, Finding
+from hfield.certificates.finding import FIELD, RINGS, Finding, finding
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import (
     a_list,
@@ -152,7 +152,7 @@ def establish_presentation(
     if ring is not None and ring.characteristic != p:
         reject("the algebra is over another characteristic than the field has")
     _table(target, p, data)
-    return Finding(FIELD, "algebra")
+    return finding(FIELD, "algebra")
 
 
 def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Finding:
@@ -182,7 +182,7 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Findi
             )
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
-    return Finding(RINGS if ring is None else FIELD, "presentation")
+    return finding(RINGS if ring is None else FIELD, "presentation")
 
 
 Vector = list[int]
