@@ -61,7 +61,7 @@ def _cover(expansion: Expansion, place: Place, items: list[Item]) -> None:
 def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item]) -> bool:
     """Tell whether verified items prove the clause."""
     # Where a factor of the denominators is 0, the clause is true: so it may be divided by.
-    single = {goal[0] for goal in clause.goals if len(goal) == 1}
+    single = {f for goal in clause.goals if len(goal) == 1 for f in goal}
     known = [f for f in expansion.factors if freeze(f) in single]
 
     def same(f: Any) -> Any:

@@ -75,7 +75,7 @@ class Rules:
         here = Evaluator(RingScalars(ring), setting.constants, known)
         if here.conditions or setting.letters:
             reject("the structure constants of a fact are not known")
-        a, t, b = (here.term(tree)[0] for tree in setting.constants)
+        a, t, b = here.constants
         reason = {key: value for key, value in fact.items() if key not in ("form", "algebra")}
         self.cites |= dict.fromkeys(anisotropic(ring, (a, t, b), reason, setting.algebra))
         general = self.expansion.evaluator

@@ -106,7 +106,7 @@ def _commutators() -> Matrix:
     """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, eight rows of four."""
     ring = read_field("ZZ")
     evaluator = Evaluator(RingScalars(ring), HAMILTON, {})
-    units = [evaluator.term(("name", u))[0] for u in "eijk"]
+    units = [evaluator.value(("name", u)) for u in "eijk"]
     rows = []
     for g in units[1:3]:
         pairs = [(evaluator.product(q, g), evaluator.product(g, q)) for q in units]
