@@ -229,7 +229,7 @@ class _Logic:
         if field is not None and read_field(a_text(data["field"], "field")).name != field.name:
             reject("the field of the evidence is not that of the certificate")
         anywhere = replace(self.setting, field=None)
-        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth)
+        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by("witness")
 
     def _implies(self, verdict: str, kind: str, evidence: Any) -> Finding:
         if verdict == "proved" and kind == "conclusion":
@@ -242,7 +242,7 @@ class _Logic:
             data = an_object(evidence, "kind left right", "the evidence")
             left = self.part(0, *_judged(data["left"], ("proved",)))
             right = self.part(1, *_judged(data["right"], ("refuted",)))
-            return together((left, right)).within(FIELD)
+            return together((left, right)).within(FIELD).by(right.method)
         reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
 
     def _iff(self, verdict: str, kind: str, evidence: Any) -> Finding:

@@ -21,9 +21,11 @@ from hfield.certificates.rejection import (
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
 from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
+from hfield.certificates.work import charge
 
 CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
 MAX_ROOTS = 8
+MAX_TRIED = 256  # the largest field whose pairs of roots are all multiplied
 
 
 def _field(setting: Setting) -> Ring:
@@ -67,7 +69,7 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
             reject("the element is 0, or its norm is not")
-        return finding(FIELD, "zero norm", "witness")
+        return finding(FIELD, "zero norm")
     _unfit(kind, verdict)
 
 
@@ -180,11 +182,25 @@ def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence
         )  # the roots that are not negative: their products are not negative
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
-        return finding(FIELD, "exhaustion", "choice of roots")
+        if field.order > MAX_TRIED:
+            return finding(FIELD, "choice of roots")
+        _try_squares(field)
+        return finding(FIELD, "exhaustion")
     if kind == "pure subgroup" and field.order is None and not field.is_square(field.number(-1)):
         # {1, −1} is pure, so a complement of it contains one root of each.
         return finding(FIELD, "choice of roots").citing(KULIKOV)
     _unfit(kind, verdict)
+
+
+def _try_squares(field: Ring) -> None:
+    """Check over a finite field that roots which are squares themselves are enough, and multiply to such."""
+    charge(20 * (field.order or 0) ** 2)
+    squares = {field.mul(x, x) for x in field.elements()}
+    root = {field.mul(x, x): x for x in squares}
+    for x, y in product(root.values(), repeat=2):
+        xy = field.mul(x, y)
+        if root.keys() != squares or root[field.mul(xy, xy)] != xy:
+            reject("the roots that are squares do not multiply to such roots")
 
 
 def _no_choice(field: Ring, operation: str, data: Any) -> None:
