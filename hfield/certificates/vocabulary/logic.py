@@ -29,7 +29,6 @@ from hfield.certificates.rejection import (
     shown,
 )
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.numbers import Floats
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
 from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME, INDUCTION
 from hfield.certificates.vocabulary import linear_algebra, of_fields
@@ -112,7 +111,7 @@ def establish_any(
     text: str, setting: Setting, verdict: str, evidence: Any, depth: int = 0
 ) -> Finding:
     """Check the evidence for a verdict on a statement of any kind."""
-    if verdict != "refuted" and isinstance(setting.field, Floats):
+    if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
     p = read_proposition(text, depth)
     if p is None:
@@ -236,7 +235,7 @@ class _Logic:
         if field is not None and read_field(a_text(data["field"], "field")).name != field.name:
             reject("the field of the evidence is not that of the certificate")
         anywhere = replace(self.setting, field=None)
-        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth)
+        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by("witness")
 
     def _implies(self, verdict: str, kind: str, evidence: Any) -> Finding:
         if verdict == "proved" and kind == "conclusion":
@@ -249,7 +248,7 @@ class _Logic:
             data = an_object(evidence, "kind left right", "the evidence")
             left = self.part(0, *_judged(data["left"], ("proved",)))
             right = self.part(1, *_judged(data["right"], ("refuted",)))
-            return together((left, right)).within(FIELD)
+            return together((left, right)).within(FIELD).by(right.method)
         reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
 
     def _iff(self, verdict: str, kind: str, evidence: Any) -> Finding:
