@@ -57,7 +57,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     ),
     "vocabulary": (
         ("hfield/certificates/vocabulary/*.py", "hfield/certificates/rules.py"),
-        (*CHECKER, "tests/certificates/test_real_words.py"),
+        (*CHECKER, "tests/certificates/test_real_words.py", "tests/certificates/test_vocabulary.py"),
     ),
     "scalars": (
         ("hfield/certificates/scalars/*.py",),
