@@ -22,7 +22,7 @@ def statements_of_the_thesis():
     for claim in claims():
         for proposition in (claim.as_printed, claim.corrected):
             if isinstance(proposition, Statement):
-                yield proposition.text
+                yield proposition.statement
 
 
 def test_every_statement_of_the_thesis_is_read_as_it_is_printed():
