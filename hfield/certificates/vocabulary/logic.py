@@ -14,7 +14,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.finding import FIELD, FIELDS, Finding, together
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, FIELD, FIELDS, INDUCTION
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import parse, walk
 from hfield.certificates.rejection import (
@@ -28,7 +29,6 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
-from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME, INDUCTION
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.lemmas import LEMMAS
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
