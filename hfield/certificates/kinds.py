@@ -27,6 +27,7 @@ from hfield.certificates.implication import check_implication
 from hfield.certificates.language import Tree
 from hfield.certificates.multilinear import check_multilinear
 from hfield.certificates.over_field import Place
+from hfield.certificates.quaternion_roots import quaternion_root
 from hfield.certificates.rejection import (
     a_text,
     an_integer,
@@ -162,6 +163,7 @@ KINDS: dict[tuple[str, bool, str], Check] = {
     ("proved", True, "cases"): partial(cases, prove),
     ("proved", True, "real root"): real_root,
     ("proved", True, "complex root"): complex_root,
+    ("proved", True, "quaternion root"): quaternion_root,
     ("proved", False, "fractions"): partial(fractions, prove),
     ("proved", False, "reduction"): partial(reduction, prove),
     ("refuted", False, "witness"): _counterexample,
