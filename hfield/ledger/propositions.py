@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,10 +21,17 @@ from hfield.ledger.carried import carried
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
+from hfield.proving.statements.printing import to_text
 from hfield.rings import ring
 from hfield.rings.base import Ring
+from hfield.syntax import Node
 
 TRUE = ("proved", "vacuous")
+
+
+def written(node: Node | str) -> str:
+    """Return a tree as text, and a text as it is."""
+    return node if isinstance(node, str) else to_text(node)
 
 
 @dataclass(frozen=True)
@@ -38,6 +45,13 @@ class Statement:
     given: tuple[str, ...] = ()
     words: str = ""
     algebra: str | None = None
+
+    @classmethod
+    def of(
+        cls, formula: Node | str, given: Sequence[Node | str] = (), words: str = ""
+    ) -> Statement:
+        """Return the statement that a tree says, under hypotheses that are trees or texts."""
+        return cls(written(formula), tuple(map(written, given)), words)
 
     @property
     def text(self) -> str:
