@@ -135,7 +135,7 @@ class QuaternionAlgebra(Invariants):
             **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
         }
         reader = syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit)
-        element: Quaternion = reader.read(text)
+        element: Quaternion = reader.read(syntax.plain_element(text))
         return element
 
     def _lift(self, name: str, function: Any) -> Any:

@@ -39,6 +39,8 @@ CLOSED_FIELD = "closed field"
 UNIQUE_ROOTS = "unique roots"
 CHOICE_OF_ROOTS = "choice of roots"
 ALL_CHOICES_OF_ROOTS = "all choices of roots"
+ORDER, IDEAL, ELEMENT, NORM = "order", "ideal", "element", "norm"
+ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
 
 # What a certificate may call its method; several are joined by "; ".
 METHODS = {
@@ -65,6 +67,13 @@ METHODS = {
     UNIQUE_ROOTS: "in characteristic 2 a square has one root",
     CHOICE_OF_ROOTS: "one root of each square was chosen",
     ALL_CHOICES_OF_ROOTS: "all choices of roots were tried",
+    ORDER: "a lattice is a ring with 1, of that discriminant",
+    IDEAL: "a lattice is an ideal of an order, of that norm, and locally principal",
+    ELEMENT: "an element that carries one lattice to another, or has the discriminant stated",
+    NORM: "the norms of two ideals, or their quotient, differ",
+    ENUMERATION: "all elements of a trace and a norm were listed",
+    DISCRIMINANT: "two orders have different discriminants",
+    BY_MASS: "classes that are different have the mass of all",
 }
 
 NONE = "none"
@@ -105,6 +114,7 @@ QUATERNION_ROOT = (
     "a polynomial over H(RR) with a single term of the highest degree has a root (Eilenberg, Niven)"
 )
 REAL_ROOTS = "every number that is not negative is a square in RR"
+MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
 COMPLEX_ROOTS = "every number is a square in CC"
 
 # The theorems that evidence may cite, by the texts that stand in ``assumes``, and where they are proved. They
@@ -119,6 +129,7 @@ THEOREMS = {
     QUATERNION_ROOT: "Eilenberg and Niven, Bulletin of the AMS 50 (1944), 246-248",
     INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
+    MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
     COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",
 }
 # Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.

@@ -4,7 +4,7 @@ Terms are sums of monomials a₀·q·a₁·q⋯q·aₙ. Where a single one has t
 the polynomial has a root (Eilenberg and Niven).
 """
 
-from hfield.certificates.finding import Finding, finding
+from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import FIELD, QUATERNION_ROOT, WITNESS
 from hfield.certificates.language import Tree, walk
 from hfield.certificates.rejection import an_object, reject
@@ -28,7 +28,7 @@ def quaternion_root(statement: Statement, setting: Setting, evidence: object) ->
     degree, single = _sum(_top(left, statement.exists[0]), _top(right, statement.exists[0]))
     if not 1 <= degree <= MAX_DEGREE or not single:
         reject("no single monomial has the highest degree, which is positive")
-    return finding(FIELD, WITNESS).citing(QUATERNION_ROOT)
+    return Finding(FIELD, WITNESS).citing(QUATERNION_ROOT)
 
 
 def _top(tree: Tree, name: str) -> Top:

@@ -6,11 +6,11 @@ A ring is a parent object; its elements are the values of some library as they c
 say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
 """
 
-import random
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 from hfield import syntax
@@ -140,7 +140,7 @@ class Ring(ABC):
         """Run through all elements of a finite ring, 0 and 1 first."""
         raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element, small if the ring is infinite; the same for the same seed."""
         return self(rng.randint(-9, 9))
 

@@ -32,6 +32,7 @@ from hfield.syntax.building import (
 )
 from hfield.syntax.parser import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, parse
 from hfield.syntax.reader import Reader, weight
+from hfield.syntax.spelling import plain, plain_element
 from hfield.syntax.tree import (
     Binary,
     Call,
@@ -80,6 +81,8 @@ __all__ = [
     "norm",
     "number",
     "parse",
+    "plain",
+    "plain_element",
     "scalar",
     "unequal",
     "vector",

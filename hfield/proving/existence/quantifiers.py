@@ -23,7 +23,15 @@ from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots
 from hfield.proving.existence.real_roots import by_roots
-from hfield.proving.existence.terms import Decide, about, by_terms, constants_in, matrix, true_place
+from hfield.proving.existence.terms import (
+    Decide,
+    about,
+    alone,
+    by_terms,
+    constants_in,
+    matrix,
+    true_place,
+)
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.methods import all_fields, one_ring
 from hfield.proving.polynomials.vanishing import constant
@@ -49,7 +57,7 @@ def vacuous(
         node = Logic("and", node, h)
     if true_place(about(statement, node), setting, FEW, deadline) is not None:
         return None
-    never = about(statement, Not(node))
+    never = alone(statement, Not(node), setting)
     decision = decide_one(never, setting, deadline)
     if decision.verdict != PROVED:
         return None

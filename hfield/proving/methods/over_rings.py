@@ -42,7 +42,7 @@ def decide(
     assert field is not None
     found = look(statement, setting, FEW, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, statement)
+        return refuted(field, found, statement)
     tried = [f"{FEW} small places over {field.name}"]
     try:
         x = expand(statement, setting.constants)
