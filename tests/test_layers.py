@@ -56,7 +56,7 @@ FLOORS = [
     {"rotation.bench"},
     {"rotation.ledger"},
     {"rotation.commands"},
-    {"anim.errors", "anim.attitude"},
+    {"anim.errors", "anim.attitude", "anim.catalogue"},
     {"anim.checks"},
     {"anim.model", "anim.film", "anim.timeline"},
     {"anim.motion", "anim.picture", "anim.output"},
