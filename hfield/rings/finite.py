@@ -77,7 +77,7 @@ class PrimeField(FiniteField, Modular):
 
     def from_label(self, n: int) -> Any:
         """Return the element with galois's integer label n."""
-        return self._make(n)
+        return self.residue(n)
 
 
 class ExtensionField(FiniteField):
