@@ -144,7 +144,7 @@ class Rationals(_Ordered):
         """Elements are held as four ints over one denominator."""
         from hfield.rings.held.fractions import Fractions
 
-        return Fractions(self, constants)
+        return Fractions(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
