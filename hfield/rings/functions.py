@@ -15,8 +15,10 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
 from hfield.rings.printing import quotient_text, sum_text
 from hfield.rings.quotient import Quotient
@@ -175,6 +177,12 @@ class FunctionField(Ring):
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four polynomials over one."""
+        from hfield.rings.held.rational_functions import RationalFunctions
+
+        return RationalFunctions(self, constants)
 
     def places(self) -> Iterator[Any]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""

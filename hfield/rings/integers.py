@@ -80,6 +80,14 @@ class Integers(_Ordered):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
 
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints, as those over ℚ are."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(
+            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _: flint.fmpz(n)
+        )
+
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
