@@ -3,13 +3,18 @@
 from abc import abstractmethod
 from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from functools import cached_property
 from random import Random
 from typing import Any
 
 import flint
 
 from hfield.errors import NotInvertibleError, shorten
+from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
+from hfield.rings.held import tables
+from hfield.rings.held.quotients import Polynomials
+from hfield.rings.holding import Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -77,7 +82,7 @@ class PrimeField(FiniteField, Modular):
 
     def from_label(self, n: int) -> Any:
         """Return the element with galois's integer label n."""
-        return self._make(n)
+        return self.residue(n)
 
 
 class ExtensionField(FiniteField):
@@ -194,6 +199,17 @@ class ExtensionField(FiniteField):
             if y is not None:
                 return (y,) if x.is_zero() else (x, y)
         raise AssertionError("in a finite field −1 is a sum of two squares")
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements over a small field are held as labels, over a large one as polynomials."""
+        if self.order < tables.BELOW:
+            return tables.Labels(self, constants)
+        return Polynomials(self, constants)
+
+    @cached_property
+    def tables(self) -> tables.Tables:
+        """What a small field knows by heart: its sums, products and inverses, of labels."""
+        return tables.tables(self)
 
     def elements(self) -> Iterator[Any]:
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""

@@ -10,7 +10,9 @@ import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import is_prime
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
@@ -78,6 +80,14 @@ class Integers(_Ordered):
         if isinstance(number, Fraction):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints, as those over ℚ are."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(
+            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _: flint.fmpz(n)
+        )
 
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
@@ -151,6 +161,12 @@ class Rationals(_Ordered):
     def random(self, rng: Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints over one denominator."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
