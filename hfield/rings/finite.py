@@ -9,7 +9,9 @@ from typing import Any
 import flint
 
 from hfield.errors import NotInvertibleError, shorten
+from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
+from hfield.rings.holding import Batch
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -39,6 +41,16 @@ class FiniteField(Ring):
     def array(self, values: Any) -> Any:
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
         return _arrays().array(self, values)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
+        return _arrays().of_labels(self, row)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of labels, unless the field is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
 
     def scalar(self, x: Any) -> Any:
         """Turn an entry of ``array`` back into an element."""

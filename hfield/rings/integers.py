@@ -10,7 +10,9 @@ import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import is_prime
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Batch
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
@@ -149,6 +151,26 @@ class Residues(Modular):
 
     def __init__(self, n: int) -> None:
         super().__init__(f"ZZ/{n}", n, is_prime(n))
+
+    def label(self, x: Any) -> int:
+        """Return the residue between 0 and n − 1."""
+        return int(x)
+
+    def from_label(self, n: int) -> Any:
+        """Return the element with a residue."""
+        return self._make(n)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of residues as ``array`` returns arrays."""
+        from hfield.rings.arrays import objects
+
+        return objects(row, lambda n: self._make(int(n)))
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of residues, unless the modulus is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
 
     def state(self, x: Any) -> Any:
         """Return the residue as an int."""
