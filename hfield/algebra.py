@@ -217,6 +217,10 @@ class QuaternionAlgebra(Invariants):
         return self is other or (isinstance(other, QuaternionAlgebra) and self._key == other._key)
 
     def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
         return hash(self._key)
 
     def __contains__(self, x: object) -> bool:

@@ -13,6 +13,8 @@ from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring, power
 from hfield.rings.holding import Batch, Holding
 
+_blank: Any = object.__new__
+
 
 class Parent(Protocol):
     """What an element asks of its algebra: :class:`hfield.algebra.QuaternionAlgebra`."""
@@ -41,6 +43,7 @@ class Quaternion(ElementFacts):
     """
 
     # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
+    # No __setattr__ or __delattr__ of its own: they would make every new element slower.
     __slots__ = ("_algebra", "_held", "_how")
     __array_ufunc__ = None  # or numpy would distribute ``array * q`` over the array's entries
 
@@ -62,6 +65,10 @@ class Quaternion(ElementFacts):
     def algebra(self, value: object) -> NoReturn:
         _refuse_change()
 
+    @algebra.deleter
+    def algebra(self) -> NoReturn:
+        _refuse_change()
+
     @property
     def coordinates(self) -> Coordinates:
         """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or arrays of them."""
@@ -71,7 +78,8 @@ class Quaternion(ElementFacts):
     def coordinates(self, value: object) -> NoReturn:
         _refuse_change()
 
-    def __delattr__(self, name: str) -> None:
+    @coordinates.deleter
+    def coordinates(self) -> NoReturn:
         _refuse_change()
 
     # --- shape ---------------------------------------------------------------------------------
@@ -102,17 +110,15 @@ class Quaternion(ElementFacts):
         if not isinstance(how, Batch) or not how.shape(self._held):
             raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
         part = how.part(self._held, index)
-        return self._alike(part) if how.shape(part) else self._new(*how.single(part))
+        if not how.shape(part):
+            return self._new(*how.single(part))
+        return held_by(self._algebra, how, part)
 
     def __iter__(self) -> Iterator[Quaternion]:
         return (self[n] for n in range(len(self)))
 
     def _new(self, w: Any, x: Any, y: Any, z: Any) -> Quaternion:
         return Quaternion(self._algebra, (w, x, y, z))
-
-    def _alike(self, held: Any) -> Quaternion:
-        """Return another element of this algebra, held as this one is."""
-        return held_by(self._algebra, self._how, held)
 
     def _operand(self, other: Any, operation: str) -> Quaternion:
         """Bring the other operand into this algebra."""
@@ -138,22 +144,27 @@ class Quaternion(ElementFacts):
         return batch, p, q
 
     # --- arithmetic ----------------------------------------------------------------------------
-    # Two elements that are held alike, which is nearly all, skip every question.
+    # Two elements that are held alike, which is nearly always so, skip every question and every call.
 
     def __add__(self, other: Any) -> Quaternion:
-        if type(other) is Quaternion and other._how is self._how:
-            how, p, q = self._how, self._held, other._held
-        else:
-            how, p, q = self._join(other, "add")
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            result: Quaternion = _blank(Quaternion)
+            result._algebra = self._algebra
+            result._how = how
+            add = how.sum
+            result._held = add(self._held, other._held)
+            return result
+        how, p, q = self._join(other, "add")
         return held_by(self._algebra, how, how.sum(p, q))
 
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Quaternion:
-        if type(other) is Quaternion and other._how is self._how:
-            how, p, q = self._how, self._held, other._held
-        else:
-            how, p, q = self._join(other, "subtract")
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            return held_by(self._algebra, how, how.difference(self._held, other._held))
+        how, p, q = self._join(other, "subtract")
         return held_by(self._algebra, how, how.difference(p, q))
 
     def __rsub__(self, other: Any) -> Quaternion:
@@ -161,18 +172,24 @@ class Quaternion(ElementFacts):
         return held_by(self._algebra, how, how.difference(q, p))
 
     def __neg__(self) -> Quaternion:
-        return self._alike(self._how.negative(self._held))
+        how = self._how
+        return held_by(self._algebra, how, how.negative(self._held))
 
     def __pos__(self) -> Quaternion:
         return self
 
     def __mul__(self, other: Any) -> Quaternion:
-        if type(other) is Quaternion and other._how is self._how:
-            how, p, q = self._how, self._held, other._held
-        elif hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            result: Quaternion = _blank(Quaternion)
+            result._algebra = self._algebra
+            result._how = how
+            multiply = how.product
+            result._held = multiply(self._held, other._held)
+            return result
+        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
             return NotImplemented
-        else:
-            how, p, q = self._join(other, "multiply")
+        how, p, q = self._join(other, "multiply")
         return held_by(self._algebra, how, how.product(p, q))
 
     def __rmul__(self, other: Any) -> Quaternion:
@@ -236,7 +253,8 @@ class Quaternion(ElementFacts):
 
     def conjugate(self) -> Quaternion:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
-        return self._alike(self._how.conjugate(self._held))
+        how = self._how
+        return held_by(self._algebra, how, how.conjugate(self._held))
 
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
@@ -323,12 +341,9 @@ class Quaternion(ElementFacts):
         return _unpickled, (self.algebra, self.shape, rows)
 
 
-_blank = object.__new__
-
-
 def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
     """Return the element that ``how``, a holding of this algebra, holds as ``held``."""
-    q = _blank(Quaternion)
+    q: Quaternion = _blank(Quaternion)
     q._algebra = algebra
     q._how = how
     q._held = held

@@ -4,6 +4,7 @@ import random
 from abc import abstractmethod
 from collections.abc import Hashable, Iterator
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import flint
@@ -11,7 +12,8 @@ import flint
 from hfield.errors import NotInvertibleError, shorten
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
-from hfield.rings.holding import Batch
+from hfield.rings.held import tables
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -89,7 +91,7 @@ class PrimeField(FiniteField, Modular):
 
     def from_label(self, n: int) -> Any:
         """Return the element with galois's integer label n."""
-        return self._make(n)
+        return self.residue(n)
 
 
 class ExtensionField(FiniteField):
@@ -201,6 +203,17 @@ class ExtensionField(FiniteField):
             if y is not None:
                 return (y,) if x.is_zero() else (x, y)
         raise AssertionError("in a finite field −1 is a sum of two squares")
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements over a small field are held as labels, over a large one as polynomials."""
+        if self.order < tables.BELOW:
+            return tables.Labels(self, constants)
+        return super().holding(constants)
+
+    @cached_property
+    def tables(self) -> tables.Tables:
+        """What a small field knows by heart: its sums, products and inverses, of labels."""
+        return tables.tables(self)
 
     def elements(self) -> Iterator[Any]:
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""

@@ -12,7 +12,7 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
-from hfield.rings.holding import Batch
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
@@ -139,6 +139,12 @@ class Rationals(_Ordered):
     def random(self, rng: random.Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints over one denominator."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(self, constants)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
