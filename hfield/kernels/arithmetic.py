@@ -27,7 +27,9 @@ class Code:
 class Arithmetic(Protocol):
     """The numbers of a ring in a loop. What stands for one, a payload, is the arithmetic's own affair.
 
-    An arithmetic is immutable and hashable: equal ones make equal loops.
+    An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
+    to run over several elements at a time; ``literal``: whether structure constants are written into
+    the loop, which then serves one algebra, and not read by it.
     """
 
     @property
@@ -36,6 +38,8 @@ class Arithmetic(Protocol):
     def declarations(self) -> tuple[str, ...]: ...  # noqa: D102
     @property
     def vectorise(self) -> bool: ...  # noqa: D102
+    @property
+    def literal(self) -> bool: ...  # noqa: D102
     def tables(self) -> tuple[Any, ...]: ...  # noqa: D102
     def load(self, code: Code, raw: str) -> Any: ...  # noqa: D102
     def store(self, code: Code, x: Any) -> str: ...  # noqa: D102

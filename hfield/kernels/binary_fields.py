@@ -59,6 +59,7 @@ class SmallBinaryField(_BinaryField):
     """GF(2^k), k ≤ 32, bit by bit in words of 2k bits at least."""
 
     vectorise = True
+    literal = False
     declarations = ()
 
     @property
@@ -117,6 +118,7 @@ class LargeBinaryField(_BinaryField):
     instruction: bool  # whether the processor multiplies without carry
 
     vectorise = False
+    literal = False
 
     @property
     def declarations(self) -> tuple[str, ...]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from ctypes import addressof, c_int64
+from functools import reduce
 from math import prod
+from operator import or_
 from threading import Lock
 from typing import Any
 
@@ -46,10 +48,12 @@ class Kernel:
         constants: Mapping[str, int],
     ) -> None:
         self.program, self.arithmetic = program, arithmetic
-        self.sides = (*sides, tuple(constants)) if constants else tuple(sides)
-        self.constants = tuple(np.array(x, arithmetic.dtype) for x in constants.values())
+        self.literals = dict(constants) if arithmetic.literal else {}
+        named = {} if arithmetic.literal else constants
+        self.sides = (*sides, tuple(named)) if named else tuple(sides)
+        self.constants = tuple(np.array(x, arithmetic.dtype) for x in named.values())
         self.tables = arithmetic.tables()
-        self._loops: dict[tuple[bool, ...], Callable[..., int]] = {}
+        self._loops: dict[tuple[bool, ...], compiling.Function] = {}
 
     def __call__(self, *operands: Rows) -> tuple[Rows, int]:
         """Return the rows of the results, of the shape that the operands broadcast to, and the flags.
@@ -61,7 +65,7 @@ class Kernel:
         shape = shapes[0] if len(set(shapes)) == 1 else np.broadcast_shapes(*shapes)
         n = prod(shape)
         out = np.empty((len(self.program.outputs), *shape), self.arithmetic.dtype)
-        results = tuple(out)
+        results = rows_of(out)
         if n == 0:
             return results, 0
         singles = tuple(n > 1 and prod(s) == 1 for s in shapes)
@@ -73,57 +77,57 @@ class Kernel:
             straight.append(self.constants)
             singles = (*singles, True)
         loop = self._loops.get(singles) or self._compiled(singles)
-        return results, self._run(loop, n, straight, singles, results)
+        size = out.itemsize
+        rows, steps = list[Array](), list[int]()
+        for own, single in zip(straight, singles, strict=True):
+            rows += own
+            steps += [0 if single else size] * len(own)
+        rows += [*self.tables, *results]
+        steps += [0] * len(self.tables) + [size] * len(results)
+        return results, run(loop, n, tuple(rows), steps)
 
     def prepare(self) -> None:
         """Compile what two arrays of one shape need, or read it from the disk."""
         count = len(self.sides) - bool(self.constants)
         self._compiled((False,) * count + (True,) * bool(self.constants))
 
-    def _compiled(self, singles: tuple[bool, ...]) -> Callable[..., int]:
+    def _compiled(self, singles: tuple[bool, ...]) -> compiling.Function:
         with _lock:
             if singles not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
-                text = module(self.program, self.arithmetic, operands)
+                text = module(self.program, self.arithmetic, operands, self.literals)
                 address = compiling.compiled(text, "entry", True, _announce)
-                self._loops[singles] = compiling.function(address, 2)
+                self._loops[singles] = compiling.function(address)
         return self._loops[singles]
 
-    def _run(
-        self,
-        loop: Callable[..., int],
-        n: int,
-        operands: list[Rows],
-        singles: tuple[bool, ...],
-        results: Rows,
-    ) -> int:
-        size = results[0].itemsize
-        places: list[int] = []
-        steps: list[int] = []  # bytes from one element to the next
-        for rows, single in zip(operands, singles, strict=True):
-            places += [_address(row) for row in rows]
-            steps += [0 if single else size] * len(rows)
-        places += [_address(table) for table in self.tables]
-        steps += [0] * len(self.tables)
-        places += [_address(row) for row in results]
-        steps += [size] * len(results)
-        table = c_int64 * len(places)
-        if n < MANY or threads() == 1:
-            whole = table(*places)
-            return loop(n, addressof(whole))
-        starts = iter(range(0, n, PIECE))
-        told: list[int] = []
 
-        def work(_: int) -> bool:
-            for start in starts:
-                here = table(
-                    *(place + start * step for place, step in zip(places, steps, strict=True))
-                )
-                told.append(loop(min(PIECE, n - start), addressof(here)))
-            return False
+def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:
+    """Run a loop over n elements, in as many threads as that pays for; return all flags together.
 
-        share(work, n // PIECE, (operands, results, self.tables))
-        return max(told)
+    ``steps`` are the bytes from one element to the next in each row, 0 where one serves for all.
+    """
+    places = [_address(row) for row in rows]
+    table = c_int64 * len(places)
+    if n < MANY or threads() == 1:
+        whole = table(*places)
+        return loop(n, addressof(whole))
+    starts = iter(range(0, n, PIECE))
+    told: list[int] = []
+
+    def work(_: int) -> bool:
+        for start in starts:
+            moved = [place + start * step for place, step in zip(places, steps, strict=True)]
+            here = table(*moved)
+            told.append(loop(min(PIECE, n - start), addressof(here)))
+        return False
+
+    share(work, n // PIECE, rows)
+    return reduce(or_, told)
+
+
+def rows_of(block: Array) -> Rows:
+    """Return the rows of an array as arrays, of no dimensions if need be."""
+    return tuple(block[n, ...] for n in range(len(block)))
 
 
 def _straightened(rows: Rows, shape: tuple[int, ...]) -> Rows:

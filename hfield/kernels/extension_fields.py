@@ -24,6 +24,7 @@ class ExtensionField:
     coefficients: tuple[int, ...]
 
     vectorise = True
+    literal = False
     declarations = Residues.declarations
 
     @property
@@ -68,7 +69,7 @@ class ExtensionField:
         """Reduce and write the label."""
         word = self.digits.word
         digits = [d.name for d in self._reduced(code, x)]
-        p = self.digits.literal(self.characteristic)
+        p = self.digits.number(self.characteristic)
         label = digits.pop()
         while digits:
             label = code.value(f"fmul contract {word} {label}, {p}")

@@ -45,6 +45,7 @@ class LogarithmicField:
     generator: int
 
     vectorise = False
+    literal = False
     declarations = ()
 
     @property

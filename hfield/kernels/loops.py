@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from hfield.kernels.arithmetic import Arithmetic, Code, Symbol, raw_type
@@ -16,15 +17,22 @@ class Operand(NamedTuple):
 
 
 def written(
-    program: Program, arithmetic: Arithmetic, operands: tuple[Operand, ...]
+    program: Program,
+    arithmetic: Arithmetic,
+    operands: tuple[Operand, ...],
+    literals: Mapping[str, int],
 ) -> tuple[Code, list[str]]:
-    """Write the inside of the loop; return it, and the names of the results to be stored."""
+    """Write the inside of the loop; return it, and the names of the results to be stored.
+
+    ``literals`` are the program's other inputs, known beforehand.
+    """
     code, kind = Code(), raw_type(arithmetic.dtype)
 
     def symbol(payload: object) -> Symbol:
         return Symbol(arithmetic, code, payload)
 
-    known = {ONE: symbol(arithmetic.constant(code, 1))}
+    known = {name: symbol(arithmetic.constant(code, x)) for name, x in literals.items()}
+    known[ONE] = symbol(arithmetic.constant(code, 1))
     for operand in operands:
         place = "0" if operand.single else "%i"
         for name in operand.names:
@@ -36,13 +44,18 @@ def written(
     return code, [arithmetic.store(code, x.payload) for x in results]
 
 
-def module(program: Program, arithmetic: Arithmetic, operands: tuple[Operand, ...]) -> str:
+def module(
+    program: Program,
+    arithmetic: Arithmetic,
+    operands: tuple[Operand, ...],
+    literals: Mapping[str, int],
+) -> str:
     """Write the function ``entry(n, addresses)`` that runs the program over n elements.
 
     The addresses are those of the rows of the operands, of the arithmetic's tables, and of the rows of
     the results. It returns the flags of all elements, one or the other bit set where one had to tell.
     """
-    code, results = written(program, arithmetic, operands)
+    code, results = written(program, arithmetic, operands, literals)
     kind = raw_type(arithmetic.dtype)
     tables = [f"table{n}" for n in range(len(arithmetic.tables()))]
     outputs = [f"out{n}" for n in range(len(results))]

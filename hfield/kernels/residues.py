@@ -48,6 +48,7 @@ class Residues:
         return cls(n, "float" if n <= 1 << 8 else "double" if n <= 1 << 23 else "i64")
 
     vectorise = True
+    literal = False
     declarations = (
         "declare float @llvm.floor.f32(float)",
         "declare double @llvm.floor.f64(double)",
@@ -84,9 +85,9 @@ class Residues:
         """Return a residue known beforehand."""
         n = self.modulus
         value = (value + n // 2) % n - n // 2
-        return Bounded(self.literal(value), value, value)
+        return Bounded(self.number(value), value, value)
 
-    def literal(self, value: float) -> str:
+    def number(self, value: float) -> str:
         """Write a number of this word."""
         return str(value) if self.word == "i64" else floating(value, self.word)
 
@@ -110,7 +111,7 @@ class Residues:
 
     def negate(self, code: Code, x: Bounded) -> Bounded:
         """Return −x."""
-        return self.subtract(code, Bounded(self.literal(0), 0, 0), x)
+        return self.subtract(code, Bounded(self.number(0), 0, 0), x)
 
     def _result(
         self, code: Code, which: int, x: Bounded, y: Bounded, low: int, high: int

@@ -29,6 +29,7 @@ class SmallWholeNumbers:
     dtype = "i8"
     declarations = ()
     vectorise = True
+    literal = True
 
     def tables(self) -> tuple[Any, ...]:
         """Return nothing: no tables are needed."""
@@ -85,6 +86,7 @@ class CheckedWholeNumbers:
 
     dtype = "i8"
     vectorise = False
+    literal = True
 
     @property
     def declarations(self) -> tuple[str, ...]:

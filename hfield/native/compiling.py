@@ -10,6 +10,7 @@ from typing import Any
 
 from hfield.native.keeping import keep, kept
 
+Function = Callable[[int, int], int]
 _engines: dict[str, Any] = {}  # what the machine code lies in, as long as the process
 
 
@@ -111,8 +112,7 @@ class Announcer:
         print(self.message, file=sys.stderr)
 
 
-def function(address: int, arguments: int) -> Callable[..., int]:
-    """Return the machine code at an address as a function of 64-bit integers; it frees the lock."""
-    kind = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_int64] * arguments)
-    made: Callable[..., int] = kind(address)
+def function(address: int) -> Function:
+    """Return the machine code at an address as a function of two 64-bit integers; it frees the lock."""
+    made: Function = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_int64)(address)
     return made

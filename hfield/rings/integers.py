@@ -83,6 +83,12 @@ class Integers(_Ordered):
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of 64-bit integers, as long as they fit."""
+        from hfield.rings.array_held.words import WholeArrays
+
+        return WholeArrays(self, constants)
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x for x = 1 or −1. Raises :class:`NotInvertibleError`."""
         if x == 1 or x == -1:
@@ -124,6 +130,12 @@ class Rationals(_Ordered):
             raise self.refuse(x)
         return fmpq(number)
 
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
+        from hfield.rings.array_held.fractions import FractionArrays
+
+        return FractionArrays(self, constants)
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x == 0:
@@ -164,13 +176,13 @@ class Residues(Modular):
 
     def from_label(self, n: int) -> Any:
         """Return the element with a residue."""
-        return self._make(n)
+        return self(n)
 
     def array_of_labels(self, row: Any) -> Any:
         """Return an array of residues as ``array`` returns arrays."""
         from hfield.rings.arrays import objects
 
-        return objects(row, lambda n: self._make(int(n)))
+        return objects(row, lambda n: self(int(n)))
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of residues, unless the modulus is too large."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from hfield.errors import CoercionError
-from hfield.kernels.calling import Rows
+from hfield.kernels.calling import Rows, rows_of
 from hfield.product import Constants, Coordinates
 from hfield.rings.arrays import one_shape
 from hfield.rings.base import Ring
@@ -107,14 +107,18 @@ class RowArrays(Batch):
 
     def from_array(self, values: Any) -> Rows:
         """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
+        return self.checked_block(values, 4)
+
+    def checked_block(self, values: Any, count: int) -> Rows:
+        """Return the rows of an array of integers. Raises :class:`CoercionError`."""
         block = np.asarray(values)
-        if block.ndim == 0 or block.shape[0] != 4 or block.dtype.kind not in "iu":
+        if block.ndim == 0 or block.shape[0] != count or block.dtype.kind not in "iu":
             raise CoercionError(
                 f"an array of {block.dtype} of shape {block.shape} does not hold quaternions over "
-                f"{self.ring}: expected integers of shape (4, …), as to_array() returns them"
+                f"{self.ring}: expected integers of shape ({count}, …), as to_array() returns them"
             )
         self.check_numbers(block)
-        return tuple(block.astype(self.dtype, copy=False))
+        return rows_of(block.astype(self.dtype, copy=False))
 
     def check_numbers(self, block: Row) -> None:
         """Refuse numbers that stand for no element."""
