@@ -103,10 +103,7 @@ class QuaternionAlgebra(Invariants):
         )
 
     def _element(self, values: tuple[Any, ...]) -> Quaternion:
-        if any(isinstance(v, (list, tuple)) or (is_array(v) and v.ndim) for v in values):
-            how: Holding = self.array_holding
-        else:
-            how = self.holding
+        how: Holding = self.array_holding if any(map(_is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
 
     def scalar(self, x: Any) -> Quaternion:
@@ -250,6 +247,13 @@ class QuaternionAlgebra(Invariants):
     def __reduce__(self) -> Any:
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
+
+
+def _is_many(value: Any) -> bool:
+    """Tell whether a coordinate stands for many."""
+    if type(value) is int:
+        return False
+    return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

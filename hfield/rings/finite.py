@@ -13,6 +13,7 @@ from hfield.errors import NotInvertibleError, shorten
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.held import tables
+from hfield.rings.held.quotients import Polynomials
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
@@ -208,7 +209,7 @@ class ExtensionField(FiniteField):
         """Elements over a small field are held as labels, over a large one as polynomials."""
         if self.order < tables.BELOW:
             return tables.Labels(self, constants)
-        return super().holding(constants)
+        return Polynomials(self, constants)
 
     @cached_property
     def tables(self) -> tables.Tables:

@@ -218,7 +218,11 @@ def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
         if base not in _CONTEXTS:
             _CONTEXTS[base] = flint.fq_default_poly_ctx(base.context)
         return _CONTEXTS[base]  # type: ignore[no-any-return,unused-ignore]
-    p = base.characteristic
+    return polynomials_modulo(base.characteristic)
+
+
+def polynomials_modulo(p: int) -> Callable[[list[Any]], Any]:
+    """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
     if p < WORD:
         return lambda coefficients: flint.nmod_poly(coefficients, p)
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]

@@ -170,7 +170,7 @@ class Modular(Ring):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints between 0 and n − 1."""
-        from hfield.rings.held.residues import Residues
+        from hfield.rings.held.quotients import Residues
 
         return Residues(self, constants)
 

@@ -49,13 +49,12 @@ class Fractions(Compact):
         fraction = flint.fmpq
         return fraction(w, d), fraction(x, d), fraction(y, d), fraction(z, d)
 
-    def read(self, values: tuple[Any, ...]) -> Held:
-        """Hold four values that ℚ reads."""
-        w, x, y, z = values
-        if type(w) is type(x) is type(y) is type(z) is int and not self.is_scaled:
-            return _settled(w, x, y, z, 1)
-        held: Held = super().read(values)
-        return held
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        if self.is_scaled:
+            held: Held = super().whole(w, x, y, z)
+            return held
+        return _settled(w, x, y, z, 1)
 
     def names(self) -> dict[str, Any]:
         """Return the constants, and what puts fractions in lowest terms."""

@@ -81,6 +81,11 @@ class Labels(Compact):
         label = self._label
         return label(w), label(x), label(y), label(z)
 
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        p = self.p
+        return w % p, x % p, y % p, z % p
+
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, flint's elements."""
         w, x, y, z = held
