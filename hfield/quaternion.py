@@ -116,6 +116,10 @@ class Quaternion(ElementFacts, BatchMethods):
     def _new(self, w: Any, x: Any, y: Any, z: Any) -> Quaternion:
         return Quaternion(self._algebra, (w, x, y, z))
 
+    def _alike(self, held: Any) -> Quaternion:
+        """Return another element of this algebra, held as this one is."""
+        return held_by(self._algebra, self._how, held)
+
     def _operand(self, other: Any, operation: str) -> Quaternion:
         """Bring the other operand into this algebra."""
         if isinstance(other, str):

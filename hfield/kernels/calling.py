@@ -106,7 +106,7 @@ def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> i
 
     ``steps`` are the bytes from one element to the next in each row, 0 where one serves for all.
     """
-    places = [_address(row) for row in rows]
+    places = [address(row) for row in rows]
     table = c_int64 * len(places)
     if n < MANY or threads() == 1:
         whole = table(*places)
@@ -140,6 +140,7 @@ def _straightened(rows: Rows, shape: tuple[int, ...]) -> Rows:
     )
 
 
-def _address(row: Array) -> int:
-    address: int = row.__array_interface__["data"][0]
-    return address
+def address(row: Array) -> int:
+    """Return where the first entry lies."""
+    place: int = row.__array_interface__["data"][0]
+    return place

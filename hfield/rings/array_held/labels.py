@@ -12,7 +12,7 @@ from hfield.kernels import programs
 from hfield.kernels.arithmetic import Arithmetic
 from hfield.kernels.calling import Kernel, Rows
 from hfield.native import compiling
-from hfield.product import Constants
+from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
@@ -46,6 +46,11 @@ class LabelArrays(RowArrays):
     def ring_array(self, row: Row) -> Any:
         """Return a row as an array of the ring: galois's, or one of objects."""
         return self.ring.array_of_labels(row)
+
+    def single(self, p: Rows) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        w, x, y, z = (self.ring.from_label(int(row)) for row in p)
+        return w, x, y, z
 
     def check_numbers(self, block: Row) -> None:
         """Refuse what is no label."""

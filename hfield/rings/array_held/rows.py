@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from hfield.errors import CoercionError
-from hfield.kernels.calling import Rows, rows_of
+from hfield.kernels.calling import Rows, address, rows_of
 from hfield.product import Constants, Coordinates
 from hfield.rings.arrays import one_shape
 from hfield.rings.base import Ring
@@ -132,8 +132,8 @@ def _block(rows: Rows) -> Row | None:
         return None
     if not block.flags.c_contiguous:
         return None
-    for row, own in zip(rows, block, strict=True):
-        if row.base is not block or row.__array_interface__ != own.__array_interface__:
+    for row, own in zip(rows, rows_of(block), strict=True):
+        if row.base is not block or row.strides != own.strides or address(row) != address(own):
             return None
     return block
 
