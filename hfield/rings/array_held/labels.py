@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from hfield.errors import CoercionError, shorten
+from hfield.factorisation import factorise
 from hfield.kernels import programs
 from hfield.kernels.arithmetic import Arithmetic
 from hfield.kernels.calling import Kernel, Rows
@@ -18,7 +19,7 @@ from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
-UNIT_TABLE = 1 << 16  # residue rings up to this size have a table of their units
+TABLE = 1 << 16  # rings up to this size have a table of their inverses
 
 
 class LabelArrays(RowArrays):
@@ -141,8 +142,21 @@ class LabelArrays(RowArrays):
         *conjugate, norms = self.kernel("adjoint")(p)[0]
         if not self._units(norms).all():
             return None
-        flat = inverses(norms.reshape(-1), self._multiplied, self._inverted)
-        return self.kernel("scaled")(tuple(conjugate), (flat.reshape(norms.shape),))[0]
+        return self.kernel("scaled")(tuple(conjugate), (self._scalar_inverses(norms),))[0]
+
+    def _scalar_inverses(self, row: Row) -> Row:
+        """Return the inverses of labels of units."""
+        if self.ring.order <= TABLE:
+            return np.asarray(self._inverse_table[row])
+        return inverses(row.reshape(-1), self._multiplied, self._inverted).reshape(row.shape)
+
+    @cached_property
+    def _inverse_table(self) -> Row:
+        every = np.arange(self.ring.order, dtype=self.dtype)
+        units = every[self._units(every)]
+        table = np.zeros_like(every)
+        table[units] = inverses(units, self._multiplied, self._inverted)
+        return table
 
     def _multiplied(self, x: Row, y: Row) -> Row:
         return self.kernel("scalar product")((x,), (y,))[0][0]
@@ -154,19 +168,14 @@ class LabelArrays(RowArrays):
 
     def _units(self, row: Row) -> Any:
         """Tell which labels are those of units."""
-        n = self.ring.order
         if self.ring.is_field:
             return row != 0
-        return (
-            self._unit_table[row]
-            if n <= UNIT_TABLE
-            else np.gcd(row.astype(np.uint64), np.uint64(n)) == 1
-        )
+        return np.logical_and.reduce([row % row.dtype.type(p) != 0 for p in self._primes])
 
     @cached_property
-    def _unit_table(self) -> Any:
-        n = self.ring.order
-        return np.gcd(np.arange(n), n) == 1
+    def _primes(self) -> tuple[int, ...]:
+        """The primes that divide the modulus of a residue ring."""
+        return tuple(factorise(self.ring.order))
 
     def prepare(self) -> None:
         """Compile every loop, or read it from the disk."""
