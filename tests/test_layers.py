@@ -21,7 +21,7 @@ FLOORS = [
     {"hfield.rings"},
     {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},
-    {"hfield.elements"},
+    {"hfield.elements", "hfield.batches"},
     {"hfield.quaternion"},
     {"hfield.functions", "hfield.maps", "hfield.lattices"},
     {"hfield.invariants"},

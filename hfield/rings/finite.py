@@ -14,7 +14,7 @@ from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
-from hfield.rings.holding import Holding
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -44,6 +44,16 @@ class FiniteField(Ring):
     def array(self, values: Any) -> Any:
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
         return _arrays().array(self, values)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
+        return _arrays().of_labels(self, row)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of labels, unless the field is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
 
     def scalar(self, x: Any) -> Any:
         """Turn an entry of ``array`` back into an element."""
