@@ -3,18 +3,21 @@
 import random
 from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import factorise
+from hfield.factorisation import factorise, is_prime
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.squares import three_squares
 from hfield.rings.surds import Surd, from_rational
+
+if TYPE_CHECKING:
+    from hfield.rings.quadratic_places import QuadraticPlace
 
 
 class QuadraticField(Ring):
@@ -155,6 +158,38 @@ class QuadraticField(Ring):
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen
+
+    degree = 2
+
+    def discriminant(self) -> int:
+        """Return the discriminant of the field: d, or 4d unless d ≡ 1 mod 4."""
+        return self.d if self.d % 4 == 1 else 4 * self.d
+
+    def integral_basis(self) -> tuple[Any, Any]:
+        """Return a basis over ℤ of the integers of the field, 1 first."""
+        from hfield.rings.quadratic_places import integers_basis
+
+        return integers_basis(self.d)
+
+    def primes_above(self, p: Any) -> "tuple[QuadraticPlace, ...]":
+        """Return the one or two prime ideals above a prime number. Raises :class:`RingError`.
+
+        >>> from hfield import ring
+        >>> [(P, P.e, P.f, P.generators) for P in ring("QQ(I)").primes_above(5)]
+        [((5, I-2), 1, 1, (5, -2+I)), ((5, I-3), 1, 1, (5, -3+I))]
+        """
+        from hfield.rings.quadratic_places import places_above
+
+        number = rational(p)
+        if not isinstance(number, int) or not is_prime(number):
+            raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
+        return places_above(self.d, number)
+
+    def real_places(self) -> "tuple[QuadraticPlace, ...]":
+        """Return the real places, √d negative first; each has ``index`` and ``sign(x)``."""
+        from hfield.rings.quadratic_places import places_above
+
+        return places_above(self.d, 0)[::-1] if self.d > 0 else ()
 
     def places(self) -> Iterator[Any]:
         """Run through the places: the infinite ones, then prime by prime."""
