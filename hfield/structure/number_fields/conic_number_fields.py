@@ -1,10 +1,10 @@
 """Points on conics ``a·x² + b·y² = z²`` over number fields, searched within a bound.
 
 The form ``z² − a·x² − b·y²`` is put on a module where it is good at every prime ideal. The volume of this
-lattice of rank 3n for the majorant |z|² + |a||x|² + |b||y|², summed over the infinite places, depends on the
-discriminant of the field alone, so after reduction (LLL) a zero is among small combinations, if the field is small.
-The majorant is changed at random by automorphisms of the form at the infinite places until a zero turns up, as over
-quadratic fields (:mod:`hfield.structure.quadratic_fields.conic_quadratic`).
+lattice of rank 3n for the majorant |z|² + |a||x|² + |b||y|², summed over the infinite places, depends on
+the discriminant of the field alone, so after reduction (LLL) a zero is among small combinations, if the
+field is small. The majorant is changed at random by automorphisms of the form at the infinite places until
+a zero turns up, as over quadratic fields (:mod:`hfield.structure.quadratic_fields.conic_quadratic`).
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ import flint
 from hfield.errors import UndecidedError
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
+from hfield.rings.number_orders import integral_generator
 from hfield.structure.minimise import Vector
 from hfield.structure.number_fields.good_module import good_module
 from hfield.structure.number_fields.hilbert_number_fields import candidates
@@ -53,15 +54,15 @@ def solve_conic_number_field(
     for z, x, y in itertools.chain.from_iterable(walk.zeros(rng, k) for k in range(WALKED)):
         return x * r, y * s, z
     raise UndecidedError(
-        f"a conic over {field.name} has points, but none was found among {COMBINATIONS} combinations of each of "
-        f"{WALKED} reduced bases"
+        f"a conic over {field.name} has points, but none was found among {COMBINATIONS} combinations of each "
+        f"of {WALKED} reduced bases"
     )
 
 
 def integral_multiple(x: FieldElement) -> int:
     """Return a positive integer m for which m·x is an algebraic integer."""
-    m = math.lcm(*(int(c.q) for c in x.minimal_polynomial()))
-    return m
+    scale, _ = integral_generator(x.field)
+    return math.lcm(*(int((c / flint.fmpq(scale) ** k).q) for k, c in enumerate(x.poly.coeffs())))
 
 
 class Walk:
@@ -86,10 +87,12 @@ class Walk:
             for c in x.poly.coeffs()
         )
         bits = 4 * size + 128
-        rows = [
-            [int((t * flint.arb(2) ** (2 * size + 64)).mid().floor().unique_fmpz()) for t in row]
-            for row in self._real_rows(self.basis, bits)
-        ]
+        with flint.ctx.workprec(bits):
+            scale = flint.arb(2) ** (2 * size + 64)
+            rows = [
+                [int((t * scale).mid().floor().unique_fmpz()) for t in row]
+                for row in self._real_rows(self.basis, bits)
+            ]
         self.basis = [_combine(u, self.basis) for u in _lll(rows)]
         return self.basis, bits
 
@@ -210,14 +213,17 @@ def _combine(coefficients: list[int], basis: list[Vector]) -> Vector:
 
 
 def _combine_points(coefficients: list[int], points: list[list[complex]]) -> list[complex]:
-    return [sum(n * v[k] for n, v in zip(coefficients, points, strict=True)) for k in range(len(points[0]))]
+    return [
+        sum(n * v[k] for n, v in zip(coefficients, points, strict=True))
+        for k in range(len(points[0]))
+    ]
 
 
 _KNOWN: dict[int, Any] = {}
 
 
 def _small_combinations(rank: int) -> Any:
-    """Return vectors with few entries, 0, ±1, the first of them 1: by the number of entries that are not 0."""
+    """Return vectors of entries 0, 1, −1, the first of them 1: those with few entries first."""
     import numpy as np
 
     if rank not in _KNOWN:
