@@ -35,11 +35,17 @@ def build(s: str) -> Ring | None:
         from hfield.rings.number_field_spelled import real_cyclotomic
 
         return real_cyclotomic(int(m[1].strip("()")))
-    if (m := _SPELLED.fullmatch(s)) and _is_balanced(m[1]):
+    if (m := _SPELLED.fullmatch(s)) and _is_balanced(m[1]) and not _is_quadratic(m[1]):
         from hfield.rings.number_field_spelled import adjoined
 
         return adjoined(s, m[1])
     return None
+
+
+def _is_quadratic(text: str) -> bool:
+    """Tell whether a text is one square root, whose field is a quadratic one."""
+    m = re.fullmatch(r"sqrt\((.*)\)", text)
+    return text == "I" or (m is not None and _is_balanced(m[1]))
 
 
 def _is_balanced(text: str) -> bool:

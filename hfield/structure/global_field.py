@@ -117,7 +117,10 @@ class GlobalField(ABC):
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
 
     def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
-        """Return constants (a, b) of an algebra that ramifies exactly at the places. Raises :class:`RingError`."""
+        """Return constants (a, b) of an algebra that ramifies exactly at the places.
+
+        Raises :class:`RingError` where the field does not know how, or where there is none.
+        """
         raise RingError(
             f"algebras are made from their ramification over number fields, not over {self.ring}"
         )
