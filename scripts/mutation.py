@@ -52,11 +52,11 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         CHECKER,
     ),
     "places": (
-        ("hfield/certificates/places.py", "hfield/certificates/local/*.py"),
+        ("hfield/certificates/anisotropy.py", "hfield/certificates/scalars/residues.py"),
         ("tests/adversary/test_places.py", "tests/certificates/test_local_facts.py"),
     ),
     "scalars": (
-        ("hfield/certificates/scalars/*.py", "hfield/certificates/facts.py"),
+        ("hfield/certificates/scalars/*.py",),
         ("tests/adversary/test_primitives.py", "tests/certificates/test_core.py"),
     ),
     "implication": (

@@ -16,6 +16,7 @@ from hfield.certificates.implication import check_implication
 from hfield.certificates.language import Tree
 from hfield.certificates.multilinear import check_multilinear
 from hfield.certificates.over_field import Place
+from hfield.certificates.quaternion_roots import quaternion_root
 from hfield.certificates.rejection import (
     a_text,
     an_integer,
@@ -26,7 +27,6 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.roots import complex_root, real_root
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.numbers import Floats
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree
 from hfield.certificates.transfer import fractions, reduction
@@ -39,7 +39,7 @@ REFUTING = ("counterexample", "witness", "identity", "exhaustion")
 def establish(statement: Statement, setting: Setting, verdict: str, evidence: object) -> Finding:
     """Check the evidence for a verdict on a statement; return what it shows."""
     kind = kind_of(evidence)
-    if verdict != "refuted" and isinstance(setting.field, Floats):
+    if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
     check = KINDS.get((verdict, bool(statement.exists), kind))
     if check is None:
@@ -102,7 +102,7 @@ def _counterexample(statement: Statement, setting: Setting, evidence: object) ->
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not False:
         reject("the statement is true for the values of the witness, or the algebra not defined")
-    if isinstance(ring, Floats):
+    if not ring.is_exact:
         return finding(FIELD, "floats, exact on small integers")
     return finding(FIELD, *REFUTING)
 
@@ -152,6 +152,7 @@ KINDS: dict[tuple[str, bool, str], Check] = {
     ("proved", True, "cases"): partial(cases, prove),
     ("proved", True, "real root"): real_root,
     ("proved", True, "complex root"): complex_root,
+    ("proved", True, "quaternion root"): quaternion_root,
     ("proved", False, "fractions"): partial(fractions, prove),
     ("proved", False, "reduction"): partial(reduction, prove),
     ("refuted", False, "witness"): _counterexample,

@@ -8,7 +8,7 @@ from hfield.certificates.finding import FIELD, Finding, finding
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import Poly, is_constant
 from hfield.certificates.rejection import an_object, reject, shown, texts
-from hfield.certificates.scalars.numbers import QQ
+from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.certificates.work import charge

@@ -9,7 +9,8 @@ from fractions import Fraction
 
 from hfield.certificates.language import Tree, parse, substitute, walk
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.fields import read_field, without_blanks
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.names import without_blanks
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 

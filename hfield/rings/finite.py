@@ -2,7 +2,7 @@
 
 import random
 from abc import abstractmethod
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -173,6 +173,11 @@ class ExtensionField(FiniteField):
     def sqrt(self, x: Any) -> Any:
         """Return some y with y² = x, or None; in characteristic 2 the only one."""
         return x.sqrt() if x.is_zero() or x.is_square() else None
+
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the roots of a polynomial that is not 0."""
+        polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
+        return [root for root, _ in polynomial.roots()]
 
     @property
     def level(self) -> Known:

@@ -129,6 +129,13 @@ class PolynomialRing(Ring):
             )
         return quotient
 
+    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return quotient and remainder of polynomials in one variable over a field."""
+        if len(self.variables) > 1 or not self.base.is_field:
+            return super().euclid(x, y)
+        quotient, remainder = divmod(x, y)
+        return quotient, remainder
+
     def power(self, x: Any, n: int) -> Any:
         """Return xⁿ; n < 0 inverts first."""
         return (x if n >= 0 else self.inverse(x)) ** abs(n)

@@ -27,7 +27,6 @@ from hfield.certificates.rejection import (
     shown,
 )
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.numbers import Floats
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
 from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME, INDUCTION
 from hfield.certificates.vocabulary import linear_algebra, of_fields
@@ -108,7 +107,7 @@ def establish_any(
     text: str, setting: Setting, verdict: str, evidence: Any, depth: int = 0
 ) -> Finding:
     """Check the evidence for a verdict on a statement of any kind."""
-    if verdict != "refuted" and isinstance(setting.field, Floats):
+    if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
     p = read_proposition(text, depth)
     if p is None:
