@@ -1,8 +1,8 @@
 """Hilbert symbols at prime ideals above 2, however ramified, by quadratic defects.
 
 Every unit is a square times 1 + γ with the valuation d of γ as large as can be: d is odd and below 2e, or 2e
-(then the root of the unit is unramified), or the unit is a square (O'Meara, *Introduction to
-Quadratic Forms*, §63). Two identities bring any symbol down to these: (1 + γ, −γ) = 1, and, as (x, y) = 1 where
+(then the root of the unit is unramified), or the unit is a square (O'Meara, *Introduction to Quadratic
+Forms*, §63). Two identities bring any symbol down to these: (1 + γ, −γ) = 1, and, as (x, y) = 1 where
 x + y = 1,
 
     (1 + γ, 1 + δ) = (1 − γδ, γ(1 + γ)(1 + δ)),
