@@ -69,7 +69,7 @@ class PrimeIdeal(OverFiniteField):
             whole = _times(whole, g, 0)
         top = [a - b for a, b in zip(self.field.modulus, whole, strict=True)]
         rest = [_modulo(c / self.p, self.p) for c in top]
-        return len(gcd_modulo(list(g), rest, self.p)) == 1 and any(rest)
+        return any(rest) and len(gcd_modulo(list(g), rest, self.p)) == 1
 
     def _element(self, f: list[int]) -> tuple[Fraction, ...]:
         n = self.field.degree
