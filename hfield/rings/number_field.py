@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Hashable, Iterator
 from functools import cached_property
+from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
+from hfield.factorisation import factorise
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
 from hfield.rings.printing import number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
+from hfield.rings.squares import minus_one
 
 if TYPE_CHECKING:
     from hfield.rings.number_field_places import ComplexPlace, Place, RealPlace
@@ -172,7 +174,7 @@ class NumberField(Ring):
         roots = Embeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random element; the same for the same seed."""
         from hfield.rings.integers import QQ
 
@@ -234,19 +236,21 @@ class NumberField(Ring):
         if self.sqrt(self(-1)) is not None:
             return Known(1, f"−1 = ({self.text(self.sqrt(self(-1)))})^2 in {self.name}")
         odd = [P for P in self.primes_above(2) if P.e * P.f % 2]
+        fewer = "−1 itself is no square"
         if odd:
-            return Known(
-                4,
-                f"the completion at {odd[0]} has odd degree over ℚ₂, where −1 is no sum of two squares",
+            fewer = (
+                f"the completion at {odd[0]} has odd degree over ℚ₂, where fewer squares do not do"
             )
         squares = self.minus_one_as_squares()
-        if len(squares) == 2:
+        if squares:
             shown = " + ".join(f"({self.text(y)})^2" for y in squares)
-            return Known(2, f"−1 = {shown} in {self.name}, and −1 itself is no square")
+            return Known(len(squares), f"−1 = {shown} in {self.name}, and {fewer}")
+        if odd:
+            return Known(4, fewer)
         return Known(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
-        """Return one or two elements whose squares add up to −1 if some are small; else ()."""
+        """Return as few elements as the level says whose squares add up to −1, if some are small; else ()."""
         return self._minus_one
 
     @cached_property
@@ -256,18 +260,27 @@ class NumberField(Ring):
         root = self.sqrt(self(-1))
         if root is not None:
             return (root,)
-        if any(P.e * P.f % 2 for P in self.primes_above(2)):
-            return ()
-        rng = random.Random(1)
-        for trial in range(SEARCHED):
-            size = 1 + trial // 1000
-            x = self(0)
-            for w in self.integral_basis():
-                x = x + w * rng.randint(-size, size)
-            y = self.sqrt(self(-1) - x * x)
+        odd = any(P.e * P.f % 2 for P in self.primes_above(2))
+        for m in _divisors(self.discriminant()):
+            if odd or m % 8 != 7:
+                root = self.sqrt(self(-m))
+                if root is not None:
+                    return minus_one(m, root)
+        others, rng = (3 if odd else 1), Random(1)
+        for trial in range(SEARCHED // others):
+            chosen = [self._small(1 + trial // 2000, rng) for _ in range(others)]
+            below = self._small(1, rng) if trial > 500 else self.one
+            y = self.sqrt(sum((-x * x for x in chosen), -below * below)) if below else None
             if y is not None:
-                return x, y
+                return tuple(self.divide(x, below) for x in (*chosen, y))
         return ()
+
+    def _small(self, size: int, rng: Random) -> FieldElement:
+        """Return a random integer of the field with coordinates of at most that size."""
+        x: FieldElement = self.zero
+        for w in self.integral_basis():
+            x = x + w * rng.randint(-size, size)
+        return x
 
     # --- integers and places ---------------------------------------------------------------------
 
@@ -321,3 +334,11 @@ class NumberField(Ring):
         from hfield.rings.number_field_places import all_places
 
         return all_places(self)
+
+
+def _divisors(n: int) -> list[int]:
+    """Return products other than 1 of 2 and different primes of n, of the six smallest."""
+    out = [1]
+    for p in sorted({2, *factorise(n)})[:6]:
+        out += [p * m for m in out]
+    return sorted(out)[1:]

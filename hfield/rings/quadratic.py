@@ -2,7 +2,6 @@
 
 import random
 from collections.abc import Callable, Hashable, Iterator
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -13,7 +12,7 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
-from hfield.rings.squares import three_squares
+from hfield.rings.squares import minus_one
 from hfield.rings.surds import Surd, from_rational
 
 if TYPE_CHECKING:
@@ -123,22 +122,10 @@ class QuadraticField(Ring):
         return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
-        """Return as few elements as possible whose squares add up to −1.
-
-        With w² = −m and m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is
-        no sum of three squares, m ≡ 7 mod 8, four squares of m, each over w, are needed.
-        """
-        m, w = -self.d, self.gen
-        if m < 0:
+        """Return as few elements as possible whose squares add up to −1."""
+        if self.d > 0:
             return ()
-        if m == 1:
-            return (w,)
-        parts = three_squares(m)
-        if parts is None:  # then m − 1 is one
-            return tuple(self.inverse(w) * n for n in (*(three_squares(m - 1) or ()), 1))
-        a, b, c = parts
-        scale = Fraction(1, b * b + c * c) if b or c else Fraction(1)
-        return (w * b + a * c) * scale, (w * c - a * b) * scale
+        return (self.gen,) if self.d == -1 else minus_one(-self.d, self.gen)
 
     @property
     def orderings(self) -> Known:
