@@ -63,6 +63,7 @@ class Description:
             "schema": SCHEMA,
             "algebra": A.name,
             "field": F.name,
+            "field_in_words": F.in_words(),
             "characteristic": F.characteristic,
             "order_of_field": F.order,
             "level": level,

@@ -65,6 +65,10 @@ class Ring(ABC):
 
     # --- what it gives where it can ------------------------------------------------------------
 
+    def in_words(self) -> str:
+        """Say what the ring is, for people: ``rational functions in z over ℚ``; by default its name."""
+        return self.name
+
     @property
     def gen(self) -> Any:
         """The generator: the class of x, the square root, the variable."""

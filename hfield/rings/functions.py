@@ -18,7 +18,7 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.modular import WORD
-from hfield.rings.printing import quotient_text, sum_text
+from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.quotient import Quotient
 from hfield.rings.rational import rational, unwrap
 
@@ -49,6 +49,10 @@ class FunctionField(Ring):
         self._polynomial = _polynomials_over(base)
         self._one = self._polynomial([base.one])
         self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
 
     @property
     def gen(self) -> Any:

@@ -64,6 +64,10 @@ class Integers(_Ordered):
 
     name = "ZZ"
 
+    def in_words(self) -> str:
+        """Say what ℤ is."""
+        return "the integers ℤ"
+
     def __call__(self, x: Any) -> Any:
         """Turn a whole number into an element, read a text. Raises :class:`CoercionError`."""
         x = unwrap(x)
@@ -108,6 +112,10 @@ class Rationals(_Ordered):
     name = "QQ"
     is_field = True
 
+    def in_words(self) -> str:
+        """Say what ℚ is."""
+        return "the rational numbers ℚ"
+
     def __call__(self, x: Any) -> Any:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
         if type(x) is int:
@@ -149,6 +157,10 @@ class Residues(Modular):
 
     def __init__(self, n: int) -> None:
         super().__init__(f"ZZ/{n}", n, is_prime(n))
+
+    def in_words(self) -> str:
+        """Say what ℤ/n is."""
+        return f"the integers modulo {shorten(self.modulus)}"
 
     def state(self, x: Any) -> Any:
         """Return the residue as an int."""

@@ -20,7 +20,7 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.modular import WORD
-from hfield.rings.printing import from_unicode, number_text, sum_text
+from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
 
 MAX_VARIABLES = 64
@@ -46,6 +46,10 @@ class PolynomialRing(Ring):
         self.context = _context(base, variables)
         self._gens = dict(zip(variables, self.context.gens(), strict=True))
         self._type = type(self.context.gens()[0])
+
+    def in_words(self) -> str:
+        """Say what the ring is."""
+        return f"polynomials in {', '.join(self.variables)} over {blackboard(self.base.name)}"
 
     @property
     def gen(self) -> Any:

@@ -51,6 +51,11 @@ def power_text(name: str, n: int, style: str) -> str:
     return f"{name}^{{{n}}}" if style == "latex" else f"{name}^{n}"
 
 
+def blackboard(name: str) -> str:
+    """Return the name of a ring with ℚ and ℤ as they are written on the blackboard."""
+    return re.sub(r"\bQQ", "ℚ", re.sub(r"\bZZ", "ℤ", name))
+
+
 def number_text(x: int | Fraction | Any, style: str = "plain") -> str:
     """Write a rational number."""
     numerator, denominator = int(x.numerator), int(x.denominator)

@@ -34,6 +34,11 @@ class QuadraticField(Ring):
         self.gen_name = "I" if d == -1 else f"sqrt({d})"
         self.name = f"QQ({self.gen_name})"
 
+    def in_words(self) -> str:
+        """Say what the field is."""
+        root = "i), i² = −1" if self.d == -1 else f"√{self.d})".replace("-", "−")
+        return f"the quadratic number field ℚ({root}"
+
     @property
     def gen(self) -> Any:
         """The square root of d, the principal one."""

@@ -11,18 +11,13 @@ from importlib import import_module
 from hfield.errors import RingError, shorten
 from hfield.rings.base import Ring
 from hfield.rings.printing import from_unicode
+from hfield.rings.variables import variables
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
     "QQ(I)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]",
 )  # fmt: skip
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
-
-BASIS = ("e", "i", "j", "k")
-WORDS = {
-    *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
-    *("sqrt", "cbrt", "root"),
-}
 
 _SYMBOLS = str.maketrans({"ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"})
 _NAMED = {
@@ -121,40 +116,15 @@ def _extension(base: Ring, inner: str) -> Ring:
         return build_quadratic((m[1] or m[2]) if m else "-1")
     from hfield.rings.functions import build as build_functions
 
-    return build_functions(base, _variables(f"{base}({shorten(inner)})", inner, base))
+    names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
+    return build_functions(base, names)
 
 
 def _polynomials(base: Ring, inner: str) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
 
-    return build_polynomials(base, _variables(f"{base}[{shorten(inner)}]", inner, base))
-
-
-def _variables(what: str, inner: str, base: Ring) -> tuple[str, ...]:
-    """Read names of variables, none of which means anything else. Raises :class:`RingError`."""
-    names = tuple(inner.split(","))
-    for name in names:
-        if not re.fullmatch(r"[^\W\d_]\w*", name):
-            raise RingError(f"{what}: {shorten(name)!r} is not the name of a variable such as x")
-        if name in BASIS:
-            unit = "; the imaginary unit is QQ(I)" if name == "i" else ""
-            raise RingError(
-                f"{what}: the variable {name!r} would clash with the basis e, i, j, k of the "
-                f"quaternions; choose another letter{unit}"
-            )
-        if name in WORDS:
-            raise RingError(f"{what}: {name!r} is a word of the language; choose another name")
-        if name == "I":
-            raise RingError(f"{what}: I is the imaginary unit, in QQ(I); choose another name")
-        if name in base.names():
-            free = next(x for x in "tsuvxyz" if x not in base.names())
-            raise RingError(
-                f"{what}: {name!r} already names the generator of {base}; choose another letter, "
-                f"such as {free}"
-            )
-    if len(set(names)) < len(names):
-        raise RingError(f"{what}: a variable occurs twice; expected different names")
-    return names
+    names = variables(f"{base}[{shorten(inner)}]", inner, base, adjoined=False)
+    return build_polynomials(base, names)
 
 
 def _unknown(s: str) -> RingError:

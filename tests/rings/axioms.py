@@ -327,6 +327,8 @@ def check_identity(F: Ring) -> None:
     assert copy == F
     assert hash(copy) == hash(F)
     assert F != "QQ"
+    assert F.in_words()
+    assert "\n" not in F.in_words()
     if type(F).__module__.startswith("hfield."):
         assert ring(F.name) == F
         assert ring(" " + F.name.replace(",", " , ")).name == F.name

@@ -138,6 +138,81 @@ REFUSED = {
 }
 
 
+READ_LIKE_CONSTANTS = [
+    "zeta5",
+    "zeta_5",
+    "omega",
+    "alpha",
+    "beta2",
+    "pi",
+    "phi",
+    "tau",
+    "Qp",
+    "QQ5",
+    "Q5",
+    "GF9",
+    "F9",
+    "Z6",
+    "i5",
+    "i_5",
+    "j2",
+    "e1",
+    "E",
+    "I5",
+    "root2",
+    "sqrt_2",
+    "golden",
+    "inf",
+    "oo",
+    "exp",
+    "lambda",
+    "R",
+    "Q",
+    "Zmod",
+    "π",
+    "ω",
+    "ζ5",
+]
+
+
+@pytest.mark.parametrize("name", READ_LIKE_CONSTANTS)
+@pytest.mark.parametrize("base", ["QQ", "GF(5)"])
+def test_what_reads_like_a_constant_is_no_variable_in_round_brackets(base, name):
+    with pytest.raises(RingError, match="reads like a constant") as error:
+        ring(f"{base}({name})")
+    assert f"{base}(t)" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "x",
+        "t",
+        "z",
+        "u_2",
+        "x1",
+        "a",
+        "b",
+        "abc",
+        "y",
+        "z2",
+        "p",
+        "q",
+        "T",
+        "X",
+        "w",
+        "pt",
+        "factor",
+    ],
+)
+def test_what_reads_like_a_variable_is_one(name):
+    assert ring(f"QQ({name})").gen_name == name
+
+
+def test_square_brackets_always_hold_variables():
+    assert ring("QQ[alpha,zeta5]").variables == ("alpha", "zeta5")
+
+
 @pytest.mark.parametrize("text", REFUSED, ids=lambda s: s[:30] or "empty")
 def test_refused(text):
     with pytest.raises(RingError, match=REFUSED[text]) as error:
