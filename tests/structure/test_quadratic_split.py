@@ -22,7 +22,7 @@ from hfield.structure.quadratic_fields.hilbert_quadratic import (
     is_local_square,
     pair,
 )
-from hfield.structure.quadratic_fields.prime_ideals import (
+from hfield.rings.residues.prime_ideals import (
     Inert,
     conjugate,
     coordinates,
