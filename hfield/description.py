@@ -177,6 +177,7 @@ def _divide_or_split(d: Description) -> None:
         d.division, d.reason, d.assumes = True, answer.reason, answer.assumes
     elif answer is not None:
         d.division, d.splitting, d.zero_norm = False, answer, answer.zero_divisor
+        d.reason = answer.reason
     elif d.ramified:
         d.division, d.reason = True, f"it ramifies at {', '.join(map(str, d.ramified))}"
         del d.undecided["division"]

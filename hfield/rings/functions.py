@@ -186,6 +186,12 @@ class FunctionField(Ring):
 
         return all_places(self)
 
+    def completion(self, place: Any) -> Ring:
+        """Return a field of Laurent series, over a finite field of constants."""
+        from hfield.rings.local.completions import completion_of_functions
+
+        return completion_of_functions(self, place)
+
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""
         return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)

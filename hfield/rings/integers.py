@@ -151,6 +151,12 @@ class Rationals(_Ordered):
         yield "inf"
         yield from filter(is_prime, itertools.count(2))
 
+    def completion(self, place: Any) -> Ring:
+        """Return ℚ_p, or RR at infinity."""
+        from hfield.rings.local.completions import completion_of_rationals
+
+        return completion_of_rationals(place)
+
 
 class Residues(Modular):
     """ℤ/n for n ≥ 2, prime or not."""

@@ -167,6 +167,12 @@ class QuadraticField(Ring):
 
         return all_places(self.d)
 
+    def completion(self, place: Any) -> Ring:
+        """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
+        from hfield.rings.local.completions import completion_of_quadratic
+
+        return completion_of_quadratic(self, place)
+
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""
         return str(x.text(style, imaginary=self.d == -1))

@@ -15,7 +15,7 @@ from hfield.rings.variables import variables
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
-    "QQ(I)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]",
+    "QQ(I)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]", "Qp(5)", "GF(9)((t))",
 )  # fmt: skip
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
 
@@ -36,6 +36,9 @@ def build(text: str) -> Ring:
     s = from_unicode("".join(text.translate(_SYMBOLS).split())).replace("**", "^")
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
+    base, place = _completed(s)
+    if place:
+        return build(base).completion(place)
     head, groups = _split(s)
     found = _base(head, groups)
     if found is None:
@@ -44,6 +47,18 @@ def build(text: str) -> Ring:
     for opening, inner in rest:
         made = _polynomials(made, inner) if opening == "[" else _extension(made, inner)
     return made
+
+
+def _completed(s: str) -> tuple[str, str]:
+    """Split ``QQ_5`` or ``QQ(I)_(5,I-2)`` into a global field and the text of a place, if there is one."""
+    depth = 0
+    for n, char in enumerate(s):
+        depth += (char in "([") - (char in ")]")
+        if char == "_" and depth == 0 and (s[:n] in ("QQ", "Q") or s[n - 1 : n] == ")"):
+            place = s[n + 1 :]
+            bare = place.startswith("(") and place.endswith(")") and "," not in place
+            return s[:n], place[1:-1] if bare else place
+    return s, ""
 
 
 def _split(s: str) -> tuple[str, Groups]:
@@ -76,6 +91,8 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
         return getattr(import_module(f"hfield.rings.{_NAMED[long]}"), long), groups
     if head in ("GF", "F", "FF") and groups and groups[0][0] == "(":
         return _finite(groups[0][1]), groups[1:]
+    if head in ("Qp", "QQp"):
+        return _p_adic(groups), groups[1:]
     if head in ("Zmod", "ZZ/", "Z/") and groups and re.fullmatch(r"-?\d+", groups[0][1]):
         return _residues(groups[0][1]), groups[1:]
     if m := re.fullmatch(r"ZZ?/?(-?\d+)(ZZ?)?", head):
@@ -88,6 +105,14 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
     if head in ("Qsqrt", "QQsqrt") and groups:
         return _extension(build("QQ"), f"sqrt({groups[0][1]})"), groups[1:]
     return None
+
+
+def _p_adic(groups: Groups) -> Ring:
+    if not groups:
+        raise RingError("Qp needs its prime: write Qp(5) for the 5-adic numbers")
+    from hfield.rings.local.completions import p_adic_numbers
+
+    return p_adic_numbers(groups[0][1])
 
 
 def _residues(n: str) -> Ring:
@@ -116,6 +141,9 @@ def _extension(base: Ring, inner: str) -> Ring:
         return build_quadratic((m[1] or m[2]) if m else "-1")
     from hfield.rings.functions import build as build_functions
 
+    if inner.startswith("(") and inner.endswith(")"):  # Laurent series
+        names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
+        return build_functions(base, names).completion(names[0])
     names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
     return build_functions(base, names)
 

@@ -19,6 +19,7 @@ from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
+from hfield.rings.local.field import LocalField
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimise import Vector
@@ -27,6 +28,7 @@ from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 # Where the arithmetic of a kind is, imported when one of its fields is first asked.
 _KINDS: dict[type[Ring], str] = {
+    LocalField: "local_fields.arithmetic_local.LocalArithmetic",
     Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
     FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
     QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",

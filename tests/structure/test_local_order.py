@@ -1,4 +1,4 @@
-"""Over a completion: either two quaternions show the norm to have no zero, or a plane shows that it has one."""
+"""Over a completion two quaternions show the norm to have no zero, or a plane shows that it has one."""
 
 from itertools import islice
 from random import Random

@@ -7,17 +7,15 @@ from typing import Any, ClassVar
 
 from hfield.factorisation import WORD, Factors, is_prime, known_primes, shared_primes
 from hfield.product import Constants, Coordinates
+from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import (
-    INFINITE,
-    Place,
     discriminant_q,
     hilbert_symbol_q,
-    place_of_q,
     ramified_places_q,
 )
 from hfield.structure.rationals.rational_embedding import embed_rational, traceless_root_rational
