@@ -205,14 +205,13 @@ class FunctionField(Ring):
         return sum_text(reversed(terms), style)
 
 
-def build(base: Ring, variables: tuple[str, ...]) -> FunctionField:
+def build(base: Ring, variables: tuple[str, ...]) -> Ring:
     """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
     shown = f"{base}({','.join(variables)})"
     if len(variables) != 1:
-        raise RingError(
-            f"{shorten(shown)}: rational functions have one variable here; the polynomials "
-            f"QQ[{','.join(variables)}] have several"
-        )
+        from hfield.rings.several_variables import build as build_several
+
+        return build_several(base, variables)
     if not isinstance(base, (PrimeField, ExtensionField)) and base.name != "QQ":
         raise RingError(
             f"{shorten(shown)}: rational functions are over QQ or a finite field, as in QQ(x) or GF(4)(t)"

@@ -78,7 +78,7 @@ class PolynomialRing(Ring):
                 f"{shorten(number_text(number))} is not in {self.name}; QQ[…] has it"
             )
         try:
-            return self._constant(self.base(x if number is None else number))
+            return self.constant(self.base(x if number is None else number))
         except CoercionError:
             raise self.refuse(x) from None
 
@@ -89,7 +89,8 @@ class PolynomialRing(Ring):
         functions = {"/": self.divide, "**": self.power}
         return syntax.Reader(self, self.names(), functions, self.name, 10**6).read(text)
 
-    def _constant(self, c: Any) -> Any:
+    def constant(self, c: Any) -> Any:
+        """Return the constant polynomial of an element of the base ring, or of a coefficient of flint."""
         return self.context.constant(int(c) if self.characteristic else c)
 
     def constant_part(self, x: Any) -> Any:
@@ -118,7 +119,7 @@ class PolynomialRing(Ring):
                 f"{shorten(self.text(x))} is not constant, so it has no inverse in {self.name}"
             )
         try:
-            return self._constant(self.base.inverse(self.constant_part(x)))
+            return self.constant(self.base.inverse(self.constant_part(x)))
         except NotInvertibleError as error:
             raise NotInvertibleError(f"{error}, nor in {self.name}") from None
 
@@ -156,7 +157,7 @@ class PolynomialRing(Ring):
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return constants whose squares add up to −1."""
-        return tuple(self._constant(c) for c in self.base.minus_one_as_squares())
+        return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
 
     @property
     def orderings(self) -> Known:
@@ -176,7 +177,7 @@ class PolynomialRing(Ring):
         out = self.context.constant(0)
         for _ in range(3):
             exponents = tuple(rng.choice((0, 0, 1, 2)) for _ in self.variables)
-            c = self._constant(self.base.random(rng))
+            c = self.constant(self.base.random(rng))
             out += c * self.context.from_dict({exponents: 1})
         return out
 

@@ -39,6 +39,8 @@ def build(text: str) -> Ring:
     base, place = _completed(s)
     if place:
         return build(base).completion(place)
+    if m := re.fullmatch(r"(.+)\[([^\W\d_]\w*)\]/\((.+)\)", s):
+        return _quotient(build(m[1]), m[2], m[3])
     head, groups = _split(s)
     found = _base(head, groups)
     if found is None:
@@ -54,7 +56,7 @@ def _completed(s: str) -> tuple[str, str]:
     depth = 0
     for n, char in enumerate(s):
         depth += (char in "([") - (char in ")]")
-        if char == "_" and depth == 0 and (s[:n] in ("QQ", "Q") or s[n - 1 : n] == ")"):
+        if char == "_" and depth == 0 and s[:n] not in ("F", "FF", "GF"):
             place = s[n + 1 :]
             bare = place.startswith("(") and place.endswith(")") and "," not in place
             return s[:n], place[1:-1] if bare else place
@@ -105,6 +107,14 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
     if head in ("Qsqrt", "QQsqrt") and groups:
         return _extension(build("QQ"), f"sqrt({groups[0][1]})"), groups[1:]
     return None
+
+
+def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
+    """Return ``base[u]/(f)``."""
+    from hfield.rings.extensions import build as build_extension
+
+    (name,) = variables(f"{base}[{shorten(variable)}]", variable, base, adjoined=False)
+    return build_extension(base, name, polynomial)
 
 
 def _p_adic(groups: Groups) -> Ring:

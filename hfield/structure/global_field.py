@@ -21,6 +21,7 @@ from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
 from hfield.rings.local.field import LocalField
 from hfield.rings.quadratic import QuadraticField
+from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimise import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
@@ -30,6 +31,7 @@ from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 _KINDS: dict[type[Ring], str] = {
     LocalField: "local_fields.arithmetic_local.LocalArithmetic",
     Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
+    RationalFunctions: "several_variables.arithmetic_several.SeveralArithmetic",
     FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
     QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
 }
@@ -76,6 +78,7 @@ class GlobalField(ABC):
 
     ring: Any  # the field, of the class that stands in the table above
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
     finite_orders: ClassVar[Mapping[int, int] | None] = None
     """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
 
@@ -116,6 +119,13 @@ class GlobalField(ABC):
     @abstractmethod
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+
+    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+        """Say why an algebra that ramifies at the places has no zero divisors."""
+        shown = ", ".join(map(str, places))
+        return (
+            f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
+        )
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[Any, ...]:
         """Return some places where a form does not split, without factoring anything."""

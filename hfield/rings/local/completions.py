@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from hfield.errors import RingError, UndecidedError, shorten
+from hfield.errors import RingError, shorten
 from hfield.factorisation import factorise
 from hfield.rings.algebraic import CC, RR
 from hfield.rings.base import Ring
@@ -44,9 +44,8 @@ def completion_of_functions(field: FunctionField, place: Any) -> Ring:
     """Return the completion of GF(q)(t): Laurent series over the residue field."""
     v = place_of_functions(field, place)
     if field.base.order is None:
-        raise UndecidedError(
-            f"the completions of {field} are not local fields, and are not offered: their residue fields are "
-            "infinite"
+        raise RingError(
+            f"the completion of {field} at {v} is no local field: its residue field is infinite"
         )
     k = blackboard(field.base.name)
     if v.poly is None:

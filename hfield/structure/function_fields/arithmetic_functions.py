@@ -60,8 +60,8 @@ class FunctionArithmetic(GlobalField):
         """Return the field of a place or of a quotient."""
         if isinstance(place, FunctionPlace):
             return place.field
-        found: Ring | None = next((x.field for x in elements if isinstance(x, Quotient)), None)
-        return found
+        fields = (x.field for x in elements if isinstance(x, Quotient))
+        return next((F for F in fields if isinstance(F, FunctionField)), None)
 
     def read_place(self, text: Any) -> FunctionPlace:
         """Return a monic irreducible polynomial or infinity."""

@@ -86,6 +86,12 @@ class LocalArithmetic(GlobalField):
             F.check_digits(c.b, pole + 1, f"whether {c.b} is a norm")
         return Constants(*(x.value for x in c))
 
+    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+        """Say by which symbol."""
+        a, b = (self.ring.text(x) for x in form.constants)
+        symbol = f"({a}, {b})" if form.kind == "symbol" else f"[{a}, {b})"
+        return f"the Hilbert symbol {symbol} over {self.ring} is −1"
+
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return a uniformiser, or 1."""
         return self.ring.uniformiser if ramified else self.ring.one
