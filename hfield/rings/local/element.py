@@ -84,6 +84,8 @@ class LocalElement:
         o = self._other(other)
         if o is None:
             return NotImplemented
+        if o is self:  # one number, twice: 2x is known to as many digits as x
+            return self * 2
         return LocalElement(self.field, self.value + o.value, _least(self.precision, o.precision))
 
     __radd__ = __add__

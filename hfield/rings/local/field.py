@@ -148,7 +148,7 @@ class LocalField(Ring):
 
     def is_square(self, x: Any) -> bool:
         """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""
-        return self.sqrt(x) is not None
+        return square_root(self, x, 1) is not None
 
     def sqrt(self, x: Any) -> Any:
         """Return a square root, exact where the global field has it, else to some digits (Hensel's lemma).

@@ -3,7 +3,7 @@
 An order of the variables, each small or large, makes a valuation of k(x, y, …) with values in ℤⁿ, ordered as
 in a dictionary: that of a polynomial is the least exponent in it. Where v(a) and v(b) are independent modulo
 2, the terms of w² − a·x² − b·y² + ab·z² have four different values, and their sum is 0 only if all are. For
-[a, b), with v(a) < 0 as well, w·x is larger than the lesser of w² and a·x², for twice its value is larger than
+[a, b), with v(a) < 0 as well, w·x is larger than the lesser of w² and a·x², its value being larger than half
 the sum of theirs. Nothing in this depends on k, nor on its characteristic.
 """
 

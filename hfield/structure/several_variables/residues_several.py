@@ -98,12 +98,13 @@ def residue(F: RationalFunctions, unit: Any, place: PolynomialPlace) -> Residue:
             at = target.zero - target.divide(rest, slope)
             over, under = (_value(F, p, n, at, target) for p in (unit.num, unit.den))
             return Residue(target, target.divide(over, under))
-    return _norm(F, unit, place)
+    return Residue(F, unit) if F.sqrt(unit) is not None else _norm(F, unit, place)
 
 
 def _norm(F: RationalFunctions, unit: Any, place: PolynomialPlace) -> Residue:
     """Return the norm of a residue down to the other variables, up to squares, by resultants."""
-    n = next(m for m, e in enumerate(place.poly.degrees()) if int(e))
+    degrees = {m: int(e) for m, e in enumerate(place.poly.degrees()) if int(e)}
+    n = max(degrees, key=lambda m: degrees[m] % 2)  # in odd degree the norm of a constant tells
     target = _without(F, n)
     lead = _leading(F, place.poly, n, target)
     total = target.one
