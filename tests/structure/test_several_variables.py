@@ -1,5 +1,6 @@
 """Algebras over rational functions in several variables, by residues and by leading terms."""
 
+from contextlib import suppress
 from random import Random
 
 import pytest
@@ -71,10 +72,8 @@ def test_a_norm_is_never_ramified(name):
         b = u * u - a * v * v
         if F.is_zero(a) or F.is_zero(b):
             continue
-        try:
+        with suppress(UndecidedError):
             assert known_field(F).ramified(_form(F, a, b)) == (), (a, b)
-        except UndecidedError:
-            pass
 
 
 def _form(F, a, b):

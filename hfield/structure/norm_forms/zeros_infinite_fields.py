@@ -43,15 +43,15 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     """Answer for characteristic 2 and t = 0, where the algebra is commutative and N is additive."""
     zero, one = ring.zero, ring.one
     a, _, b = c
+    answer = by_leading_terms(ring, c, normal_form(ring, c))
+    if answer is not None:
+        return answer
     field = global_field(ring)
     if field is not None:
         # x = u² + g·v²: 1, a and b are dependent over the squares
         (u, v), (s, t) = field.square_parts(a), field.square_parts(b)
         q = (u, one, zero, zero) if ring.is_zero(v) else (u * t + s * v, t, v, zero)
         return found(ring, c, q, "squares", "1, a and b are linearly dependent over the squares")
-    answer = by_leading_terms(ring, c, normal_form(ring, c))
-    if answer is not None:
-        return answer
     for square, unit in (
         (a, (one, zero, zero)),
         (b, (zero, one, zero)),

@@ -56,15 +56,17 @@ class SeveralArithmetic(GlobalField):
         F = self.ring
         if isinstance(text, PolynomialPlace):
             return text
-        known = places_of(F, F(text))
-        if len(known) == 1 + len(F.variables):
-            return known[0]
-        found = next((v for v in known if v.name == str(text).replace(" ", "")), None)
-        if found is None:
+        infinite = {v.name: v for v in places_of(F)}
+        name = str(text).replace(" ", "")
+        if name in infinite:
+            return infinite[name]
+        x = F(text)
+        finite = x.num.factor()[1] if x.num != 0 and F.is_one(x.den) else []
+        if [int(n) for _, n in finite] != [1]:
             raise RingError(
                 f"{text} is not a place of {F}: expected an irreducible polynomial, or 1/x"
             )
-        return found
+        return places_of(F, x)[0]
 
     def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
         """Refuse: completions at prime polynomials are no local fields."""
