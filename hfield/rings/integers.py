@@ -1,9 +1,9 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
 import itertools
-import random
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -14,6 +14,7 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
+from hfield.rings.roots import rational_roots
 
 _ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
 
@@ -101,6 +102,15 @@ class Integers(_Ordered):
             self.inverse(y)
         return x // y
 
+    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return quotient and remainder, which has the sign of y."""
+        quotient, remainder = divmod(x, y)
+        return quotient, remainder
+
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the integer roots of a polynomial that is not 0."""
+        return [flint.fmpz(x.p) for x in rational_roots(coefficients) if x.q == 1]
+
     def sqrt(self, x: Any) -> Any:
         """Return the root y ≥ 0 with y² = x, or None."""
         return x.isqrt() if x >= 0 and x.is_square() else None
@@ -142,7 +152,11 @@ class Rationals(_Ordered):
             return None
         return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
-    def random(self, rng: random.Random) -> Any:
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the rational roots of a polynomial that is not 0."""
+        return rational_roots(coefficients)
+
+    def random(self, rng: Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 

@@ -16,6 +16,7 @@ not decided here: rings, algebras and the prover each bring their own names.
 
 from hfield.syntax.parser import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, parse
 from hfield.syntax.reader import Reader, weight
+from hfield.syntax.spelling import plain, plain_element
 from hfield.syntax.tree import (
     Binary,
     Call,
@@ -49,5 +50,7 @@ __all__ = [
     "Power",
     "Reader",
     "parse",
+    "plain",
+    "plain_element",
     "weight",
 ]
