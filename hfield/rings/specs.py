@@ -19,7 +19,9 @@ KNOWN = (
 )  # fmt: skip
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
 
-_SYMBOLS = str.maketrans({"ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"})
+_SYMBOLS = str.maketrans(
+    {"ζ": "zeta", "ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"}
+)
 _NAMED = {
     "QQ": "integers", "ZZ": "integers", "RR": "algebraic", "CC": "algebraic", "RDF": "floats"
 }  # fmt: skip
@@ -39,6 +41,12 @@ def build(text: str) -> Ring:
     base, place = _completed(s)
     if place:
         return build(base).completion(place)
+    if s.startswith("Q"):
+        from hfield.rings.number_field_specs import build as build_number_field
+
+        number_field = build_number_field(s)
+        if number_field is not None:
+            return number_field
     if m := re.fullmatch(r"(.+)\[([^\W\d_]\w*)\]/\((.+)\)", s):
         return _quotient(build(m[1]), m[2], m[3])
     head, groups = _split(s)

@@ -22,7 +22,9 @@ _CONSTANT = re.compile(
 )
 
 
-def variables(what: str, inner: str, base: Ring, *, adjoined: bool) -> tuple[str, ...]:
+def variables(
+    what: str, inner: str, base: Ring | None = None, *, adjoined: bool = False
+) -> tuple[str, ...]:
     """Read names of variables, none of which means anything else. Raises :class:`RingError`.
 
     ``adjoined`` names stand in round brackets, where a number could stand as well: there a name that reads
@@ -46,9 +48,9 @@ def variables(what: str, inner: str, base: Ring, *, adjoined: bool) -> tuple[str
             raise RingError(
                 f"{what}: {shorten(name)} reads like a constant, and is not taken for a variable; for "
                 f"rational functions name the variable x or t, as in {base}({_free(base)}); number fields "
-                "that are known are QQ(sqrt(2)) and QQ(I)"
+                "are written QQ(zeta5), QQ(root(2,3)) or QQ[s]/(s^3-2)"
             )
-        if name in base.names():
+        if base is not None and name in base.names():
             raise RingError(
                 f"{what}: {name!r} already names the generator of {base}; choose another letter, "
                 f"such as {_free(base)}"
@@ -58,6 +60,6 @@ def variables(what: str, inner: str, base: Ring, *, adjoined: bool) -> tuple[str
     return names
 
 
-def _free(base: Ring) -> str:
+def _free(base: Ring | None) -> str:
     """Return a letter that names nothing in the ring."""
-    return next(x for x in "tsuvxyz" if x not in base.names())
+    return next(x for x in "tsuvxyz" if base is None or x not in base.names())

@@ -13,13 +13,14 @@ from functools import cache
 from importlib import import_module
 from typing import Any, ClassVar
 
-from hfield.errors import UndecidedError
+from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
 from hfield.rings.local.field import LocalField
+from hfield.rings.number_field import NumberField
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
@@ -34,6 +35,7 @@ _KINDS: dict[type[Ring], str] = {
     RationalFunctions: "several_variables.arithmetic_several.SeveralArithmetic",
     FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
     QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
+    NumberField: "number_fields.arithmetic_number_fields.NumberFieldArithmetic",
 }
 
 
@@ -125,6 +127,15 @@ class GlobalField(ABC):
         shown = ", ".join(map(str, places))
         return (
             f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
+        )
+
+    def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
+        """Return constants (a, b) of an algebra that ramifies exactly at the places.
+
+        Raises :class:`RingError` where the field does not know how, or where there is none.
+        """
+        raise RingError(
+            f"algebras are made from their ramification over number fields, not over {self.ring}"
         )
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[Any, ...]:

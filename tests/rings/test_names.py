@@ -212,6 +212,9 @@ READ_LIKE_CONSTANTS = [
 @pytest.mark.parametrize("name", READ_LIKE_CONSTANTS)
 @pytest.mark.parametrize("base", ["QQ", "GF(5)"])
 def test_what_reads_like_a_constant_is_no_variable_in_round_brackets(base, name):
+    if base == "QQ" and name in ("zeta5", "zeta_5", "ζ5"):
+        assert ring(f"{base}({name})").degree == 4
+        return
     with pytest.raises(RingError, match="reads like a constant") as error:
         ring(f"{base}({name})")
     assert f"{base}(t)" in str(error.value)

@@ -10,10 +10,14 @@ from hfield.rings.function_places import place_of_functions
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import QQ
 from hfield.rings.local.field import LocalField
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_places import RealPlace, place_of_number_field
+from hfield.rings.number_primes import PrimeIdeal
 from hfield.rings.printing import SUBSCRIPTS, blackboard
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import place_of_quadratic
 from hfield.rings.rational_places import INFINITE, place_of_q
+from hfield.rings.residues.number_ideals import local_place
 from hfield.rings.residues.prime_ideals import prime_at
 from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
@@ -73,8 +77,24 @@ def completion_of_quadratic(field: QuadraticField, place: Any) -> Ring:
                 f"positive root: put -{field.gen_name} for {field.gen_name}, and ask at inf+"
             )
         return CC if v.root is None else RR
-    text = str(v) if v.root is not None else f"({v})"
-    below = f"ℚ{str(v.prime).translate(SUBSCRIPTS)}"
-    size = f"of degree 2 over {below}" if v.root is None else f"which is {below}"
+    return _at_prime_ideal(field, v, prime_at(field, v))
+
+
+def completion_of_number_field(field: NumberField, place: Any) -> Ring:
+    """Return the completion of a number field: an extension of ℚ_p, RR, or CC.
+
+    RR and CC do not read the elements of the field, which do not say where its generator goes.
+    """
+    v = place_of_number_field(field, place)
+    if isinstance(v, PrimeIdeal):
+        return _at_prime_ideal(field, v, local_place(v))
+    return RR if isinstance(v, RealPlace) else CC
+
+
+def _at_prime_ideal(field: Ring, v: Any, residues: Any) -> LocalField:
+    """Return the completion at a prime ideal with ``p``, ``e`` and ``f``."""
+    below = f"ℚ{str(v.p).translate(SUBSCRIPTS)}"
+    size = f"of degree {v.e * v.f} over {below}" if v.e * v.f > 1 else f"which is {below}"
     words = f"the completion of {blackboard(field.name)} at {v}, {size}"
-    return LocalField(f"{field}_{text}", words, field, v, prime_at(field, v))
+    text = str(v) if str(v).startswith("(") else f"({v})"
+    return LocalField(f"{field}_{text}", words, field, v, residues)

@@ -43,7 +43,7 @@ class LocalField(Ring):
         self.parse_limit = global_field.parse_limit
         self.pi = global_field(residues.uniformiser)
         if self.characteristic == 0 and residues.index == 1:
-            self.pi = global_field(residues.prime)
+            self.pi = global_field(residues.below)
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -114,8 +114,13 @@ class LocalField(Ring):
         return {name: LocalElement(self, x) for name, x in self.global_field.names().items()}
 
     def functions(self) -> dict[str, Callable[..., Any]]:
-        """``O(x)``, everything that x divides; and ``sqrt``."""
-        return {"O": self._big_o, "sqrt": self._sqrt_here}
+        """``O(x)``, everything that x divides; ``sqrt``; and what functions mean in the global field."""
+        below = {name: self._lifted(f) for name, f in self.global_field.functions().items()}
+        return {**below, "O": self._big_o, "sqrt": self._sqrt_here}
+
+    def _lifted(self, f: Callable[..., Any]) -> Callable[..., Any]:
+        """Return a function of the global field as one of exact elements."""
+        return lambda *xs: self(f(*(x.value for x in xs)))
 
     def _big_o(self, x: LocalElement) -> LocalElement:
         precision = x.least_valuation()

@@ -134,7 +134,7 @@ class Inert(ResidueField):
         super().__init__(functions, (t * t - functions(trace) * t - functions(constant)).num)
         self.number_field, self.prime = field, p
         self.other = field.one
-        self.index = 1
+        self.index, self.below = 1, p
 
     @property
     def uniformiser(self) -> Any:

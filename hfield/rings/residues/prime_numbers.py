@@ -16,7 +16,7 @@ class PrimePlace:
     index = 1  # the valuation of p
 
     def __init__(self, p: int) -> None:
-        self.prime = self.modulus = self.order = p
+        self.below = self.modulus = self.order = p
         self.even = p == 2
         self.uniformiser, self.inverse_uniformiser = Fraction(p), Fraction(1, p)
 
