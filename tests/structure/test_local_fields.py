@@ -6,13 +6,14 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from padic_cases import cases, pari
+from padic_cases import cases, extension_cases, pari, pari_symbol
 
 from hfield import QuaternionAlgebra, hilbert_symbol, prove, ring
 from hfield.errors import NotInvertibleError, RingError, UndecidedError
 from hfield.factorisation import remove
 
 VECTORS = Path(__file__).parents[1] / "vectors" / "padic_symbols.txt"
+EXTENSIONS = Path(__file__).parents[1] / "vectors" / "padic_extension_symbols.txt"
 COMPLETIONS = (
     "Qp(2)", "Qp(3)", "Qp(5)", "Qp(7)", "QQ(I)_(2)", "QQ(I)_(5, I-2)", "QQ(sqrt(2))_(2)", "QQ(sqrt(3))_(2)",
     "QQ(sqrt(5))_(2)", "QQ(sqrt(-7))_(2, sqrt(-7)-1)", "QQ(sqrt(-3))_(3)", "GF(3)((t))", "GF(9)((t))",
@@ -37,6 +38,21 @@ def test_a_thousand_symbols_are_those_of_pari():
     for p, a, b in cases():
         F = ring(f"Qp({p})")
         assert hilbert_symbol(F(a), F(b), p) == int(oracle(f"hilbert({a},{b},{p})")), (p, a, b)
+
+
+def test_two_hundred_symbols_over_extensions_are_those_of_the_vectors():
+    signs = EXTENSIONS.read_text(encoding="utf-8").replace("\n", "")
+    for (_, P, a, b), sign in zip(extension_cases(), signs, strict=True):
+        L = P.field.completion(P)
+        assert hilbert_symbol(L(a), L(b), P) == (1 if sign == "+" else -1), (P, a, b)
+
+
+def test_two_hundred_symbols_over_extensions_are_those_of_pari():
+    oracle = pari()
+    for text, P, a, b in extension_cases():
+        L = P.field.completion(P)
+        cut = [L.up_to(x, P.valuation(x) + L.square_digits) for x in (a, b)]
+        assert hilbert_symbol(*cut, P) == pari_symbol(oracle, text, P, a, b), (P, a, b)
 
 
 def test_so_many_digits_decide_and_fewer_do_not():
