@@ -59,12 +59,15 @@ class Searcher:
             self.compiled = compile_statement(statement, world, self.fixed)
 
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether the algebra exists there and the statement has the wanted truth value."""
-        if self.compiled is not None:
-            return self.defined and self.compiled(assignment) is self.wanted
-        if not bind(self.world, self.constants, {**self.fixed, **assignment}):
+        """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
+        try:
+            if self.compiled is not None:
+                return self.defined and self.compiled(assignment) is self.wanted
+            if not bind(self.world, self.constants, {**self.fixed, **assignment}):
+                return False
+            return holds(self.world, self.statement) is self.wanted
+        except UndecidedError:  # a local field knows its roots to some digits only
             return False
-        return holds(self.world, self.statement) is self.wanted
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
         """Return the first assignment with the wanted truth value, before the deadline."""

@@ -73,7 +73,10 @@ def solve_clauses(
     for clause in left:
         for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
             soon = min(deadline, monotonic() + SHORT)
-            found = solve(statement, x, narrower, field, letters, soon)
+            try:
+                found = solve(statement, x, narrower, field, letters, soon)
+            except UndecidedError:  # a root that is known to some digits only
+                continue
             if found is not None and test(found):
                 return found
     return None
