@@ -310,6 +310,16 @@ class Ring(ABC):
     def __repr__(self) -> str:
         return self.name
 
+    @property
+    def latex_name(self) -> str:
+        """The name in LaTeX's mathematics."""
+        from hfield.rings.latex_names import latex_name
+
+        return latex_name(self.name)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex_name}$"
+
     def __reduce_ex__(self, protocol: Any) -> Any:
         """Pickle by name; a ring whose name :func:`hfield.ring` does not know, as any object."""
         from hfield.rings import ring
