@@ -14,8 +14,12 @@ IDENTITY = {"kind": "identity"}
 SQUARES = {"form": "squares", "by": "ordering", "most": None, "positive": True}
 END = {"step": "contradiction", "cofactors": ["0", "1", "T1"], "denominator": 1}
 CASES = {
-    **{"step": "cases", "cofactors": ["1", "0"], "denominator": 1, "factors": ["s"]},
-    **{"powers": [2], "branches": [[END]]},
+    "step": "cases",
+    "cofactors": ["1", "0"],
+    "denominator": 1,
+    "factors": ["s"],
+    "powers": [2],
+    "branches": [[END]],
 }
 FORM = {"step": "squares", "cofactors": ["1", "0"], "denominator": 1, "terms": ["s"]}
 NORM = {"form": "norm", "by": "place", "place": "7", "u": ["0"] * 4, "j": ["0"] * 4}
