@@ -11,7 +11,7 @@ from hfield.notation import element_text
 from hfield.proving.evaluation.interpretation import RingInterpretation, bind
 from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_unicode
-from hfield.proving.statements.setting import read_setting
+from hfield.proving.statements.setting import Setting, read_setting
 from hfield.proving.statements.trees import walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
@@ -41,14 +41,14 @@ def evaluated(
         read = read_statement(text, F, (), setting.letters, setting.constants)
         if read.exists or weight(read.node) > MOST_WEIGHT:
             return []
-        return list(_failures(_world(read, setting.constants, F, witness), read, F))[:MOST_LINES]
+        return list(_failures(_world(read, setting, F, witness), read, F))[:MOST_LINES]
     except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
         return []
 
 
 def _world(
     statement: Statement,
-    constants: tuple[str, str, str],
+    setting: Setting,
     F: Ring,
     witness: Mapping[str, Sequence[str]],
 ) -> RingInterpretation:
@@ -58,7 +58,7 @@ def _world(
         read = tuple(F(text) for text in witness[unknown])
         values[unknown] = read[0] if len(read) == 1 else read
     world = RingInterpretation(F)
-    bind(world, constants, values)
+    bind(world, setting.trees, values)
     return world
 
 

@@ -191,6 +191,16 @@ class Ring(ABC):
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
 
     @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is, as far as that is known."""
+        return self.is_field or self.fractions is not None
+
+    @property
+    def fractions(self) -> "Ring | None":
+        """The field of fractions of an integral domain that is no field, where it has a name."""
+        return None
+
+    @property
     def residues_of(self) -> tuple["Ring", Any] | None:
         """The Euclidean ring R and the m for which this is R/m, None for any other ring.
 

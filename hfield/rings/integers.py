@@ -79,6 +79,11 @@ class Integers(_Ordered):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
 
+    @property
+    def fractions(self) -> Ring:
+        """ℚ."""
+        return QQ
+
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 

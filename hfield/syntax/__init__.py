@@ -29,6 +29,8 @@ from hfield.syntax.tree import (
     Not,
     Number,
     Power,
+    children,
+    rebuild,
 )
 
 __all__ = [
@@ -48,6 +50,8 @@ __all__ = [
     "Number",
     "Power",
     "Reader",
+    "children",
     "parse",
+    "rebuild",
     "weight",
 ]

@@ -1,13 +1,19 @@
 """The syntax tree: what the parser makes and what rings, algebras and the prover read."""
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Any, ClassVar
 
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A place in the tree; ``position`` is the offset in the text and does not count in ``==``."""
+    """A place in the tree; ``position`` is the offset in the text and does not count in ``==``.
 
+    ``below`` names the fields in which a kind of node has other nodes, in the order of the text.
+    """
+
+    below: ClassVar[tuple[str, ...]] = ()
     position: int = field(default=0, compare=False, kw_only=True)
 
 
@@ -29,6 +35,7 @@ class Name(Node):
 class Negate(Node):
     """``-operand``."""
 
+    below = ("operand",)
     operand: Node
 
 
@@ -36,6 +43,7 @@ class Negate(Node):
 class Binary(Node):
     """``left op right`` with op one of ``+ - * /``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -45,6 +53,7 @@ class Binary(Node):
 class Power(Node):
     """``base ** exponent``."""
 
+    below = ("base",)
     base: Node
     exponent: int
 
@@ -61,6 +70,7 @@ class Call(Node):
 class Index(Node):
     """``base[index]``, a coordinate."""
 
+    below = ("base",)
     base: Node
     index: int
 
@@ -69,6 +79,7 @@ class Index(Node):
 class Compare(Node):
     """``left op right`` with op ``==`` or ``!=``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -78,6 +89,7 @@ class Compare(Node):
 class Not(Node):
     """``not operand``."""
 
+    below = ("operand",)
     operand: Node
 
 
@@ -85,6 +97,7 @@ class Not(Node):
 class Logic(Node):
     """``left op right`` with op one of ``and or => <=>``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -94,5 +107,26 @@ class Logic(Node):
 class Exists(Node):
     """``exists names: body``."""
 
+    below = ("body",)
     names: tuple[str, ...]
     body: Node
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """Return the nodes directly below ``node``.
+
+    >>> from hfield.syntax import parse
+    >>> len(children(parse("p*q == 1")))
+    2
+    """
+    if isinstance(node, Call):
+        return node.arguments
+    return tuple(getattr(node, name) for name in node.below)
+
+
+def rebuild(node: Node, parts: Sequence[Node]) -> Node:
+    """Return a node like ``node`` with other nodes below it, as many as its :func:`children`."""
+    if isinstance(node, Call):
+        return replace(node, arguments=tuple(parts))
+    changes: dict[str, Any] = dict(zip(node.below, parts, strict=True))
+    return replace(node, **changes) if changes else node

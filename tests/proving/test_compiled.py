@@ -11,6 +11,7 @@ from hfield.proving.polynomials.vanishing import constant
 from hfield.proving.statements.language import Sort, read_statement
 from hfield.proving.statements.setting import HAMILTON
 from hfield.rings import ring
+from hfield.syntax import parse
 from tests.adversary.statement_generator import plain_statements
 
 WRITTEN = (
@@ -37,7 +38,7 @@ def places(statement, scalars, rng):
 def agree(text, field, world, scalars):
     statement = read_statement(text, field)
     fixed = {c: constant(field, c) for c in statement.constants} if field else {}
-    bind(world, HAMILTON, fixed)
+    bind(world, map(parse, HAMILTON), fixed)
     compiled = compile_statement(statement, world, fixed)
     for place in places(statement, scalars, random.Random(text)):
         world.values = {**fixed, **place}

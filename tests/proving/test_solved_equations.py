@@ -9,6 +9,7 @@ from hfield.certificates.check import Rejected, check
 from hfield.proving import prove as proving
 from hfield.proving.decide import decide
 from hfield.proving.existence.closed_equations import closed_solutions
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.rings.roots import residue_roots
@@ -71,7 +72,7 @@ def test_linear_equations_over_residues(n: int) -> None:
             for s, t in product(range(n), repeat=2)
             if (a * s + b * t - c) % n == 0 and (d * s + 3 * t - 2) % n == 0
         ]
-        found = closed_solutions(statement, setting)
+        found = closed_solutions(Problem(statement, setting))
         assert found.none is not bool(places), text
         assert {(int(x["s"]), int(x["t"])) for x in found.places} <= set(places), text
 

@@ -22,7 +22,7 @@ def true_at(statement, field, algebra, witness):
         coordinates = tuple(F(text) for text in witness[name])
         values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
     world = RingInterpretation(F)
-    bind(world, setting.constants, values)
+    bind(world, setting.trees, values)
     hypotheses = all(world.truth(h) for h in read.hypotheses)
     return not hypotheses or world.truth(read.conclusion)
 

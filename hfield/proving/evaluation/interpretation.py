@@ -7,7 +7,7 @@ comes with the condition under which it is defined.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -27,7 +27,6 @@ from hfield.syntax import (
     Not,
     Number,
     Power,
-    parse,
 )
 
 Value = tuple[Any, Any]  # a scalar or a tuple of four, and the condition under which it is defined
@@ -216,14 +215,14 @@ _FUNCTIONS: dict[str, Any] = {
 }
 
 
-def bind(world: Interpretation, constants: tuple[str, str, str], values: Mapping[str, Any]) -> Any:
+def bind(world: Interpretation, trees: Iterable[Node], values: Mapping[str, Any]) -> Any:
     """Give the names their values, and the structure constants theirs, which may depend on them.
 
     Returns the condition under which the structure constants are defined; elsewhere there is no
     algebra, and nothing that a statement could be about.
     """
     world.values = values
-    (a, at), (t, tt), (b, bt) = (world.term(parse(text)) for text in constants)
+    (a, at), (t, tt), (b, bt) = map(world.term, trees)
     world.constants = Constants(a, t, b)
     return world.both(world.both(at, tt), bt)
 

@@ -12,8 +12,8 @@ from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.polynomials.expansion import Expanded, polynomial_world
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
 MAX_BRANCHES = 16
@@ -30,13 +30,12 @@ class Solutions:
     none: bool = False
 
 
-def closed_solutions(statement: Statement, setting: Setting) -> Solutions:
+def closed_solutions(problem: Problem) -> Solutions:
     """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
-    field = setting.field
-    assert field is not None
+    field = problem.ring
     try:
-        world, variables, unknowns = polynomial_world(statement, setting.constants)
-        ways = list(branches(world.truth(statement.node)))
+        world, variables, unknowns = polynomial_world(problem)
+        ways = list(branches(world.truth(problem.statement.node)))
     except TooLargeError:
         return Solutions()
     if len(ways) > MAX_BRANCHES or world.conditions:
@@ -51,7 +50,7 @@ def closed_solutions(statement: Statement, setting: Setting) -> Solutions:
             none = False
             continue
         none = none and not found
-        places.extend(_assigned(statement, values) for values in found)
+        places.extend(_assigned(problem.statement, values) for values in found)
     return Solutions(tuple(places), none)
 
 

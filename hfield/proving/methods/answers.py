@@ -14,8 +14,8 @@ from hfield.proving.methods.field_rules import rules
 from hfield.proving.methods.implications import Proof
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.vanishing import common_primes
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
-from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node
 
@@ -91,17 +91,14 @@ def _listed_characteristics(scope: str) -> list[int]:
 
 
 def refuted(
-    method: str,
-    field: Ring,
-    found: Assignment,
-    statement: Statement,
-    x: Expanded | None = None,
+    method: str, problem: Problem, found: Assignment, x: Expanded | None = None
 ) -> Decision:
     """Return the refutation by the values found.
 
     A conjunction of identities has a scope even so: the characteristics in which it does hold. Of any
     other statement that holds over the fields of some characteristics a step says so in words.
     """
+    field = problem.ring
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
     steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
@@ -110,7 +107,7 @@ def refuted(
     scope = None
     if primes:
         where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
-        if is_conjunction_of_identities(statement):
+        if is_conjunction_of_identities(problem.statement):
             scope = characteristics(list(primes))
             steps.append(f"it holds exactly in {where}")
         else:
@@ -125,8 +122,9 @@ def refuted(
     )
 
 
-def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
+def implied(proof: Proof, problem: Problem) -> Decision:
     """Return the decision "proved" by a complete proof."""
+    setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
     facts = [f"over {setting.algebra} {rule}" for rule in used]
@@ -136,5 +134,5 @@ def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
         "facts": [dict(rule.evidence) for rule in used],
         "items": [dict(item.evidence) for item in proof.items],
     }
-    scope, steps = proof.scope(statement), (*facts, *proof.steps)
+    scope, steps = proof.scope(problem.statement), (*facts, *proof.steps)
     return Decision(PROVED, "implication", None, steps, scope, assumes, (), evidence)

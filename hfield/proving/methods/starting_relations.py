@@ -1,14 +1,14 @@
 """What a proof may start from besides the clause: relations of constants, and telling quaternions."""
 
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
 from typing import Any
 
 from hfield.product import norm
 from hfield.proving.methods.field_rules import relation
 from hfield.proving.polynomials.expansion import Expanded, polynomial_world
 from hfield.proving.polynomials.vanishing import factored, vanishes
-from hfield.proving.statements.language import BASIS, RESULT, Sort, Statement
+from hfield.proving.problem import Problem, remembered
+from hfield.proving.statements.language import BASIS, RESULT, Sort
 from hfield.proving.statements.trees import walk
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
@@ -56,12 +56,11 @@ def nonzero_constants_of(
     return tuple(sorted(found.values(), key=len)[:MAX_NONZERO])
 
 
-@lru_cache(maxsize=256)
-def quaternions_of(
-    statement: Statement, constants: tuple[str, str, str]
-) -> tuple[tuple[tuple[Any, ...], Any], ...]:
+@remembered
+def quaternions_of(problem: Problem) -> tuple[tuple[tuple[Any, ...], Any], ...]:
     """Return the quaternions that occur in the statement and their vectors, each with its norm."""
-    world, _, _ = polynomial_world(statement, constants)
+    world, _, _ = polynomial_world(problem)
+    statement = problem.statement
     found: dict[str, tuple[tuple[Any, ...], Any]] = {}
     nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
     for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):

@@ -8,7 +8,6 @@ are then conditions of their own.
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 from flint import Ordering, fmpz_mpoly_ctx
@@ -16,9 +15,9 @@ from flint import Ordering, fmpz_mpoly_ctx
 from hfield.errors import TooLargeError
 from hfield.proving.evaluation.interpretation import Interpretation, Value, bind
 from hfield.proving.polynomials.normal_form import FALSE, TRUE, Clause, Formula, clauses, literal
-from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.trees import divides_in
-from hfield.syntax import Compare, Node, parse, weight
+from hfield.proving.problem import Problem, remembered
+from hfield.proving.statements.language import Sort
+from hfield.syntax import Compare, Node, weight
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
@@ -49,16 +48,17 @@ def coordinate_names(name: str, sort: Sort) -> list[str]:
     return [name] if sort is Sort.SCALAR else [f"{name}[{n}]" for n in range(4)]
 
 
-@lru_cache(maxsize=2048)
-def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
-    """Expand a statement in the algebra with the constants whose texts are given.
+@remembered
+def expand(problem: Problem) -> Expanded:
+    """Expand the statement of a problem, in its algebra.
 
     Quantifiers are left aside: hypotheses and conclusion become one formula. Raises
     :class:`TooLargeError` rather than begin what would not end.
     """
+    statement = problem.statement
     if any(weight(node) > MAX_WEIGHT for node in (*statement.hypotheses, statement.conclusion)):
         raise TooLargeError("the degree or the numbers are too large to expand")
-    world, variables, unknowns = polynomial_world(statement, constants)
+    world, variables, unknowns = polynomial_world(problem)
     hypotheses, conditions = TRUE, tuple(world.conditions)
     for condition in conditions:  # where there is no algebra, nothing is said
         hypotheses = hypotheses & literal((condition,), False)
@@ -69,20 +69,21 @@ def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
 
 
 def polynomial_world(
-    statement: Statement, constants: tuple[str, str, str]
+    problem: Problem,
 ) -> tuple["Polynomials", tuple[str, ...], int]:
     """Return the interpretation by polynomials, its variables, and how many are of unknowns."""
+    statement = problem.statement
     names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
     variables = (*names, *statement.constants)
     context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(variables))], Ordering.degrevlex)
-    divides = statement.divides or any(map(divides_in, map(parse, constants)))
+    divides = statement.divides or problem.setting.divides
     world = (_Fractions if divides else Polynomials)(context)
     scalars = dict(zip(variables, map(world.lift, context.gens()), strict=True))
     values: dict[str, Any] = {name: scalars[name] for name in statement.constants}
     for name, sort in statement.unknowns:
         coordinates = tuple(scalars[c] for c in coordinate_names(name, sort))
         values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
-    world.conditions = bind(world, constants, values)
+    world.conditions = bind(world, problem.setting.trees, values)
     return world, variables, len(names)
 
 

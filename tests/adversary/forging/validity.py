@@ -177,7 +177,7 @@ def _witness(evidence: Any, data: Certificate) -> bool:
         read = tuple(F(text) for text in evidence["values"][name])
         values[name] = read if len(read) == 4 else read[0]
     world = RingInterpretation(F)
-    bind(world, setting.constants, values)
+    bind(world, setting.trees, values)
     given = all(map(world.truth, statement.hypotheses))
     return (not given or bool(world.truth(statement.conclusion))) == (data["verdict"] == "proved")
 
