@@ -11,10 +11,11 @@ from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, RingError, shorten
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
-from hfield.product import Constants, Coordinates
-from hfield.quaternion import Quaternion, is_array
+from hfield.product import Constants
+from hfield.quaternion import Quaternion, held_by, is_array
 from hfield.rings import ring as read_ring
 from hfield.rings.base import Ring
+from hfield.rings.holding import Batch, Holding
 
 LISTED = 10_000
 
@@ -64,9 +65,14 @@ class QuaternionAlgebra(Invariants):
         return cls(F, a, b)
 
     @cached_property
-    def batch_constants(self) -> Constants:
-        """The structure constants as 0-dimensional arrays, for products of arrays."""
-        return Constants(*(self.ring.array(c) for c in self.constants))
+    def holding(self) -> Holding:
+        """How a single element is held, and what computes with it."""
+        return self.ring.holding(self.constants)
+
+    @cached_property
+    def array_holding(self) -> Batch:
+        """How an array of elements is held, and what computes with it."""
+        return self.ring.array_holding(self.constants)
 
     # --- elements ------------------------------------------------------------------------------
 
@@ -97,31 +103,11 @@ class QuaternionAlgebra(Invariants):
         )
 
     def _element(self, values: tuple[Any, ...]) -> Quaternion:
-        if not any(isinstance(v, (list, tuple)) or (is_array(v) and v.ndim) for v in values):
-            return Quaternion(self, self._four(self.ring(v) for v in values))
-        import numpy as np
-
-        arrays = [self.ring.array(v) for v in values]
-        try:
-            shape = np.broadcast_shapes(*(a.shape for a in arrays))
-        except ValueError:
-            shapes = ", ".join(str(a.shape) for a in arrays)
-            raise CoercionError(
-                f"the four coordinate arrays have shapes {shapes}; expected one shape for all"
-            ) from None
-        full = (a if a.shape == shape else self._spread(a, shape) for a in arrays)
-        return Quaternion(self, self._four(full))
-
-    @staticmethod
-    def _spread(a: Any, shape: tuple[int, ...]) -> Any:
-        import numpy as np
-
-        return np.broadcast_to(a, shape, subok=True).copy()
-
-    @staticmethod
-    def _four(values: Any) -> Coordinates:
-        w, x, y, z = values
-        return w, x, y, z
+        if any(isinstance(v, (list, tuple)) or (is_array(v) and v.ndim) for v in values):
+            how: Holding = self.array_holding
+        else:
+            how = self.holding
+        return held_by(self, how, how.read(values))
 
     def scalar(self, x: Any) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
@@ -200,7 +186,8 @@ class QuaternionAlgebra(Invariants):
         from random import Random
 
         rng = Random(seed)
-        return Quaternion(self, self._four(self.ring.random(rng) for _ in range(4)))
+        w, x, y, z = (self.ring.random(rng) for _ in range(4))
+        return Quaternion(self, (w, x, y, z))
 
     # --- what it is ----------------------------------------------------------------------------
 

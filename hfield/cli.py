@@ -11,6 +11,7 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
+from shutil import get_terminal_size
 from typing import Any
 
 from hfield import __version__
@@ -34,6 +35,8 @@ COMMANDS = {
     "four-squares": "write an integer as a sum of four squares",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
+    "doctor": "tell what is installed, what is missing and what it would add",
+    "completion": "print the completion script of a shell",
     "repl": "an interactive session with e, i, j, k at hand",
 }
 GROUP = "hfield.commands"
@@ -96,12 +99,24 @@ def _dispatch(words: list[str]) -> int:
     if words[0] == "--version":
         print(f"hfield {__version__}")
         return 0
-    name, rest = words[0], words[1:]
-    module = _load(name)
-    parser = Parser(f"hfield {name}", module.HELP)
-    module.configure(parser)
-    status: int = module.run(parser.read(rest))
+    if words[0] == "help":
+        return _dispatch([*words[1:2], "--help"])
+    module, parser = command(words[0])
+    status: int = module.run(parser.read(words[1:]))
     return status
+
+
+def command(name: str) -> tuple[Any, Parser]:
+    """Return the module of a command and the parser of its arguments. Raises :class:`UsageError`."""
+    module = _load(name)
+    parser = Parser(f"hfield {name}", module.HELP, getattr(module, "EXAMPLES", ()))
+    module.configure(parser)
+    return module, parser
+
+
+def names() -> list[str]:
+    """Return the names of all commands."""
+    return [*COMMANDS, *_foreign()]
 
 
 def _load(name: str) -> Any:
@@ -114,7 +129,7 @@ def _load(name: str) -> Any:
         raise UsageError(
             f"unknown option {shorten(name)!r}; expected a command first, `hfield --help` lists them"
         )
-    hint = suggest(name, [*COMMANDS, *foreign]) or "`hfield --help` lists them"
+    hint = suggest(name, names()) or "`hfield --help` lists them"
     raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
 
 
@@ -135,15 +150,23 @@ def _summary(point: Any) -> str:
 
 
 def _help() -> str:
+    from textwrap import fill
+
+    width = min(100, get_terminal_size((100, 24)).columns)
+    commands = COMMANDS | {name: _summary(point) for name, point in _foreign().items()}
     lines = [
         "usage: hfield COMMAND [OPTION]…",
         "",
-        "Quaternion algebras over arbitrary fields, with statements about them decided.",
+        fill(
+            "Quaternion algebras over arbitrary fields, with statements about them decided.", width
+        ),
         "",
-        *(f"  {name:<12} {text}" for name, text in COMMANDS.items()),
-        *(f"  {name:<12} {_summary(point)}" for name, point in _foreign().items()),
+        *(
+            fill(text, width, initial_indent=f"  {name:<12} ", subsequent_indent=" " * 15)
+            for name, text in commands.items()
+        ),
         "",
-        "`hfield COMMAND --help` tells more; `hfield --version` prints the version.",
+        fill("`hfield help COMMAND` tells more; `hfield --version` prints the version.", width),
         "Try: hfield verify",
     ]
     return "\n".join(lines)

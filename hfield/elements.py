@@ -104,11 +104,12 @@ class ElementFacts:
 
     def _single(self) -> tuple[Any, product.Constants, Coordinates]:
         """Return the arguments that functions of ``structure`` take."""
-        if hasattr(self.coordinates[0], "dtype") and hasattr(self.coordinates[0], "ndim"):
+        coordinates = self.coordinates
+        if hasattr(coordinates[0], "dtype") and hasattr(coordinates[0], "ndim"):
             raise CoercionError(
                 "this is asked of a single quaternion, not of an array: take one, q[n], or loop"
             )
-        return self.algebra.ring, self.algebra.constants, self.coordinates
+        return self.algebra.ring, self.algebra.constants, coordinates
 
     # --- units and zero divisors ---------------------------------------------------------------
 

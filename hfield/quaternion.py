@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
-from typing import Any, Protocol
+from collections.abc import Iterator
+from typing import Any, NoReturn, Protocol
 
-from hfield import product
 from hfield.elements import ElementFacts
 from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.notation import element_text
-from hfield.product import Coordinates
+from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring, power
+from hfield.rings.holding import Batch, Holding
 
 
 class Parent(Protocol):
     """What an element asks of its algebra: :class:`hfield.algebra.QuaternionAlgebra`."""
 
     ring: Ring
-    constants: product.Constants
+    constants: Constants
 
     @property
-    def batch_constants(self) -> product.Constants: ...  # noqa: D102
+    def holding(self) -> Holding: ...  # noqa: D102
+    @property
+    def array_holding(self) -> Batch: ...  # noqa: D102
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
     def __call__(self, *coordinates: Any) -> Quaternion: ...  # noqa: D102
@@ -38,38 +40,56 @@ class Quaternion(ElementFacts):
     arithmetic raises :class:`MixedParentsError`, and ``==`` between them is False.
     """
 
-    __slots__ = ("algebra", "coordinates")
+    # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
+    __slots__ = ("_algebra", "_held", "_how")
     __array_ufunc__ = None  # or numpy would distribute ``array * q`` over the array's entries
 
-    algebra: Parent
-    coordinates: Coordinates
+    _algebra: Parent
+    _how: Holding
+    _held: Any
 
     def __init__(self, algebra: Parent, coordinates: Coordinates) -> None:
-        object.__setattr__(self, "algebra", algebra)
-        object.__setattr__(self, "coordinates", coordinates)
+        self._algebra = algebra
+        self._how = algebra.array_holding if is_array(coordinates[0]) else algebra.holding
+        self._held = self._how.hold(coordinates)
 
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError("quaternions are immutable; build a new one with the algebra")
+    @property
+    def algebra(self) -> Parent:
+        """The algebra of which it is an element."""
+        return self._algebra
+
+    @algebra.setter
+    def algebra(self, value: object) -> NoReturn:
+        _refuse_change()
+
+    @property
+    def coordinates(self) -> Coordinates:
+        """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or arrays of them."""
+        return self._how.coordinates(self._held)
+
+    @coordinates.setter
+    def coordinates(self, value: object) -> NoReturn:
+        _refuse_change()
 
     def __delattr__(self, name: str) -> None:
-        raise AttributeError("quaternions are immutable")
+        _refuse_change()
 
     # --- shape ---------------------------------------------------------------------------------
 
     @property
     def ring(self) -> Ring:
         """The base ring."""
-        return self.algebra.ring
+        return self._algebra.ring
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of an array of quaternions; ``()`` for a single one."""
-        return self.coordinates[0].shape if self.is_batch else ()
+        return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
 
     @property
     def is_batch(self) -> bool:
         """Whether this is an array of quaternions."""
-        return is_array(self.coordinates[0])
+        return self._how.is_batch
 
     def __len__(self) -> int:
         if not self.shape:
@@ -78,18 +98,21 @@ class Quaternion(ElementFacts):
 
     def __getitem__(self, index: Any) -> Quaternion:
         """Take elements out of an array of quaternions, as numpy indexes arrays."""
-        if not self.shape:
+        how = self._how
+        if not isinstance(how, Batch) or not how.shape(self._held):
             raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
-        parts = [c[index] for c in self.coordinates]
-        if not getattr(parts[0], "shape", ()):
-            parts = [self.ring.scalar(c) for c in parts]
-        return self._new(*parts)
+        part = how.part(self._held, index)
+        return self._alike(part) if how.shape(part) else self._new(*how.single(part))
 
     def __iter__(self) -> Iterator[Quaternion]:
         return (self[n] for n in range(len(self)))
 
     def _new(self, w: Any, x: Any, y: Any, z: Any) -> Quaternion:
-        return Quaternion(self.algebra, (w, x, y, z))
+        return Quaternion(self._algebra, (w, x, y, z))
+
+    def _alike(self, held: Any) -> Quaternion:
+        """Return another element of this algebra, held as this one is."""
+        return held_by(self._algebra, self._how, held)
 
     def _operand(self, other: Any, operation: str) -> Quaternion:
         """Bring the other operand into this algebra."""
@@ -105,50 +128,56 @@ class Quaternion(ElementFacts):
             )
         return q
 
-    def _join(self, other: Any, operation: str) -> tuple[Quaternion, Quaternion]:
-        """Bring the two operands into one algebra and one kind (single or array)."""
+    def _join(self, other: Any, operation: str) -> tuple[Holding, Any, Any]:
+        """Bring the other operand into this algebra, both to one kind (single or array), and hold both."""
         q = self._operand(other, operation)
-        if not self.is_batch and not q.is_batch:
-            return self, q
-        if self.shape != q.shape and self.shape and q.shape:
-            _check_shapes(self.shape, q.shape, operation)
-        return self._as_batch(), q._as_batch()
-
-    def _as_batch(self) -> Quaternion:
-        if self.is_batch:
-            return self
-        return self._new(*(self.ring.array(c) for c in self.coordinates))
+        if self._how.is_batch == q._how.is_batch:
+            return self._how, self._held, q._held
+        batch = self._algebra.array_holding
+        p, q = (x._held if x.is_batch else batch.lift(x.coordinates) for x in (self, q))
+        return batch, p, q
 
     # --- arithmetic ----------------------------------------------------------------------------
+    # Two elements that are held alike, which is nearly all, skip every question.
 
     def __add__(self, other: Any) -> Quaternion:
-        p, q = self._join(other, "add")
-        return self._new(*(x + y for x, y in zip(p.coordinates, q.coordinates, strict=True)))
+        if type(other) is Quaternion and other._how is self._how:
+            how, p, q = self._how, self._held, other._held
+        else:
+            how, p, q = self._join(other, "add")
+        return held_by(self._algebra, how, how.sum(p, q))
 
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Quaternion:
-        p, q = self._join(other, "subtract")
-        return self._new(*(x - y for x, y in zip(p.coordinates, q.coordinates, strict=True)))
+        if type(other) is Quaternion and other._how is self._how:
+            how, p, q = self._how, self._held, other._held
+        else:
+            how, p, q = self._join(other, "subtract")
+        return held_by(self._algebra, how, how.difference(p, q))
 
     def __rsub__(self, other: Any) -> Quaternion:
-        p, q = self._join(other, "subtract")
-        return q - p
+        how, p, q = self._join(other, "subtract")
+        return held_by(self._algebra, how, how.difference(q, p))
 
     def __neg__(self) -> Quaternion:
-        return self._new(*(-x for x in self.coordinates))
+        return self._alike(self._how.negative(self._held))
 
     def __pos__(self) -> Quaternion:
         return self
 
     def __mul__(self, other: Any) -> Quaternion:
-        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+        if type(other) is Quaternion and other._how is self._how:
+            how, p, q = self._how, self._held, other._held
+        elif hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
             return NotImplemented
-        p, q = self._join(other, "multiply")
-        return self._new(*product.multiply(p._constants, p.coordinates, q.coordinates))
+        else:
+            how, p, q = self._join(other, "multiply")
+        return held_by(self._algebra, how, how.product(p, q))
 
     def __rmul__(self, other: Any) -> Quaternion:
-        return self._join(other, "multiply")[1] * self
+        how, p, q = self._join(other, "multiply")
+        return held_by(self._algebra, how, how.product(q, p))
 
     def __truediv__(self, other: Any) -> Quaternion:
         """Return ``self · other⁻¹``."""
@@ -165,6 +194,8 @@ class Quaternion(ElementFacts):
         return result
 
     def __eq__(self, other: object) -> Any:
+        if type(other) is Quaternion and other._how is self._how:
+            return self._how.equal(self._held, other._held)
         if isinstance(other, str):
             return NotImplemented
         if not isinstance(other, Quaternion):
@@ -174,22 +205,14 @@ class Quaternion(ElementFacts):
                 return NotImplemented
         if other.algebra != self.algebra:
             return False
-        p, q = self._join(other, "compare")
-        pairs = list(zip(p.coordinates, q.coordinates, strict=True))
-        if not p.is_batch:
-            return all(self.ring.equal(x, y) for x, y in pairs)
-        import numpy as np
-
-        return np.logical_and.reduce([np.asarray(x == y, dtype=bool) for x, y in pairs])
+        how, p, q = self._join(other, "compare")
+        return how.equal(p, q)
 
     def __hash__(self) -> int:
         if self.is_batch or not self.ring.is_exact:
             what = "an array of quaternions" if self.is_batch else "a quaternion of floats"
             raise TypeError(f"{what} cannot be hashed; single ones over an exact ring can")
-        return hash((self.algebra, self._keys()))
-
-    def _keys(self) -> tuple[Hashable, ...]:
-        return tuple(self.ring.key(x) for x in self.coordinates)
+        return hash((self._algebra, self._how.key(self._held)))
 
     def __bool__(self) -> bool:
         if self.is_batch:
@@ -199,10 +222,6 @@ class Quaternion(ElementFacts):
         return not self.is_zero()
 
     # --- what the algebra knows of it ----------------------------------------------------------
-
-    @property
-    def _constants(self) -> product.Constants:
-        return self.algebra.batch_constants if self.is_batch else self.algebra.constants
 
     @property
     def scalar_part(self) -> Any:
@@ -217,15 +236,15 @@ class Quaternion(ElementFacts):
 
     def conjugate(self) -> Quaternion:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
-        return self._new(*product.conjugate(self._constants, self.coordinates))
+        return self._alike(self._how.conjugate(self._held))
 
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
-        return product.norm(self._constants, self.coordinates)
+        return self._how.norm(self._held)
 
     def trace(self) -> Any:
         """Return the reduced trace, an element (or array) of the base ring."""
-        return product.trace(self._constants, self.coordinates)
+        return self._how.trace(self._held)
 
     def inverse(self) -> Quaternion:
         """Return ``q⁻¹ = conj(q)/N(q)`` (Definition 4).
@@ -233,21 +252,15 @@ class Quaternion(ElementFacts):
         Raises :class:`NotInvertibleError`, a ZeroDivisionError, where the norm is not a unit; the
         message shows some y ≠ 0 with q·y = 0 where there is one.
         """
-        n = self.norm()
-        if self.is_batch:
-            import numpy as np
-
-            units = self.ring.array_units(n)
-            if not units.all():
-                where = tuple(map(int, np.argwhere(~units)[0]))
-                parts = (self.ring.scalar(c[where]) for c in self.coordinates)
-                raise NotInvertibleError(
-                    f"at index {where} of the array: {self._new(*parts)._failure()}"
-                )
-            return self.conjugate() * self.algebra.scalar(self.ring.array_inverse(n))
-        if not self.ring.is_unit(n):
+        how = self._how
+        held = how.inverse(self._held)
+        if held is not None:
+            return held_by(self._algebra, how, held)
+        if not isinstance(how, Batch):
             raise NotInvertibleError(self._failure())
-        return self.conjugate() * self.algebra.scalar(self.ring.inverse(n))
+        where = _first(~how.units(self._held))
+        q = self._new(*how.single(how.part(self._held, where)))
+        raise NotInvertibleError(f"at index {where} of the array: {q._failure()}")
 
     def _failure(self) -> str:
         """Say why this single quaternion has no inverse."""
@@ -266,9 +279,7 @@ class Quaternion(ElementFacts):
 
     def is_zero(self) -> Any:
         """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
-        if self.is_batch:
-            return self == 0
-        return all(self.ring.is_zero(x) for x in self.coordinates)
+        return self._how.is_zero(self._held)
 
     def matrix(self) -> tuple[tuple[Any, ...], ...]:
         """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n)."""
@@ -305,22 +316,34 @@ class Quaternion(ElementFacts):
         state = self.ring.state
         if not self.is_batch:
             return self.algebra, tuple(map(state, self.coordinates))
-        if self.coordinates[0].dtype != object:  # numpy's and galois's arrays pickle as they are
-            return Quaternion, (self.algebra, self.coordinates)
-        rows = tuple([state(x) for x in c.ravel().tolist()] for c in self.coordinates)
+        coordinates = self.coordinates
+        if coordinates[0].dtype != object:  # numpy's and galois's arrays pickle as they are
+            return Quaternion, (self.algebra, coordinates)
+        rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
         return _unpickled, (self.algebra, self.shape, rows)
 
 
-def _check_shapes(left: tuple[int, ...], right: tuple[int, ...], operation: str) -> None:
+_blank = object.__new__
+
+
+def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
+    """Return the element that ``how``, a holding of this algebra, holds as ``held``."""
+    q = _blank(Quaternion)
+    q._algebra = algebra
+    q._how = how
+    q._held = held
+    return q
+
+
+def _refuse_change() -> NoReturn:
+    raise AttributeError("quaternions are immutable; build a new one with the algebra")
+
+
+def _first(flags: Any) -> tuple[int, ...]:
+    """Return the index of the first true entry of a bool array."""
     import numpy as np
 
-    try:
-        np.broadcast_shapes(left, right)
-    except ValueError:
-        raise CoercionError(
-            f"cannot {operation} arrays of quaternions of the shapes {left} and {right}: expected one shape "
-            "for both, or shapes that broadcast as numpy's do"
-        ) from None
+    return tuple(map(int, np.argwhere(flags)[0]))
 
 
 def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]) -> Quaternion:

@@ -1,6 +1,7 @@
 """The command line as such: dispatch, errors of one line, options that look like expressions."""
 
 import os
+import shlex
 import subprocess
 import sys
 
@@ -48,6 +49,26 @@ def test_every_command_has_help(capsys, name):
     assert (status, err) == (0, "")
     assert f"usage: hfield {name}" in out
     assert max(map(len, out.splitlines())) <= 100
+    assert run(capsys, "help", name) == (0, out, "")
+
+
+@pytest.mark.parametrize("name", cli.names())
+def test_every_command_has_examples_that_its_arguments_take(capsys, name):
+    module, parser = cli.command(name)
+    lines = [line for line in module.EXAMPLES if line.startswith("hfield ")]
+    assert lines
+    for line in lines:
+        words = shlex.split(line, comments=True)
+        assert words[:2] == ["hfield", name]
+        parser.read(words[2:] if "|" not in words else words[2 : words.index("|")])
+        assert f"  {line}" in run(capsys, name, "--help")[1].splitlines()
+
+
+@pytest.mark.parametrize("name", ["", *cli.names()])
+def test_help_fits_a_narrow_terminal(capsys, monkeypatch, name):
+    monkeypatch.setenv("COLUMNS", "60")
+    _, out, _ = run(capsys, "help", *([name] if name else []))
+    assert [line for line in out.partition("examples:")[0].splitlines() if len(line) > 60] == []
 
 
 @pytest.mark.parametrize(
@@ -59,7 +80,7 @@ def test_every_command_has_help(capsys, name):
         (["-x"], "expected a command first"),
         ([""], "there is no command"),
         (["eval"], "EXPR"),
-        (["eval", "i", "j"], "'j'"),
+        (["table", "j"], "'j'"),
         (["eval", "i", "--feild", "QQ"], "did you mean --field"),
         (["eval", "i", "--field=GF9", "--fromat=json"], "did you mean --format"),
         (["eval", "i", "--field", "QQ", "--algebra", "(1,1|QQ)"], "not allowed with"),

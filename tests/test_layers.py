@@ -9,7 +9,15 @@ ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
     {"hfield.errors", "hfield.product", "hfield.certificates"},
-    {"hfield.syntax", "hfield.executors", "hfield.atomic", "hfield.factorisation"},
+    {
+        "hfield.syntax",
+        "hfield.executors",
+        "hfield.atomic",
+        "hfield.factorisation",
+        "hfield.straight_line",
+        "hfield.native",
+    },
+    {"hfield.kernels"},
     {"hfield.rings"},
     {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},

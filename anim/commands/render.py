@@ -26,6 +26,10 @@ HELP = (
     "frames. --model takes one of the thesis's four ways to its motion, or physics: a heavy top that "
     "precesses, slows and falls."
 )
+EXAMPLES = (
+    "hfield render -o top.mp4",
+    "hfield render --model physics --sheet -o sheet.png",
+)
 SHEET_SIZE, FILM_SIZE = (320, 240), (640, 480)
 MOST_FRAMES_OF_A_PAGE = 100_000
 MOST_POINTS_OF_A_PAGE = 10_000

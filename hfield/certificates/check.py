@@ -113,13 +113,8 @@ def _check(data: object, pin: Pin | None) -> Established:
     if pin is not None:
         pin.check(statement, algebra, field)
     found = establish_any(statement, setting, c["verdict"], c["evidence"])
-    methods = a_text(c["method"], "method", 400).split("; ")
-    for method in methods:
-        if method not in found.methods:
-            reject(
-                f"the method {shown(method)!r} is not that of the evidence: "
-                + " or ".join(sorted(found.methods))
-            )
+    if c["method"] != found.method:
+        reject(f"the method {shown(c['method'])!r} is not that of the evidence: {found.method}")
     assumes = texts(c["assumes"], "assumes")
     if (
         len(assumes) > MAX_ASSUMES

@@ -1,4 +1,4 @@
-"""What evidence shows: how far it reaches, by which methods, what it cites, which parts are vacuous."""
+"""What evidence shows: how far it reaches, by which method, what it cites, which parts are vacuous."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -11,11 +11,11 @@ WIDTH = {FIELD: 0, FIELDS: 1, RINGS: 2}
 class Finding:
     """``scope``: over the field named (or as it stands), over all fields, over all commutative rings.
 
-    ``methods`` are the names that the certificate may call its method by.
+    ``method`` is the name that the certificate has to give: what shows it has one name.
     """
 
     scope: str
-    methods: frozenset[str]
+    method: str
     cites: tuple[str, ...] = ()
     vacuous: tuple[str, ...] = ()
 
@@ -23,26 +23,26 @@ class Finding:
         """Return the same with no wider a scope than this."""
         return replace(self, scope=min(self.scope, scope, key=WIDTH.__getitem__))
 
-    def also_by(self, *methods: str) -> "Finding":
-        """Return the same, which these methods come to as well."""
-        return replace(self, methods=self.methods | set(methods))
+    def by(self, method: str) -> "Finding":
+        """Return the same, by a method of another name."""
+        return replace(self, method=method)
 
     def citing(self, *theorems: str) -> "Finding":
         """Return the same, citing more."""
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
 
-def finding(scope: str, *methods: str) -> Finding:
+def finding(scope: str, method: str) -> Finding:
     """Return what a single piece of evidence shows."""
-    return Finding(scope, frozenset(methods))
+    return Finding(scope, method)
 
 
 def together(findings: Iterable[Finding]) -> Finding:
-    """Return what several findings show that are all needed: the narrowest of their scopes."""
+    """Return what several findings show that are all needed: the narrowest scope, and each method once."""
     every = list(findings)
     return Finding(
         min((f.scope for f in every), key=WIDTH.__getitem__, default=RINGS),
-        frozenset().union(*(f.methods for f in every)),
+        "; ".join(dict.fromkeys(f.method for f in every)),
         tuple(dict.fromkeys(text for f in every for text in f.cites)),
         tuple(dict.fromkeys(text for f in every for text in f.vacuous)),
     )

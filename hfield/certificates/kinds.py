@@ -27,20 +27,16 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.roots import complex_root, real_root
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.numbers import Floats
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree
 from hfield.certificates.transfer import fractions, reduction
 from hfield.certificates.values import read_values
 
-# All that may come upon a counterexample: it is the evidence, however it was found.
-REFUTING = ("counterexample", "witness", "identity", "exhaustion")
-
 
 def establish(statement: Statement, setting: Setting, verdict: str, evidence: object) -> Finding:
     """Check the evidence for a verdict on a statement; return what it shows."""
     kind = kind_of(evidence)
-    if verdict != "refuted" and isinstance(setting.field, Floats):
+    if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
     check = KINDS.get((verdict, bool(statement.exists), kind))
     if check is None:
@@ -103,9 +99,32 @@ def _counterexample(statement: Statement, setting: Setting, evidence: object) ->
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not False:
         reject("the statement is true for the values of the witness, or the algebra not defined")
-    if isinstance(ring, Floats):
+    if not ring.is_exact:
         return finding(FIELD, "floats, exact on small integers")
-    return finding(FIELD, *REFUTING)
+    return finding(FIELD, _refuted(statement.matrix, ring.order is None))
+
+
+def _refuted(tree: Tree, infinite: bool) -> str:
+    """Name the method of a refutation by what is refuted: an identity, or that equations have no solution."""
+    if _is_identity(tree, True, infinite):
+        return "identity"
+    return "witness" if _is_identity(tree, False, infinite) else "counterexample"
+
+
+def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
+    """Tell whether what is said (or denied) is an identity: equations, joined by "and".
+
+    Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
+    """
+    kind = tree[0]
+    if kind in ("==", "!="):
+        return bool((kind == "==") == said)
+    if kind == "not":
+        return _is_identity(tree[1], not said, infinite)
+    if kind == "<=>" or not (infinite or (kind == "and") == said):
+        return False
+    left = _is_identity(tree[1], said != (kind == "=>"), infinite)
+    return left and _is_identity(tree[2], said, infinite)
 
 
 def _example(statement: Statement, setting: Setting, evidence: object) -> Finding:

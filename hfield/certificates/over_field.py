@@ -4,7 +4,15 @@ from math import gcd
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, Frozen
-from hfield.certificates.polynomials import ONE, Monomial, Poly, constant, modulo, multiply
+from hfield.certificates.polynomials import (
+    ONE,
+    Monomial,
+    Poly,
+    constant,
+    modulo,
+    multiply,
+    variables,
+)
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import Ring
 
@@ -69,6 +77,10 @@ class Place:
         if set(found) != {ONE}:
             return False
         return self.ring is not None or bool(self.p) or found[ONE] in (1, -1)
+
+    def is_constant(self, f: Poly) -> bool:
+        """Tell whether f is a polynomial in the constants of a field that is named."""
+        return self.ring is not None and variables(f) <= self._values.keys()
 
     def same(self, f: Poly) -> Frozen:
         """Return what f has in common with its multiples by units: coefficients made monic."""

@@ -8,7 +8,7 @@ from hfield.certificates.finding import FIELD, Finding, finding
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import Poly, is_constant
 from hfield.certificates.rejection import an_object, reject, shown, texts
-from hfield.certificates.scalars.numbers import QQ
+from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.certificates.work import charge
@@ -77,7 +77,7 @@ def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int
         or len(expansion.clauses[0].goals) != 1
     ):
         reject("the equation is no equation between polynomials")
-    left = [f for f in expansion.clauses[0].goals[0] if not place.vanishes(f)]
+    left = [f for goal in expansion.clauses[0].goals for f in goal if not place.vanishes(f)]
     if len(left) != 1:
         reject("more than one coordinate of the equation does not vanish")
     s = expansion.names.place["name", statement.exists[0]]

@@ -20,6 +20,7 @@ QUATERNION_ROOT = (
 )
 REAL_ROOTS = "every number that is not negative is a square in RR"
 COMPLEX_ROOTS = "every number is a square in CC"
+MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
 
 # By the texts that stand in ``assumes``: where the theorem is proved.
 THEOREMS = {
@@ -32,6 +33,7 @@ THEOREMS = {
     QUATERNION_ROOT: "Eilenberg and Niven, Bulletin of the AMS 50 (1944), 246-248",
     INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
+    MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
     COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",
 }
 # Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.

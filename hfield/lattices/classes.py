@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import count
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
@@ -29,6 +29,9 @@ from hfield.lattices.lattice import Lattice
 from hfield.lattices.order import Order, positive
 from hfield.lattices.subideals import of_prime_norm, right_subideals
 from hfield.lattices.twosided import generators
+
+if TYPE_CHECKING:
+    from hfield.lattices.certified import Claim
 
 Key = tuple[int, ...]
 MOST_CLASSES = 200_000
@@ -263,6 +266,21 @@ class ClassSet:
         for i, row in enumerate(self.neighbours(p)):
             for j in sorted(row):
                 yield i, j, {"weight": row[j]}
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none for more classes than the checker reads; ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+        from hfield.lattices import certified
+
+        return certified.of_class_set(self)
 
     @property
     def evidence(self) -> dict[str, Any]:

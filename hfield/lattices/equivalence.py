@@ -48,21 +48,26 @@ def equivalence(first: Ideal, second: Ideal) -> Answer:
         "second": rows_json(second),
         "between": rows_json(bridge),
     }
+    lattices = (first, second, bridge)
     if size is None:
-        return Answer(False, "the index of one in the other is no square", evidence=evidence)
+        reason = "the index of one in the other is no square"
+        return Answer(False, reason, evidence=evidence, lattices=lattices)
     evidence["norm"] = str(size)
     found, reason = element_of_norm(bridge, size)
     if found is not None:
         evidence["element"] = element_json(found)
-        return Answer(True, "the element is multiplied out", found, evidence=evidence)
+        reason = "the element is multiplied out"
+        return Answer(True, reason, found, evidence=evidence, lattices=lattices)
     if first._regular.definite:
-        return Answer(False, reason, evidence=evidence)
+        return Answer(False, reason, evidence=evidence, lattices=lattices)
     if not (first.is_invertible() and second.is_invertible() and one_class(first.order)):
         raise UndecidedError(
             f"whether these ideals of an indefinite algebra are equivalent is not decided: {reason}, and "
             "strong approximation decides for invertible ideals of orders with Eichler symbols 1 and −1"
         )
-    return Answer(True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence)
+    return Answer(
+        True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence, lattices
+    )
 
 
 def one_class(order: Order) -> bool:

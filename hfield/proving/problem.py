@@ -120,6 +120,13 @@ class Problem:
         )
         return self.stating(made)
 
+    def alone(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
+        """Return the same, without the constants of the field that neither it nor the algebra has."""
+        made, trees = self.about(node, names), (node, *self.setting.trees)
+        used = {text for tree in trees for text in constants_in(tree, self.field)}
+        own = tuple(text for text in made.statement.constants if text in used)
+        return made.stating(replace(made.statement, constants=own))
+
     @property
     def matrix(self) -> Node:
         """The statement without its quantifier: hypotheses ⇒ conclusion."""

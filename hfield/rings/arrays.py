@@ -59,6 +59,29 @@ def wrap(x: Any) -> np.ndarray[Any, np.dtype[Any]]:
     return out
 
 
+def one_shape(arrays: list[Any]) -> list[Any]:
+    """Broadcast the coordinate arrays to one shape. Raises :class:`CoercionError` where they have none."""
+    try:
+        shape = np.broadcast_shapes(*(a.shape for a in arrays))
+    except ValueError:
+        shapes = ", ".join(str(a.shape) for a in arrays)
+        raise CoercionError(
+            f"the four coordinate arrays have shapes {shapes}; expected one shape for all"
+        ) from None
+    return [a if a.shape == shape else np.broadcast_to(a, shape, subok=True).copy() for a in arrays]
+
+
+def check_shapes(left: tuple[int, ...], right: tuple[int, ...], operation: str) -> None:
+    """Refuse two arrays of quaternions whose shapes do not broadcast, with a :class:`CoercionError`."""
+    try:
+        np.broadcast_shapes(left, right)
+    except ValueError:
+        raise CoercionError(
+            f"cannot {operation} arrays of quaternions of the shapes {left} and {right}: expected one shape "
+            "for both, or shapes that broadcast as numpy's do"
+        ) from None
+
+
 def _plain(x: Any) -> Any:
     if isinstance(x, Objects):
         return x.view(np.ndarray)

@@ -6,11 +6,11 @@ A ring is a parent object; its elements are the values of some library as they c
 say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
 """
 
-import random
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 from hfield import syntax
@@ -22,6 +22,8 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.product import Constants
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
 from hfield.rings.printing import from_unicode, number_text
 
@@ -138,7 +140,7 @@ class Ring(ABC):
         """Run through all elements of a finite ring, 0 and 1 first."""
         raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element, small if the ring is infinite; the same for the same seed."""
         return self(rng.randint(-9, 9))
 
@@ -177,6 +179,14 @@ class Ring(ABC):
     def scalar(self, x: Any) -> Any:
         """Turn an entry of ``array`` back into an element."""
         return x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+
+    def holding(self, constants: Constants) -> Holding:
+        """Return how elements of the algebra with these constants are held; by default as they are."""
+        return Holding(self, constants)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Return how arrays of such elements are held; by default as four arrays of the ring."""
+        return Batch(self, constants)
 
     def places(self) -> Iterator[Any]:
         """Run through the places of a global field without end, infinite ones first; texts read back.

@@ -1,9 +1,9 @@
 """Finite fields: GF(p) on flint's residues, GF(pⁿ) on flint's ``fq_default``."""
 
-import random
 from abc import abstractmethod
 from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -199,7 +199,7 @@ class ExtensionField(FiniteField):
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
         return (self.from_label(n) for n in range(self.order))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
 

@@ -1,9 +1,9 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
 import itertools
-import random
 from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -153,7 +153,7 @@ class Rationals(_Ordered):
         """Return the rational roots of a polynomial that is not 0."""
         return rational_roots(coefficients)
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 

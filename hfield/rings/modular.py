@@ -1,9 +1,9 @@
 """Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
 
-import random
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd
+from random import Random
 from typing import Any
 
 import flint
@@ -186,7 +186,7 @@ class Modular(Ring):
         """Run through 0, 1, …, n − 1."""
         return (self._make(n) for n in range(self.modulus))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return self._make(rng.randrange(self.modulus))
 

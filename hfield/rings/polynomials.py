@@ -1,9 +1,9 @@
 """Polynomial rings in several variables over ZZ, QQ and GF(p), on flint's ``mpoly`` types."""
 
-import random
 from collections.abc import Hashable
 from fractions import Fraction
 from math import comb
+from random import Random
 from typing import Any
 
 import flint
@@ -189,7 +189,7 @@ class PolynomialRing(Ring):
             return super().sign(x, ordering)
         return self.base.sign(self.constant_part(_leading(x)))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random polynomial of at most 3 terms; the same for the same seed."""
         out = self.context.constant(0)
         for _ in range(3):

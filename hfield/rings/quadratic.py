@@ -1,8 +1,8 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
-import random
 from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -151,7 +151,7 @@ class QuadraticField(Ring):
         self.check_ordering(ordering)
         return int(x.sign(self.d if ordering else 0))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen

@@ -99,14 +99,14 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
         minor //= special
     if not whole or abs(minor) != 1:
         reject("the minor vanishes in another characteristic, or an equation does not vanish")
-    return finding(FIELDS, "Smith form", "linear algebra")
+    return finding(FIELDS, "Smith form")
 
 
 def _commutators() -> Matrix:
     """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, eight rows of four."""
     ring = read_field("ZZ")
     evaluator = Evaluator(RingScalars(ring), HAMILTON, {})
-    units = [evaluator.term(("name", u))[0] for u in "eijk"]
+    units = [evaluator.value(("name", u)) for u in "eijk"]
     rows = []
     for g in units[1:3]:
         pairs = [(evaluator.product(q, g), evaluator.product(g, q)) for q in units]

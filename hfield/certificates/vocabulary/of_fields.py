@@ -4,12 +4,11 @@ import re
 from itertools import product
 from typing import Any, NoReturn
 
+from hfield.certificates.anisotropy import anisotropic
 from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.certificates.facts import is_ordered, is_square, level_above
 from hfield.certificates.finding import FIELD, Finding, finding
 from hfield.certificates.over_field import Place
-from hfield.certificates.places import anisotropic
 from hfield.certificates.rejection import (
     a_list,
     an_integer,
@@ -22,9 +21,11 @@ from hfield.certificates.rejection import (
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
 from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
+from hfield.certificates.work import charge
 
 CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
 MAX_ROOTS = 8
+MAX_TRIED = 256  # the largest field whose pairs of roots are all multiplied
 
 
 def _field(setting: Setting) -> Ring:
@@ -68,7 +69,7 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
             reject("the element is 0, or its norm is not")
-        return finding(FIELD, "zero norm", "witness")
+        return finding(FIELD, "zero norm")
     _unfit(kind, verdict)
 
 
@@ -89,7 +90,7 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
         an_object(evidence, "kind", "the evidence")
-        if not (is_ordered(field) if bound is None else level_above(field, bound)):
+        if not (field.is_ordered if bound is None else field.level_above(bound)):
             reject(f"that −1 is no sum of squares in {field.name} cannot be verified")
         return finding(FIELD, "level")
     if verdict == "refuted" and kind == "squares":
@@ -113,7 +114,7 @@ def norm_criterion(
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "ordering" and parts == (">",):
         an_object(evidence, "kind", "the evidence")
-        if not is_ordered(field):
+        if not field.is_ordered:
             reject(f"{field.name} is not known to have an ordering")
         return finding(
             FIELD, "ordering"
@@ -146,7 +147,7 @@ def modulus_exists(
         return finding(FIELD, "identity")
     if verdict == "refuted" and kind == "no root":
         data = an_object(evidence, "kind value", "the evidence")
-        if is_square(field, _evaluator(field).norm(_quaternion(field, data["value"]))):
+        if field.is_square(_evaluator(field).norm(_quaternion(field, data["value"]))):
             reject("the norm of the element is a square")
         return finding(FIELD, "witness")
     _unfit(kind, verdict)
@@ -175,17 +176,31 @@ def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence
         return finding(
             FIELD, kind
         )  # y² = z² means (y − z)² = 0, so the product of the roots is the root
-    if kind == "ordering" and is_ordered(field):
+    if kind == "ordering" and field.is_ordered:
         return finding(
             FIELD, kind
         )  # the roots that are not negative: their products are not negative
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
-        return finding(FIELD, "exhaustion", "choice of roots")
-    if kind == "pure subgroup" and field.order is None and not is_square(field, field.number(-1)):
+        if field.order > MAX_TRIED:
+            return finding(FIELD, "choice of roots")
+        _try_squares(field)
+        return finding(FIELD, "exhaustion")
+    if kind == "pure subgroup" and field.order is None and not field.is_square(field.number(-1)):
         # {1, −1} is pure, so a complement of it contains one root of each.
         return finding(FIELD, "choice of roots").citing(KULIKOV)
     _unfit(kind, verdict)
+
+
+def _try_squares(field: Ring) -> None:
+    """Check over a finite field that roots which are squares themselves are enough, and multiply to such."""
+    charge(20 * (field.order or 0) ** 2)
+    squares = {field.mul(x, x) for x in field.elements()}
+    root = {field.mul(x, x): x for x in squares}
+    for x, y in product(root.values(), repeat=2):
+        xy = field.mul(x, y)
+        if root.keys() != squares or root[field.mul(xy, xy)] != xy:
+            reject("the roots that are squares do not multiply to such roots")
 
 
 def _no_choice(field: Ring, operation: str, data: Any) -> None:

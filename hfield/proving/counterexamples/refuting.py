@@ -96,10 +96,10 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
     except (TooLargeError, UndecidedError) as error:
         found = look(problem, MANY)
         if found is not None:
-            return refuted("counterexample", problem, found)
+            return refuted(problem, found)
         return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
     if found is not None:
-        return refuted("exhaustion", problem, found)
+        return refuted(problem, found)
     steps = (f"true in each of the {cases} cases over {problem.ring.name}",)
     evidence = {"kind": "exhaustion", "cases": cases}
     return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)

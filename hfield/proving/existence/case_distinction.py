@@ -149,7 +149,7 @@ def _given(problem: Problem, node: Node) -> Problem:
     """Return a problem about what is given."""
     statement = problem.statement
     free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
-    made = problem.about(node, free)
+    made = problem.alone(node, free)
     return made.stating(replace(made.statement, compares_unequal=True))
 
 

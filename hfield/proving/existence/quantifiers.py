@@ -23,7 +23,7 @@ def vacuous(problem: Problem) -> Decision | None:
     node = conjunction(problem.statement.hypotheses)
     if true_place(problem.about(node), FEW) is not None:
         return None
-    decision = universal.decide(problem.about(Not(node)))
+    decision = universal.decide(problem.alone(Not(node)))
     if decision.verdict != PROVED:
         return None
     evidence = {"kind": "unsatisfiable", "proof": decision.evidence}

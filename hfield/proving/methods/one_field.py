@@ -38,7 +38,7 @@ def decide(problem: Problem) -> Decision:
         return _refuted_identity(problem, x, left)
     found = look_quickly(problem)
     if found is not None:
-        return refuted("counterexample", problem, found, x)
+        return refuted(problem, found, x)
     p = field.characteristic
     proof = prove_clauses(problem.within(SHORT), p)
     if not proof.complete:
@@ -46,7 +46,7 @@ def decide(problem: Problem) -> Decision:
         if found is None:
             found = solve_clauses(problem, x, left)
         if found is not None:
-            return refuted("counterexample", problem, found, x)
+            return refuted(problem, found, x)
         proof = prove_clauses(problem, p)
     if proof.complete:
         return implied(proof, problem)
@@ -54,7 +54,7 @@ def decide(problem: Problem) -> Decision:
         return exhaust(problem, x)
     found = look(problem, MANY)
     if found is not None:
-        return refuted("counterexample", problem, found, x)
+        return refuted(problem, found, x)
     return Decision(UNDECIDED, "none", tried=_tried(problem))
 
 
@@ -86,7 +86,7 @@ def _refuted_identity(problem: Problem, x: Expanded, left: Sequence[Clause]) -> 
         return Decision(
             UNDECIDED, "identity", tried=("the identity fails, but no place was found",)
         )
-    return refuted("identity", problem, found, x)
+    return refuted(problem, found, x)
 
 
 def _tried(problem: Problem) -> tuple[str, ...]:
@@ -103,7 +103,7 @@ def _unexpanded(problem: Problem, why: str) -> Decision:
     """Do what can be done without polynomials: look for a counterexample, or try all cases."""
     found = look(problem, FEW)
     if found is not None:
-        return refuted("counterexample", problem, found)
+        return refuted(problem, found)
     if problem.ring.order is not None:
         return exhaust(problem, None)
     return Decision(UNDECIDED, "none", tried=(why, f"{FEW} small places"))

@@ -35,7 +35,7 @@ def decide(problem: Problem) -> Decision:
     field, statement = problem.ring, problem.statement
     found = look(problem, FEW)
     if found is not None:
-        return refuted("counterexample", problem, found)
+        return refuted(problem, found)
     tried = [f"{FEW} small places over {field.name}"]
     try:
         x = expand(problem)

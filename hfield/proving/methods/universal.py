@@ -24,6 +24,6 @@ def _over_floats(problem: Problem) -> Decision:
     if not statement.divides and not statement.constants:
         found = prime_search(problem, 0, FEW)
         if found is not None:
-            return refuted("floats, exact on small integers", problem, lifted(field, found))
+            return refuted(problem, lifted(field, found))
     tried = (f"{field.name} is inexact, so nothing is proved there: decide over RR or QQ",)
     return Decision(UNDECIDED, "floats", tried=tried)

@@ -1,4 +1,4 @@
-"""ℤ, ℚ, quadratic fields, and the part of ℝ and ℂ that square roots of rational numbers generate.
+"""The part of ℝ and ℂ that square roots of rational numbers generate.
 
 An element is a finite sum of rational multiples of √n, where n runs through products of −1 and
 distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940; docs/trust.md has a
@@ -12,106 +12,32 @@ from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.scalars.rationals import QQ, bounded
+from hfield.certificates.scalars.ring import ReadRing, Ring
 from hfield.certificates.work import charge
 
 MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart
 MAX_SUMMANDS = 32
-MAX_BITS = 100_000
 
 Radical = tuple[int, ...]  # primes and −1, in order; () is 1
 Surd = tuple[tuple[Radical, Fraction], ...]
 
 
-class Rationals(Ring):
-    """ℚ; or ℤ, of which nothing but integers can be named, and where only ±1 are units."""
-
-    characteristic = 0
-    is_integral = True
-
-    def __init__(self, is_field: bool) -> None:
-        self.is_field, self.name = is_field, "QQ" if is_field else "ZZ"
-        self.zero, self.one = Fraction(0), Fraction(1)
-
-    def number(self, n: int) -> Fraction:
-        """Return n."""
-        return Fraction(n)
-
-    def add(self, x: Fraction, y: Fraction) -> Fraction:
-        """Return x + y."""
-        return _bounded(x + y)
-
-    def neg(self, x: Fraction) -> Fraction:
-        """Return −x."""
-        return -x
-
-    def mul(self, x: Fraction, y: Fraction) -> Fraction:
-        """Return x·y."""
-        return _bounded(x * y)
-
-    def inverse(self, x: Fraction) -> Fraction | None:
-        """Return 1/x, None if there is none."""
-        return 1 / x if x and (self.is_field or abs(x) == 1) else None
-
-    def sign(self, x: Fraction) -> int:
-        """Return the sign of x."""
-        return (x > 0) - (x < 0)
-
-
-class Floats(Rationals):
-    """Floats, which are no ring: only integers below 2⁵³, on which they compute exactly."""
-
-    def __init__(self) -> None:
-        super().__init__(False)
-        self.name, self.is_integral = "RDF", False
-
-    def number(self, n: int) -> Fraction:
-        """Return n."""
-        return self._exact(Fraction(n))
-
-    def add(self, x: Fraction, y: Fraction) -> Fraction:
-        """Return x + y."""
-        return self._exact(x + y)
-
-    def mul(self, x: Fraction, y: Fraction) -> Fraction:
-        """Return x·y."""
-        return self._exact(x * y)
-
-    def inverse(self, x: Fraction) -> Fraction | None:
-        """Refuse: a quotient of floats is rounded."""
-        reject("quotients of floats are not exact")
-
-    def fraction(self, value: int | Fraction) -> Fraction:
-        """Return an integer, perhaps written with a decimal point."""
-        return self._exact(Fraction(value))
-
-    def _exact(self, x: Fraction) -> Fraction:
-        if x.denominator != 1 or abs(x) >= 1 << 53:
-            reject("floats are taken only where they are integers below 2^53")
-        return x
-
-
 class Surds(Ring):
-    """QQ(sqrt(d)) for a number d, or what square roots give of RR and CC for ``d`` None."""
+    """A field of sums of square roots."""
 
     characteristic = 0
     is_field = True
+    is_real: bool  # whether it is part of ℝ
 
-    def __init__(self, name: str, d: int | None) -> None:
-        self.name, self.d = name, d
+    def __init__(self, name: str) -> None:
+        self.name = name
         self.zero: Surd = ()
         self.one: Surd = (((), Fraction(1)),)
-        self._only: Radical | None = None
-        if d is not None:
-            root, scale = _radical(d)
-            if scale != 1 or root == ():
-                reject(f"{name}: expected the root of a squarefree number other than 1")
-            self._only = root
 
-    @property
-    def is_real(self) -> bool:
-        """Whether the field is part of ℝ."""
-        return self.name == "RR" or (self.d is not None and self.d > 0)
+    def has_root(self, key: Radical) -> bool:
+        """Tell whether the square root of the product of these primes lies in the field."""
+        return True
 
     def number(self, n: int) -> Surd:
         """Return n."""
@@ -165,12 +91,6 @@ class Surds(Ring):
             bits *= 2
         return 0
 
-    def signs(self, x: Surd) -> tuple[int | None, ...]:
-        """Return the signs of a + b·√d and of a − b·√d; the one sign in ℝ."""
-        if self.d is None:
-            return (self.sign(x),)
-        return self.sign(x), self.sign(tuple((key, -c if key else c) for key, c in x))
-
     def constant(self, tree: Tree) -> Any:
         """Return the value of ``I`` or of ``sqrt(…)``, if it lies in the field."""
         if tree == ("name", "I"):
@@ -178,24 +98,43 @@ class Surds(Ring):
         if tree[0] != "call" or tree[1] != "sqrt" or len(tree[2]) != 1:
             return None
         x = QQ.value(tree[2][0], "the number under a root")
-        key, scale = _radical(x.numerator * x.denominator)
+        key, scale = radical(x.numerator * x.denominator)
         if scale == 0:
             return ()
         return self._inside(((key, Fraction(scale, x.denominator)),))
 
     def _inside(self, x: Surd) -> Surd | None:
         """Return x if it lies in the field."""
-        for key, _ in x:
-            if key and self._only is not None and key != self._only:
-                return None
-            if -1 in key and self.name == "RR":
-                return None
-        return x
+        return x if all(self.has_root(key) for key, _ in x if key) else None
 
     def _surd(self, values: dict[Radical, Fraction]) -> Surd:
         if len(values) > MAX_SUMMANDS:
             reject("too many square roots in one number")
-        return tuple(sorted((key, _bounded(c)) for key, c in values.items() if c))
+        return tuple(sorted((key, bounded(c)) for key, c in values.items() if c))
+
+
+class Reals(Surds):
+    """RR, as far as square roots go."""
+
+    is_real = True
+
+    def has_root(self, key: Radical) -> bool:
+        """Tell whether the number under the root is positive."""
+        return -1 not in key
+
+    def is_square(self, x: Surd) -> bool:
+        """Tell whether x is not negative."""
+        return self.sign(x) != -1
+
+
+class Complexes(Surds):
+    """CC, as far as square roots go."""
+
+    is_real = False
+
+    def is_square(self, x: Surd) -> bool:
+        """Every number is a square."""
+        return True
 
 
 def _floor(key: Radical, c: Fraction, bits: int) -> int:
@@ -207,16 +146,8 @@ def _floor(key: Radical, c: Fraction, bits: int) -> int:
     return root if c > 0 else -root - 1
 
 
-def _bounded(x: Fraction) -> Fraction:
-    bits = x.numerator.bit_length() + x.denominator.bit_length()
-    charge(5 + bits * bits // 500_000)
-    if bits > MAX_BITS:
-        reject("a number has grown too large")
-    return x
-
-
 @lru_cache(maxsize=1024)
-def _radical(n: int) -> tuple[Radical, int]:
+def radical(n: int) -> tuple[Radical, int]:
     """Return (primes, m) with √n = m·√(their product)."""
     if n == 0:
         return (), 0
@@ -237,4 +168,7 @@ def _radical(n: int) -> tuple[Radical, int]:
     return tuple(key if rest == 1 else [*key, rest]), scale
 
 
-QQ = Rationals(True)
+def read(name: str, ring: ReadRing) -> Ring | None:
+    """Return ``RR`` or ``CC``."""
+    kind = {"RR": Reals, "CC": Complexes}.get(name)
+    return None if kind is None else kind(name)

@@ -10,19 +10,21 @@ import os
 import sys
 from pathlib import Path
 
+FOLDER = "hfield-machine-code"
+
 
 def directory() -> Path:
     """Return where the files lie."""
     given = os.environ.get("NUMBA_CACHE_DIR")
     if given:
-        return Path(given) / "rotation-formulas"
+        return Path(given) / FOLDER
     if sys.platform == "win32":
         base = os.environ.get("LOCALAPPDATA", "~")
     elif sys.platform == "darwin":
         base = "~/Library/Caches"
     else:
         base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "rotation-formulas"
+    return Path(base).expanduser() / FOLDER
 
 
 def kept(key: str) -> bytes | None:

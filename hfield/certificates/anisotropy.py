@@ -9,12 +9,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
-from hfield.certificates.facts import level_above
 from hfield.certificates.language import walk
-from hfield.certificates.local.residues import read_place
 from hfield.certificates.rejection import Rejected, a_text, an_object, reject, texts
-from hfield.certificates.scalars.functions import Functions, dense
-from hfield.certificates.scalars.numbers import QQ
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import read_setting
 from hfield.certificates.work import bounded
@@ -37,7 +33,7 @@ def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str
     if not isinstance(by, str) or by not in KEYS:
         reject(f"the reason for the norm form of {algebra} is of no known kind")
     data = an_object(data, KEYS[by], "a fact about a norm")
-    if not field.is_field or field.name == "RDF":
+    if not field.is_field:
         reject(f"{field.name} is no exact field")
     if by == "ordering":
         _by_ordering(field, c)
@@ -48,7 +44,9 @@ def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str
         _by_place(field, c, name, _quaternion(field, data["u"]), _quaternion(field, data["j"]))
     else:
         point = a_text(data["at"], "a point")
-        anisotropic(QQ, _at(field, c, point), data["proof"], f"{algebra} at {point}")
+        base, value = field.at(point)
+        a, t, b = map(value, c)
+        anisotropic(base, (a, t, b), data["proof"], f"{algebra} at {point}")
     return ()
 
 
@@ -88,7 +86,7 @@ def constants_of(algebra: str, field: str) -> tuple[Ring, Constants]:
     evaluator = Evaluator(RingScalars(ring), setting.constants, constants)
     if evaluator.conditions:
         reject("the structure constants are not defined")
-    a, t, b = (evaluator.term(tree)[0] for tree in setting.constants)
+    a, t, b = evaluator.constants
     return ring, (a, t, b)
 
 
@@ -112,7 +110,7 @@ def _by_level(field: Ring, c: Constants) -> None:
     """Let −1 be no sum of two squares, in an algebra H(F)."""
     a, t, b = c
     hamilton = all(field.equal(x, field.number(n)) for x, n in ((a, -1), (t, 0), (b, -1)))
-    if not hamilton or field.characteristic == 2 or not level_above(field, 2):
+    if not hamilton or field.characteristic == 2 or not field.level_above(2):
         reject("−1 may be a sum of two squares, or this is not H(F)")
 
 
@@ -121,7 +119,7 @@ def _by_place(field: Ring, c: Constants, name: str, u: list[Any], j: list[Any]) 
 
     Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
     """
-    place = read_place(field, name)
+    place = field.place(name)
     odd = field.inverse(place.odd)
 
     def paired(p: list[Any], q: list[Any]) -> Any:
@@ -149,23 +147,3 @@ def norm(field: Ring, c: Constants, q: list[Any]) -> Any:
 
     w, x, y, z = q
     return field.add(binary(w, x), field.neg(field.mul(b, binary(y, z))))
-
-
-def _at(field: Ring, c: Constants, text: str) -> Constants:
-    """Return the values of the constants of an algebra over ℚ(x) at a rational number."""
-    if not isinstance(field, Functions) or field.base is not QQ:
-        reject(f"the elements of {field.name} have no values at points here")
-    point = QQ.read(text)
-    values = []
-    for x in c:
-        parts = []
-        for part in x:
-            total = QQ.zero
-            for coefficient in reversed(dense(part, QQ)):
-                total = QQ.add(QQ.mul(total, point), coefficient)
-            parts.append(total)
-        if not parts[1]:
-            reject(f"a constant has no value at {text}")
-        values.append(parts[0] / parts[1])
-    a, t, b = values
-    return a, t, b

@@ -3,7 +3,7 @@
 from typing import Any
 
 from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.scalars.finite import Finite
 from hfield.certificates.work import charge
 
 MAX_DEGREE = 200
@@ -11,20 +11,19 @@ MAX_DEGREE = 200
 Dense = tuple[Any, ...]  # as many coefficients as the degree of the modulus, low degree first
 
 
-class Quotient(Ring):
+class Quotient(Finite):
     """``base[t]/(modulus)`` for a finite field, the modulus dense, low degree first."""
 
     is_field = True
 
-    def __init__(self, base: Ring, modulus: list[Any]) -> None:
-        assert base.order is not None
+    def __init__(self, base: Finite, modulus: list[Any]) -> None:
         self.base, self.degree = base, len(modulus) - 1
         if not 1 <= self.degree <= MAX_DEGREE:
             reject(f"a prime polynomial has a degree from 1 to {MAX_DEGREE}")
         lead = base.inverse(modulus[-1])
         self._tail = [base.neg(base.mul(lead, c)) for c in modulus[:-1]]
         self.characteristic = base.characteristic
-        self.order: int = base.order**self.degree
+        self.order = base.order**self.degree
         self.name = f"{base.name}[t] modulo a polynomial of degree {self.degree}"
         self.zero: Dense = (base.zero,) * self.degree
         self.one = self.reduce([base.one])
@@ -79,7 +78,6 @@ class Quotient(Ring):
         before this is a field.
         """
         n, power = self.degree, self.generator
-        assert self.base.order is not None
         for m in range(1, n + 1):
             power = self.power(power, self.base.order)
             if n % m == 0 and m < n and _is_prime_number(n // m):
@@ -108,26 +106,3 @@ class Quotient(Ring):
 
 def _is_prime_number(n: int) -> bool:
     return n > 1 and all(n % m for m in range(2, n))
-
-
-def has_no_root(field: Ring, trace: Any, norm: Any) -> bool:
-    """Tell whether X² − trace·X + norm has no root in a finite field.
-
-    In odd characteristic that is so when trace² − 4·norm is no square (Euler), in characteristic 2 when trace
-    is not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
-    """
-    q = field.order
-    assert q is not None
-    if field.characteristic != 2:
-        four_norms = field.mul(field.number(4), norm)
-        discriminant = field.add(field.mul(trace, trace), field.neg(four_norms))
-        return field.equal(field.power(discriminant, (q - 1) // 2), field.number(-1))
-    if field.is_zero(trace):
-        return False
-    below = field.inverse(trace)
-    term = field.mul(norm, field.mul(below, below))
-    total = term
-    for _ in range(q.bit_length() - 2):
-        term = field.mul(term, term)
-        total = field.add(total, term)
-    return field.equal(total, field.one)

@@ -1,0 +1,206 @@
+"""How the elements of an algebra are held: four coordinates as one value, and what is computed with it.
+
+A ring says how by :meth:`~hfield.rings.base.Ring.holding` (single elements) and
+:meth:`~hfield.rings.base.Ring.array_holding` (arrays of them). :class:`Holding` holds the tuple of the
+coordinates and serves every ring, a user's own too; a ring with a compact form derives from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import TYPE_CHECKING, Any
+
+from hfield import product
+from hfield.product import Constants, Coordinates
+
+if TYPE_CHECKING:
+    from hfield.rings.base import Ring
+
+
+class Holding:
+    """The elements over one ring with one choice of structure constants, held as they are.
+
+    ``held`` is what stands for an element, here the tuple of its coordinates: an immutable value that no
+    operation changes. Operands of the operations are held by this very holding, or by an equal one (of an
+    equal ring and equal constants); nothing is checked.
+    """
+
+    is_batch = False
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        self.ring, self.constants = ring, constants
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def hold(self, coordinates: Coordinates) -> Any:
+        """Return what stands for the element with these coordinates, elements of the ring."""
+        return coordinates
+
+    def coordinates(self, held: Any) -> Coordinates:
+        """Return the coordinates as elements of the ring: the library's own values."""
+        four: Coordinates = held
+        return four
+
+    def read(self, values: tuple[Any, ...]) -> Any:
+        """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
+        w, x, y, z = map(self.ring, values)
+        return self.hold((w, x, y, z))
+
+    # --- elements to elements ------------------------------------------------------------------
+
+    def product(self, p: Any, q: Any) -> Any:
+        """Return p·q."""
+        return self.hold(product.multiply(self.constants, self.coordinates(p), self.coordinates(q)))
+
+    def sum(self, p: Any, q: Any) -> Any:
+        """Return p + q."""
+        (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
+        return self.hold((w1 + w2, x1 + x2, y1 + y2, z1 + z2))
+
+    def difference(self, p: Any, q: Any) -> Any:
+        """Return p − q."""
+        (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
+        return self.hold((w1 - w2, x1 - x2, y1 - y2, z1 - z2))
+
+    def negative(self, p: Any) -> Any:
+        """Return −p."""
+        w, x, y, z = self.coordinates(p)
+        return self.hold((-w, -x, -y, -z))
+
+    def conjugate(self, p: Any) -> Any:
+        """Return the standard involution of p."""
+        return self.hold(product.conjugate(self.constants, self.coordinates(p)))
+
+    def scaled(self, p: Any, s: Any) -> Any:
+        """Return s·p for an element s of the ring."""
+        w, x, y, z = self.coordinates(p)
+        return self.hold((w * s, x * s, y * s, z * s))
+
+    def inverse(self, p: Any) -> Any:
+        """Return p⁻¹, or None where the norm is not a unit of the ring."""
+        n = self.norm(p)
+        if not self.ring.is_unit(n):
+            return None
+        return self.scaled(self.conjugate(p), self.ring.inverse(n))
+
+    # --- elements to the ring ------------------------------------------------------------------
+
+    def norm(self, p: Any) -> Any:
+        """Return the reduced norm, an element of the ring."""
+        return product.norm(self.constants, self.coordinates(p))
+
+    def trace(self, p: Any) -> Any:
+        """Return the reduced trace, an element of the ring."""
+        return product.trace(self.constants, self.coordinates(p))
+
+    # --- what is equal -------------------------------------------------------------------------
+
+    def equal(self, p: Any, q: Any) -> Any:
+        """Tell whether p = q."""
+        return all(map(self.ring.equal, self.coordinates(p), self.coordinates(q)))
+
+    def is_zero(self, p: Any) -> Any:
+        """Tell whether p = 0."""
+        return all(map(self.ring.is_zero, self.coordinates(p)))
+
+    def key(self, p: Any) -> Hashable:
+        """Return what equal elements have in common, however they were made; it is hashable."""
+        return tuple(map(self.ring.key, self.coordinates(p)))
+
+    def state(self, p: Any) -> tuple[Any, ...]:
+        """Return four values that pickle and that ``read`` reads back."""
+        return tuple(map(self.ring.state, self.coordinates(p)))
+
+
+class Batch(Holding):
+    """Arrays of elements, held as four arrays of one shape that compute elementwise.
+
+    A single operand is lifted to an array of no dimensions before. Shapes broadcast as numpy's do; where
+    they do not, the operations raise :class:`CoercionError`. ``norm`` and ``trace`` return arrays of the
+    ring, ``equal`` and ``is_zero`` bool arrays.
+    """
+
+    is_batch = True
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        super().__init__(ring, Constants(*map(ring.array, constants)))
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def read(self, values: tuple[Any, ...]) -> Any:
+        """Hold four arrays that the ring reads, broadcast to one shape. Raises :class:`CoercionError`."""
+        from hfield.rings.arrays import one_shape
+
+        w, x, y, z = one_shape([self.ring.array(v) for v in values])
+        return self.hold((w, x, y, z))
+
+    def lift(self, coordinates: Coordinates) -> Any:
+        """Hold one element, given by its coordinates in the ring, as an array of no dimensions."""
+        w, x, y, z = map(self.ring.array, coordinates)
+        return self.hold((w, x, y, z))
+
+    def shape(self, p: Any) -> tuple[int, ...]:
+        """Return the shape of the array."""
+        shape: tuple[int, ...] = getattr(self.coordinates(p)[0], "shape", ())
+        return shape
+
+    def part(self, p: Any, index: Any) -> Any:
+        """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
+        w, x, y, z = (c[index] for c in self.coordinates(p))
+        return self.hold((w, x, y, z))
+
+    def single(self, p: Any) -> Coordinates:
+        """Return the coordinates, elements of the ring, of a part of no dimensions."""
+        w, x, y, z = map(self.ring.scalar, self.coordinates(p))
+        return w, x, y, z
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def product(self, p: Any, q: Any) -> Any:
+        """Return p·q, elementwise."""
+        self._check(p, q, "multiply")
+        return super().product(p, q)
+
+    def sum(self, p: Any, q: Any) -> Any:
+        """Return p + q, elementwise."""
+        self._check(p, q, "add")
+        return super().sum(p, q)
+
+    def difference(self, p: Any, q: Any) -> Any:
+        """Return p − q, elementwise."""
+        self._check(p, q, "subtract")
+        return super().difference(p, q)
+
+    def units(self, p: Any) -> Any:
+        """Return a bool array: which elements have an inverse."""
+        return self.ring.array_units(self.norm(p))
+
+    def inverse(self, p: Any) -> Any:
+        """Return the inverses, or None where some norm is not a unit of the ring."""
+        n = self.norm(p)
+        if not self.ring.array_units(n).all():
+            return None
+        return self.scaled(self.conjugate(p), self.ring.array_inverse(n))
+
+    # --- what is equal -------------------------------------------------------------------------
+
+    def equal(self, p: Any, q: Any) -> Any:
+        """Tell where p = q: a bool array."""
+        import numpy as np
+
+        self._check(p, q, "compare")
+        pairs = zip(self.coordinates(p), self.coordinates(q), strict=True)
+        return np.logical_and.reduce([np.asarray(x == y, dtype=bool) for x, y in pairs])
+
+    def is_zero(self, p: Any) -> Any:
+        """Tell where p = 0: a bool array."""
+        zero = self.ring.zero
+        return self.equal(p, self.lift((zero, zero, zero, zero)))
+
+    def _check(self, p: Any, q: Any, operation: str) -> None:
+        """Refuse two arrays whose shapes do not broadcast."""
+        left, right = self.shape(p), self.shape(q)
+        if left != right and left and right:
+            from hfield.rings.arrays import check_shapes
+
+            check_shapes(left, right, operation)

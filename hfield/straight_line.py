@@ -1,0 +1,211 @@
+"""The one formula run once on symbols: the straight-line program of an algebra, as plain data.
+
+A function of :mod:`hfield.product` is called with symbols that write down what is done to them. The
+structure constants that are 0, 1 or −1 are put in: a = −1 becomes a sign, t = 0 becomes nothing, and
+what was computed once is not computed again. All other constants are inputs with a name. What comes
+out serves every emitter: source text for Python, loops for a compiler, lines for a reader.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from hfield import product
+from hfield.product import Constants
+
+ZERO, ONE, MINUS_ONE = "0", "1", "-1"
+FIRST, SECOND = ("w1", "x1", "y1", "z1"), ("w2", "x2", "y2", "z2")
+GENERAL = Constants("a", "t", "b")  # constants of which nothing is known
+
+
+class Step(NamedTuple):
+    """One operation: ``operation`` is ``+``, ``-``, ``*`` (two operands) or ``neg`` (one)."""
+
+    name: str
+    operation: str
+    operands: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Program:
+    """A list of steps, each on inputs and on the results of steps before it.
+
+    ``inputs`` are the names that are read: coordinates ``w1 … z1`` (and ``w2 … z2`` of a second
+    element) and the constants ``a, t, b`` as far as they occur. ``outputs`` name steps or inputs, or
+    are ``"0"``.
+    """
+
+    inputs: tuple[str, ...]
+    steps: tuple[Step, ...]
+    outputs: tuple[str, ...]
+
+    def evaluate(self, values: dict[str, Any], zero: Any) -> tuple[Any, ...]:
+        """Run the program on values with ``+ − ×``: the plainest emitter, which checks all others."""
+        known = {ZERO: zero, **values}
+        for name, operation, operands in self.steps:
+            x, *rest = (known[n] for n in operands)
+            if operation == "neg":
+                known[name] = -x
+            elif operation == "*":
+                known[name] = x * rest[0]
+            else:
+                known[name] = x + rest[0] if operation == "+" else x - rest[0]
+        return tuple(known[n] for n in self.outputs)
+
+    def expressions(
+        self, write: Callable[[str, Sequence[str]], str]
+    ) -> tuple[list[tuple[str, str]], list[str]]:
+        """Return the program as nested expressions: assignments of what is used more than once, outputs.
+
+        ``write(operation, operands)`` gives the text of one operation on texts of operands.
+        """
+        uses: dict[str, int] = {}
+        for n in [n for step in self.steps for n in step.operands] + list(self.outputs):
+            uses[n] = uses.get(n, 0) + 1
+        texts: dict[str, str] = {}
+        assigned = []
+        for name, operation, operands in self.steps:
+            text = write(operation, [texts.get(n, n) for n in operands])
+            if uses.get(name, 0) > 1:
+                assigned.append((name, text))
+            else:
+                texts[name] = text
+        return assigned, [texts.get(n, n) for n in self.outputs]
+
+
+class _Tape:
+    """What symbols write on: the steps so far, each once."""
+
+    def __init__(self, characteristic: int) -> None:
+        self.characteristic = characteristic
+        self.steps: list[Step] = []
+        self._known: dict[tuple[str, tuple[str, ...]], str] = {}
+
+    def write(self, operation: str, *operands: str) -> str:
+        commutes = operation in "+*"
+        key = (operation, tuple(sorted(operands)) if commutes else operands)
+        if key not in self._known:
+            self._known[key] = f"s{len(self.steps) + 1}"
+            self.steps.append(Step(self._known[key], operation, operands))
+        return self._known[key]
+
+
+class _Symbol:
+    """An input or a result, perhaps with a sign; ``+ − ×`` are written on the tape."""
+
+    def __init__(self, tape: _Tape, name: str, negative: bool = False) -> None:
+        self.tape, self.name = tape, name
+        self.negative = negative and name != ZERO and tape.characteristic != 2
+
+    def __neg__(self) -> _Symbol:
+        return _Symbol(self.tape, self.name, not self.negative)
+
+    def __add__(self, other: _Symbol) -> _Symbol:
+        if ZERO in (self.name, other.name):
+            return other if self.name == ZERO else self
+        if self.name == other.name and (
+            self.negative != other.negative or self.tape.characteristic == 2
+        ):
+            return _Symbol(self.tape, ZERO)
+        if self.negative == other.negative:
+            return _Symbol(self.tape, self.tape.write("+", self.name, other.name), self.negative)
+        plus, minus = (other, self) if self.negative else (self, other)
+        return _Symbol(self.tape, self.tape.write("-", plus.name, minus.name))
+
+    def __sub__(self, other: _Symbol) -> _Symbol:
+        return self + -other
+
+    def __mul__(self, other: _Symbol) -> _Symbol:
+        negative = self.negative != other.negative
+        if ZERO in (self.name, other.name):
+            return _Symbol(self.tape, ZERO)
+        if ONE in (self.name, other.name):
+            return _Symbol(self.tape, other.name if self.name == ONE else self.name, negative)
+        return _Symbol(self.tape, self.tape.write("*", self.name, other.name), negative)
+
+    def settled(self) -> str:
+        """Return the name of the value, its sign carried out."""
+        return self.tape.write("neg", self.name) if self.negative else self.name
+
+
+def _adjoint(c: Constants, q: product.Coordinates) -> tuple[Any, ...]:
+    """Return the conjugate and the norm: the inverse but for the one division."""
+    return (*product.conjugate(c, q), product.norm(c, q))
+
+
+FORMULAS: dict[str, Callable[..., Any]] = {
+    "product": product.multiply,
+    "conjugate": product.conjugate,
+    "norm": product.norm,
+    "trace": product.trace,
+    "adjoint": _adjoint,
+}
+
+
+@lru_cache(maxsize=1024)
+def specialise(formula: str, constants: Constants, characteristic: int = 0) -> Program:
+    """Return the program of ``product``, ``conjugate``, ``norm``, ``trace`` or ``adjoint``.
+
+    Each constant is ``"0"``, ``"1"``, ``"-1"`` or the name of an input. The adjoint is the conjugate and
+    the norm, five outputs: the inverse but for the division. In characteristic 2 signs vanish and x + x
+    is nothing; of other characteristics no use is made.
+
+    >>> specialise("norm", Constants("-1", "0", "-1")).steps[0]
+    Step(name='s1', operation='*', operands=('w1', 'w1'))
+    """
+    tape = _Tape(characteristic)
+    c = Constants(*(_constant(tape, name) for name in constants))
+    sides = [FIRST, SECOND] if formula == "product" else [FIRST]
+    operands = [tuple(_Symbol(tape, name) for name in side) for side in sides]
+    made = FORMULAS[formula](c, *operands)
+    outputs = [x.settled() for x in (made if isinstance(made, tuple) else (made,))]
+    return _pruned(tape.steps, outputs)
+
+
+def _constant(tape: _Tape, name: str) -> _Symbol:
+    return _Symbol(tape, ONE, True) if name == MINUS_ONE else _Symbol(tape, name)
+
+
+def _pruned(steps: list[Step], outputs: list[str]) -> Program:
+    """Leave out the steps that nothing uses, as where a term was multiplied by 0 afterwards."""
+    used = set(outputs)
+    kept = []
+    for step in reversed(steps):
+        if step.name in used:
+            kept.append(step)
+            used.update(step.operands)
+    computed = {step.name for step in kept}
+    inputs = [n for n in (*FIRST, *SECOND, *GENERAL, ONE) if n in used - computed]
+    return Program(tuple(inputs), tuple(reversed(kept)), tuple(outputs))
+
+
+def pattern(constants: Constants, is_constant: Callable[[Any, int], bool]) -> Constants:
+    """Return the constants as :func:`specialise` takes them; ``is_constant(x, n)`` tells x = n·1."""
+    named = []
+    for x, name in zip(constants, GENERAL, strict=True):
+        known = next((n for n in (0, 1, -1) if is_constant(x, n)), None)
+        named.append(name if known is None else str(known))
+    return Constants(*named)
+
+
+def arithmetic_text(operation: str, operands: Sequence[str]) -> str:
+    """Write an operation as Python does, with the parentheses that keep the order of the steps."""
+    if operation == "neg":
+        return f"-{_closed(operands[0], ' ')}"
+    left, right = operands
+    if operation == "*":
+        return f"{_closed(left, ' ')}*{_closed(right, ' *')}"
+    return f"{left} {operation} {_closed(right, ' ')}"
+
+
+def _closed(text: str, signs: str) -> str:
+    """Put a text in parentheses that has one of the signs outside of parentheses, or begins with one."""
+    depth = 0
+    for n, sign in enumerate(text):
+        depth += (sign == "(") - (sign == ")")
+        if depth == 0 and (sign in signs or (sign == "-" and n == 0)):
+            return f"({text})"
+    return text
