@@ -9,7 +9,8 @@ from hfield.proving.clock import Clock
 from hfield.proving.counterexamples.candidates import Assignment, true_place
 from hfield.proving.decide import decide
 from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
-from hfield.proving.evaluation.interpretation import PrimeInterpretation, bind
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators, read_statement
 from hfield.proving.statements.setting import read_setting
@@ -58,8 +59,8 @@ def _satisfiable(formula: str, given: tuple[str, ...], characteristic: int) -> b
     setting, found = read_setting(None, None), _general(formula, given)
     if place is None or found is None:
         return False
-    world = PrimeInterpretation(characteristic)
-    bind(world, setting.trees, place)
+    world = Evaluator(PrimeScalars(characteristic), setting.trees, found[1].sorts)
+    world.bind(place)
     return all(world.truth(h) for h in found[1].hypotheses)
 
 

@@ -9,8 +9,8 @@ from dataclasses import replace
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.proving.counterexamples.candidates import Searcher, prime_search, ring_search
 from hfield.proving.evaluation.all_cases import counterexample
-from hfield.proving.evaluation.interpretation import RingInterpretation
-from hfield.proving.polynomials.expansion import Expanded, polynomial_world
+from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.vanishing import vanishes_as_function
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
@@ -46,7 +46,7 @@ def _exists(problem: Problem) -> bool | None:
     if field is None:
         return _generically(problem)
     if not problem.statement.unknowns:
-        return Searcher(problem, RingInterpretation(field), True).test({})
+        return Searcher(problem, RingScalars(field), True).test({})
     if field.is_field and prime_search(problem, field.characteristic, FEW, True) is not None:
         return True
     if ring_search(problem, FEW, True) is not None:
@@ -61,10 +61,10 @@ def _exists(problem: Problem) -> bool | None:
 
 def _generically(problem: Problem) -> bool:
     """Decide over an infinite field, or all fields: no divisor is 0 as a polynomial."""
-    world, variables, unknowns = polynomial_world(problem)
+    world = Symbolic(problem)
     if problem.field is None:
         return all(c != 0 for c in world.conditions)
-    x = Expanded(world.context, variables, unknowns, ())
+    x = Expanded(world.context, world.variables, world.unknowns, ())
     return not any(vanishes_as_function(c, x, problem.field) for c in world.conditions)
 
 

@@ -11,13 +11,8 @@ from typing import Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
 from hfield.product import Constants, conjugate, multiply, trace
-from hfield.proving.evaluation.compiled import Truth, World, compile_statement
-from hfield.proving.evaluation.interpretation import (
-    Interpretation,
-    PrimeInterpretation,
-    RingInterpretation,
-    bind,
-)
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
 from hfield.proving.polynomials.vanishing import constant
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort, Statement
@@ -29,34 +24,27 @@ Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
 
 
-def holds(world: Interpretation, statement: Statement) -> bool:
-    """Tell whether hypotheses ⇒ conclusion is true under the values that ``world`` is bound to."""
-    if not all(world.truth(h) for h in statement.hypotheses):
-        return True
-    return bool(world.truth(statement.conclusion))
-
-
 class Searcher:
     """Evaluates the statement of a problem at many places; ``wanted`` is the truth value looked for."""
 
-    def __init__(self, problem: Problem, world: World, wanted: bool = False) -> None:
-        self.problem, self.world, self.wanted = problem, world, wanted
-        self.fixed: Assignment = {}
-        if isinstance(world, RingInterpretation):
-            self.fixed = {text: constant(world.ring, text) for text in problem.statement.constants}
-        self.compiled: Truth | None = None
-        self.defined = True
-        if not problem.letters:
-            self.defined = bool(bind(world, problem.setting.trees, self.fixed))
-            self.compiled = compile_statement(problem.statement, world, self.fixed)
+    def __init__(
+        self, problem: Problem, scalars: PrimeScalars | RingScalars, wanted: bool = False
+    ) -> None:
+        self.problem, self.wanted = problem, wanted
+        fixed: Assignment = {}
+        if isinstance(scalars, RingScalars):
+            own = problem.statement.constants
+            fixed = {text: constant(scalars.ring, text) for text in own}
+        trees, sorts = problem.setting.trees, problem.statement.sorts
+        self.evaluator = Evaluator(scalars, trees, sorts, fixed)
+        self.holds = self.evaluator.function(problem.matrix)
+        self.moving = bool(problem.letters)  # the structure constants, with the place
+        self.exists = self.moving or bool(self.evaluator.bind({}))
 
     def test(self, assignment: Assignment) -> bool:
         """Tell whether the algebra exists there and the statement has the wanted truth value."""
-        if self.compiled is not None:
-            return self.defined and self.compiled(assignment) is self.wanted
-        if not bind(self.world, self.problem.setting.trees, {**self.fixed, **assignment}):
-            return False
-        return holds(self.world, self.problem.statement) is self.wanted
+        exists = self.evaluator.bind(assignment) if self.moving else self.exists
+        return bool(exists) and self.holds(assignment) is self.wanted
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
         """Return the first assignment with the wanted truth value, before the deadline."""
@@ -215,7 +203,7 @@ def _prime_search(problem: Problem, p: int, limit: int, wanted: bool) -> Assignm
     scalars = prime_scalars(p)
     if not p and too_heavy(problem.statement, MAX_FAST):
         scalars = scalars[:3]
-    seeker = Searcher(problem, PrimeInterpretation(p), wanted)
+    seeker = Searcher(problem, PrimeScalars(p), wanted)
     places = by_weight(problem.statement.unknowns, scalars, 12, problem.letters)
     return seeker.first(islice(places, limit))
 
@@ -225,7 +213,7 @@ def ring_search(problem: Problem, limit: int, wanted: bool = False) -> Assignmen
     field, statement = problem.ring, problem.statement
     if field.order is None and too_heavy(statement, MAX_SLOW if field.gen_name else MAX_FAST):
         return None
-    seeker = Searcher(problem, RingInterpretation(field), wanted)
+    seeker = Searcher(problem, RingScalars(field), wanted)
     scalars = small_scalars(field)
     places = by_weight(statement.unknowns, scalars, 12, problem.letters)
     if problem.letters:

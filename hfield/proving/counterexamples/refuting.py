@@ -13,7 +13,7 @@ from hfield.proving.counterexamples.candidates import (
 from hfield.proving.counterexamples.solving import solve
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import counterexample
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.methods.answers import refuted
 from hfield.proving.methods.starting_relations import quaternions_of
 from hfield.proving.polynomials.expansion import Expanded
@@ -52,7 +52,7 @@ def look(problem: Problem, limit: int) -> Assignment | None:
 
 def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assignment | None:
     """Look for a counterexample by solving the hypotheses, and test it in the statement itself."""
-    test = Searcher(problem, RingInterpretation(problem.ring)).test
+    test = Searcher(problem, RingScalars(problem.ring)).test
     quaternions = quaternions_of(problem)
     for clause in left:
         for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):

@@ -1,19 +1,14 @@
 """Deciding over a finite ring by trying every case; many at a time with numpy where there are many."""
 
+from collections.abc import Iterable
 from functools import lru_cache
 from itertools import product
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.counterexamples.candidates import Assignment, Searcher
-from hfield.proving.evaluation.compiled import World
-from hfield.proving.evaluation.interpretation import (
-    Interpretation,
-    PrimeInterpretation,
-    RingInterpretation,
-    Value,
-    bind,
-)
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value
 from hfield.proving.polynomials.vanishing import constant
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
@@ -78,8 +73,8 @@ def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -
     field, statement = problem.ring, problem.statement
     prime = field.is_field and field.order == field.characteristic and not statement.constants
     elements: list[Any] = list(range(field.characteristic)) if prime else list(field.elements())
-    world: World = PrimeInterpretation(field.characteristic) if prime else RingInterpretation(field)
-    seeker = Searcher(problem, world, wanted)
+    scalars = PrimeScalars(field.characteristic) if prime else RingScalars(field)
+    seeker = Searcher(problem, scalars, wanted)
     for n, values in enumerate(product(elements, repeat=len(places))):
         if n % 64 == 63 and problem.is_late:
             raise UndecidedError(f"time was over after {n} cases")
@@ -97,8 +92,10 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
 
     field, statement = problem.ring, problem.statement
     table = _table(field)
-    world = _TableInterpretation(table)
-    fixed = {text: world.element(constant(field, text)) for text in statement.constants}
+    scalars = _TableScalars(table)
+    fixed = {text: scalars.element(constant(field, text)) for text in statement.constants}
+    evaluator = Evaluator(scalars, problem.setting.trees, statement.sorts, fixed)
+    holds = evaluator.function(problem.matrix)
     q, cases = len(table.elements), len(table.elements) ** len(places)
     for start in range(0, cases, BLOCK):
         if problem.is_late:
@@ -109,12 +106,9 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
             index, digit = np.divmod(index, q)
             digits.append(table.entry(digit.astype(table.kind)))
         digits.reverse()
-        values = _assignment(statement, places, digits, world.zero)
-        defined = bind(world, problem.setting.trees, {**fixed, **values})
-        truth = world.truth(statement.conclusion)
-        for h in statement.hypotheses:
-            truth = world.either(world.negate(world.truth(h)), truth)
-        hit = (np.asarray(truth) == wanted) & defined
+        values = _assignment(statement, places, digits, scalars.zero)
+        defined = evaluator.bind(values)
+        hit = (np.asarray(holds(values)) == wanted) & defined
         hits = np.flatnonzero(np.broadcast_to(hit, digits[0].array.shape))
         if len(hits):
             chosen = [table.elements[int(d.array[hits[0]])] for d in digits]
@@ -184,7 +178,7 @@ class _Entries:
         return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
 
 
-class _TableInterpretation(Interpretation):
+class _TableScalars(Scalars):
     def __init__(self, table: _Table) -> None:
         self.table = table
         self.zero, self.one = self.element(table.field.zero), self.element(table.field.one)
@@ -205,14 +199,14 @@ class _TableInterpretation(Interpretation):
     def reciprocal(self, x: _Entries) -> Value:
         return self.table.entry(self.table.inverse[x.array]), self.table.unit[x.array]
 
-    def equal(self, differences: tuple[Any, ...], defined: Any) -> Any:
+    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
         truth = defined
         zero = self.zero.array
         for d in differences:
             truth = truth & (d.array == zero)
         return truth
 
-    def unequal(self, differences: tuple[Any, ...], defined: Any) -> Any:
+    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
         truth = False
         zero = self.zero.array
         for d in differences:

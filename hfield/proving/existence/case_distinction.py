@@ -7,8 +7,7 @@ from typing import Any
 from hfield.errors import TooLargeError
 from hfield.proving.counterexamples.candidates import Searcher, prime_search, ring_search
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
-from hfield.proving.evaluation.compiled import World
-from hfield.proving.evaluation.interpretation import PrimeInterpretation, RingInterpretation
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
 from hfield.proving.existence.terms import by_terms, combined
@@ -82,7 +81,7 @@ def _covered(problem: Problem, cases: list[Case]) -> tuple[list[Case], Decision]
             for name, texts in cover.witness.items()
             if name != "F"
         }
-        world = RingInterpretation(field)
+        world = RingScalars(field)
         found = [
             case
             for case in cases
@@ -105,17 +104,17 @@ def _few(problem: Problem, cases: list[Case]) -> list[Case]:
     returned: then that is a place where nothing exists.
     """
     field = problem.field
-    worlds: list[World] = [
-        PrimeInterpretation(p) for p in ((0, 2, 3) if field is None else (field.characteristic,))
+    worlds: list[PrimeScalars | RingScalars] = [
+        PrimeScalars(p) for p in ((0, 2, 3) if field is None else (field.characteristic,))
     ]
     if field is not None:
-        worlds.append(RingInterpretation(field))
+        worlds.append(RingScalars(field))
     applies = {case: _applies(problem, case) for case in cases}
     chosen: list[Case] = []
     for world in worlds:
         while len(chosen) < len(cases):
             left = _covering(problem, chosen)
-            if isinstance(world, PrimeInterpretation):
+            if isinstance(world, PrimeScalars):
                 place = prime_search(left, world.p, PLACES)
             else:
                 place = ring_search(left, PLACES)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
-from hfield.proving.polynomials.expansion import Expanded, polynomial_world
+from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
@@ -34,18 +34,18 @@ def closed_solutions(problem: Problem) -> Solutions:
     """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
     field = problem.ring
     try:
-        world, variables, unknowns = polynomial_world(problem)
+        world = Symbolic(problem)
         ways = list(branches(world.truth(problem.statement.node)))
     except TooLargeError:
         return Solutions()
     if len(ways) > MAX_BRANCHES or world.conditions:
         return Solutions()
-    x = Expanded(world.context, variables, unknowns, ())
+    x = Expanded(world.context, world.variables, world.unknowns, ())
     places, none = list[dict[str, Any]](), True
     for way in ways:
         zeros = [f for part in way if part.zero for f in part.polynomials]
         try:
-            found = _solved([dict(coefficients(f, x, field)) for f in zeros], unknowns, field)
+            found = _solved([dict(coefficients(f, x, field)) for f in zeros], world.unknowns, field)
         except UndecidedError:
             none = False
             continue

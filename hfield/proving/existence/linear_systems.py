@@ -15,7 +15,7 @@ from typing import Any
 from hfield.errors import TooLargeError
 from hfield.proving.existence.coefficients import Coefficients, Row
 from hfield.proving.existence.elimination import MAX_TERMS, Elimination
-from hfield.proving.polynomials.expansion import coordinate_names, polynomial_world
+from hfield.proving.polynomials.expansion import Symbolic, coordinate_names
 from hfield.proving.polynomials.normal_form import Formula, Literal, branches
 from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
@@ -66,8 +66,9 @@ class System:
 
     def __init__(self, problem: Problem) -> None:
         statement = self.statement = problem.statement
-        world, self.variables, _ = polynomial_world(problem)
-        self.context, self.formula = world.context, world.truth(statement.conclusion)
+        world = Symbolic(problem)
+        self.variables, self.context = world.variables, world.context
+        self.formula = world.truth(statement.conclusion)
         p = None if problem.field is None else problem.field.characteristic
         self.of = Coefficients(self.context, p)
         names = [

@@ -15,7 +15,7 @@ from hfield.proving.counterexamples.candidates import (
 )
 from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, Decision
 from hfield.proving.definedness import algebra_exists
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.existence.witnesses import decide_closed, shown
@@ -147,7 +147,7 @@ def _meant(problem: Problem) -> Callable[[Assignment], bool]:
     """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
     names = tuple(name for name, _ in given(problem))
     meant = problem.about(conjunction(problem.statement.hypotheses), names)
-    return Searcher(meant, RingInterpretation(problem.ring), True).test
+    return Searcher(meant, RingScalars(problem.ring), True).test
 
 
 def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:

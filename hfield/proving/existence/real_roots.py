@@ -5,7 +5,7 @@ from typing import Any
 from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
 from hfield.proving.decision import FIELD, PROVED, Decision
-from hfield.proving.polynomials.expansion import polynomial_world
+from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
@@ -27,16 +27,16 @@ def by_roots(problem: Problem) -> Decision | None:
     if not (isinstance(node, Compare) and node.op == "=="):
         return None
     try:
-        world, variables, _ = polynomial_world(problem)
+        world = Symbolic(problem)
         sides = [world.embed(world.term(side)[0]) for side in (node.left, node.right)]
         differences = [u - v for u, v in zip(*sides, strict=True)]
     except TooLargeError:
         return None
     left = [f for f in differences if f != 0]
-    if len(left) != 1 or not 1 <= left[0].degrees()[variables.index(name)] <= MAX_DEGREE:
+    if len(left) != 1 or not 1 <= left[0].degrees()[world.variables.index(name)] <= MAX_DEGREE:
         return None
-    f, at = left[0], variables.index(name)
-    shown = f"{polynomial_text(f, variables)} as a polynomial in {name}"
+    f, at = left[0], world.variables.index(name)
+    shown = f"{polynomial_text(f, world.variables)} as a polynomial in {name}"
     by = _complex(f, at) if field.closure == "algebraically closed" else _real(f, at)
     if by is None:
         return None

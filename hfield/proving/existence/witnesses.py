@@ -12,13 +12,12 @@ from hfield.proving.counterexamples.candidates import (
 )
 from hfield.proving.counterexamples.refuting import lifted
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
-from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots
 from hfield.proving.existence.real_roots import by_roots
 from hfield.proving.methods import universal
-from hfield.proving.polynomials.vanishing import constant
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.syntax import Not, parse
@@ -35,7 +34,7 @@ def decide_closed(problem: Problem) -> Decision:
     if found is not None:
         return _witnessed(problem, found)
     solutions = closed_solutions(somewhere)
-    test = Searcher(somewhere, RingInterpretation(problem.ring), True).test
+    test = Searcher(somewhere, RingScalars(problem.ring), True).test
     for place in solutions.places:
         if test(place):
             return _witnessed(problem, place)
@@ -81,11 +80,9 @@ def _solved(problem: Problem) -> Assignment | None:
         cases, _ = linear_cases(problem.stating(sought))
     except TooLargeError:
         return None
-    world = RingInterpretation(problem.ring)
-    fixed = {text: constant(problem.ring, text) for text in statement.constants}
-    seeker = Searcher(problem, world, True)
+    seeker = Searcher(problem, RingScalars(problem.ring), True)
+    world = seeker.evaluator
     for case in cases:
-        bind(world, problem.setting.trees, fixed)
         values = {name: world.term(parse(text)) for name, text in case.terms}
         if not all(defined for _, defined in values.values()):
             continue

@@ -13,7 +13,8 @@ from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.proving.counterexamples.refuting import FEW, exhaust, look, used_variables
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import FEW_CASES, coordinates
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.methods import one_field
 from hfield.proving.methods.answers import identity, implied, refuted, scope_of_identity
 from hfield.proving.methods.implications import prove_clauses
@@ -135,7 +136,7 @@ def _is_unit(node: Node, field: Ring) -> bool:
             return True
     if any(isinstance(n, Name | Call | Index) for n in walk(below)):
         raise UndecidedError("something divides that is no numeral")
-    value, defined = RingInterpretation(field).term(below)
+    value, defined = Evaluator(RingScalars(field)).term(below)
     return bool(defined) and field.is_unit(value)
 
 

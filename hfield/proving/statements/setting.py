@@ -7,7 +7,8 @@ from functools import cached_property, lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertibleError
 from hfield.notation import split_algebra
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import BASIS, QUATERNIONS, generators
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import divides_in, substitute, walk
@@ -120,11 +121,10 @@ def _plain(text: str, field: Ring | None) -> str:
 def _is_undefined(text: str, field: Ring) -> bool:
     """Tell whether a constant divides by what is no unit of the field."""
     node = parse(text)
-    world = RingInterpretation(field)
     leaves = (n for n in walk(node) if isinstance(n, Name | Call))
     try:
-        world.values = {to_text(n): field(to_text(n)) for n in leaves}
-        return not world.term(node)[1]
+        fixed = {to_text(n): field(to_text(n)) for n in leaves}
+        return not Evaluator(RingScalars(field), fixed=fixed).term(node)[1]
     except HFieldError:
         return False
 
