@@ -53,6 +53,13 @@ def test_textbook(text: str, field: str | None, verdict: str) -> None:
     assert answer.certificate is not None, answer.why_no_certificate
 
 
+def test_residues_of_other_moduli_say_nothing() -> None:
+    """That 3 is no sum of two squares modulo 4 does not matter to an odd modulus."""
+    n = 3 + 4 * 10**15
+    assert decide(f"exists s, t: s**2 + t**2 == {n}", f"ZZ/{3 * P}").verdict != "refuted"
+    assert decide(f"exists s, t: s**2 + t**2 == {n}", f"ZZ/{4 * P}").verdict == "refuted"
+
+
 def test_without_a_certificate() -> None:
     """That x has no inverse in ℚ[x] is decided, and no certificate is pretended."""
     answer = proving.prove("exists s: x*s == 1", "QQ[x]")

@@ -100,9 +100,13 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
         return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
     if found is not None:
         return refuted(problem, found)
-    steps = (f"true in each of the {cases} cases over {problem.ring.name}",)
+    steps = (f"true in {_each(cases)} over {problem.ring.name}",)
     evidence = {"kind": "exhaustion", "cases": cases}
     return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)
+
+
+def _each(cases: int) -> str:
+    return f"each of the {cases} cases" if cases > 1 else "the only case"
 
 
 def used_variables(x: Expanded) -> frozenset[str]:

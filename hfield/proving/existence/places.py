@@ -74,13 +74,17 @@ def by_places(problem: Problem) -> Decision:
         if finite and one.verdict != PROVED:
             return one
     if finite and not problem.is_late:
-        steps = (f"there is one for each of the {count} values of what is given",)
+        steps = (f"there is one for {_each(count)}",)
         counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
         return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
     tried = ["terms in the unknowns", f"{looked} places"]
     if problem.is_late:
         tried.append("the time was over")
     return Decision(UNDECIDED, "none", tried=tuple(tried))
+
+
+def _each(count: int) -> str:
+    return f"each of the {count} values of what is given" if count > 1 else "the only value given"
 
 
 def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision | None:

@@ -5,10 +5,10 @@ from dataclasses import replace
 
 from hfield.errors import TooLargeError
 from hfield.proving.counterexamples.candidates import prime_search
-from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision
+from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.methods import one_field
-from hfield.proving.methods.answers import implied, scope_of_identity
+from hfield.proving.methods.answers import expanding, implied, scope_of_identity
 from hfield.proving.methods.implications import Proof, prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors
@@ -49,9 +49,28 @@ def decide(problem: Problem) -> Decision:
                 return proof
     found = counterexample(problem)
     if found is not None:
-        return found
+        return found if x is None else _with_exceptions(problem, found)
     tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", _why(x))
     return Decision(UNDECIDED, "none", tried=tried)
+
+
+def _with_exceptions(problem: Problem, found: Decision) -> Decision:
+    """Say of a refutation in characteristic p where the statement holds, if a proof fails there alone."""
+    p = ring((found.witness or {})["F"][0]).characteristic
+    try:
+        general = prove_clauses(problem.within(1.0), 0) if p else None
+    except TooLargeError:
+        return found
+    primes = prime_factors(abs(general.denominator)) if general and general.complete else None
+    if primes is None:
+        return found
+    failing = [q for q in primes if not prove_clauses(problem.within(1.0), q).complete]
+    where = " and ".join(map(str, failing))
+    kind = counted("characteristic", len(failing), number=False)
+    step = f"over the fields of every characteristic but {where} it holds"
+    if len(failing) > 1:
+        step = f"it holds over all fields but, perhaps, those of the {kind} {where}"
+    return replace(found, steps=(*found.steps, step))
 
 
 def _why(x: Expanded | None) -> str:
@@ -60,7 +79,7 @@ def _why(x: Expanded | None) -> str:
 
 def _identity(statement: Statement, x: Expanded) -> Decision:
     steps = (
-        f"expand both sides in the {x.unknowns} coordinates of the unknowns",
+        expanding(x),
         "all coefficients of the difference are 0 in ℤ",
     )
     scope = scope_of_identity(statement, x)

@@ -9,6 +9,7 @@ from hfield.proving.decision import (
     REFUTED,
     Decision,
     characteristics,
+    counted,
 )
 from hfield.proving.methods.field_rules import rules
 from hfield.proving.methods.implications import Proof
@@ -18,6 +19,13 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node, Not
+
+
+def expanding(x: Expanded) -> str:
+    """Say how both sides of an identity are compared."""
+    if not x.unknowns:
+        return "compute both sides"
+    return f"expand both sides in the {counted('coordinate', x.unknowns)} of what is unknown"
 
 
 def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
@@ -70,7 +78,7 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) 
     )
     if not holds_in_p:
         scope = FIELD
-    steps = [f"expand both sides in the {x.unknowns} coordinates of the unknowns"]
+    steps = [expanding(x)]
     if scope in (COMMUTATIVE_RINGS, FIELDS):
         steps.append("all coefficients of the difference are 0 in ℤ")
     elif holds_in_p:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import groupby, product
 from typing import Any
 
 from hfield.proving.decision import (
@@ -12,6 +12,7 @@ from hfield.proving.decision import (
     FIELDS,
     REDUCED_RINGS,
     characteristics,
+    counted,
 )
 from hfield.proving.methods.contradiction import Conditions, member, refute
 from hfield.proving.methods.field_rules import ROOTS, Rule, rules
@@ -41,6 +42,11 @@ class Item:
     single: bool
     denominators: tuple[int, ...]
     rules: tuple[Rule, ...] = ()
+
+    @property
+    def by_contradiction(self) -> tuple[str, ...]:
+        """The polynomials that are 0, where it excludes that others are not; () where it is direct."""
+        return () if self.direct else ("0", *self.evidence["zero"])
 
 
 @dataclass(frozen=True)
@@ -85,22 +91,33 @@ class Proof:
 
     @property
     def steps(self) -> tuple[str, ...]:
-        """Return the proof as lines for people."""
-        lines = []
-        for item in self.items:
-            e = item.evidence
-            if "member" in e:
-                shown = " + ".join(
-                    f"({c})·h{n}" for n, c in enumerate(e["cofactors"], 1) if c != "0"
-                )
-                scale = "" if e["denominator"] == 1 else f"{e['denominator']}·"
-                lines.append(f"{scale}({e['member']}) = {shown or 0}, with hₙ = 0 the hypotheses")
-            else:
-                nonzero = " and ".join(f"{g} ≠ 0" for g in e["nonzero"]) or "the hypotheses"
-                rule_count = sum(step["step"] != "contradiction" for step in e["steps"])
-                extra = f" after {rule_count} conclusions of the field" if rule_count else ""
-                lines.append(f"{nonzero} would put 1 into the ideal of the hypotheses{extra}")
-        return tuple(dict.fromkeys(lines))
+        """Return the proof as lines for people; cases that go alike share a line."""
+        lines: dict[str, None] = {}
+        for zero, items in groupby(self.items, key=lambda item: item.by_contradiction):
+            alike = list(items)
+            lines.update(dict.fromkeys([_excluded(alike)] if zero else map(_member, alike)))
+        return tuple(lines)
+
+
+def _member(item: Item) -> str:
+    """Write how a conclusion follows from the hypotheses."""
+    e = item.evidence
+    shown = " + ".join(f"({c})·h{n}" for n, c in enumerate(e["cofactors"], 1) if c != "0")
+    scale = "" if e["denominator"] == 1 else f"{e['denominator']}·"
+    return f"{scale}({e['member']}) = {shown or 0}, with hₙ = 0 the hypotheses"
+
+
+def _excluded(items: Sequence[Item]) -> str:
+    """Write that the hypotheses exclude some cases."""
+    cases = [" and ".join(f"{g} ≠ 0" for g in item.evidence["nonzero"]) for item in items]
+    counts = [sum(s["step"] != "contradiction" for s in item.evidence["steps"]) for item in items]
+    few, many = min(counts), max(counts)
+    after = f", after {few if few == many else f'{few} to {many}'} " if many else ""
+    after += counted("conclusion", many, number=False) + " from these facts" if many else ""
+    end = f"1 would lie in the ideal of the hypotheses{after}"
+    if len(cases) == 1:
+        return f"if {cases[0]}, {end}" if cases[0] else end
+    return f"in each of {len(cases)} cases, from {cases[0]} to {cases[-1]}, {end}"
 
 
 def prove_clauses(problem: Problem, characteristic: int) -> Proof:
