@@ -57,11 +57,21 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     ),
     "vocabulary": (
         ("hfield/certificates/vocabulary/*.py", "hfield/certificates/rules.py"),
-        (*CHECKER, "tests/certificates/test_real_words.py"),
+        (
+            *CHECKER,
+            "tests/certificates/test_real_words.py",
+            "tests/certificates/test_vocabulary.py",
+        ),
     ),
     "scalars": (
         ("hfield/certificates/scalars/*.py",),
-        ("tests/adversary/test_primitives.py", "tests/certificates/test_core.py"),
+        (
+            *("tests/adversary/test_primitives.py", "tests/adversary/test_places.py"),
+            *(
+                f"tests/certificates/test_{name}.py"
+                for name in ("arithmetic", "core", "local_facts", "reading", "scalars")
+            ),
+        ),
     ),
     "implication": (
         ("hfield/proving/methods/implications.py",),
@@ -72,7 +82,13 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             "tests/proving/test_scopes.py",
         ),
     ),
-    "rings": (("hfield/rings/*.py",), ("tests/rings", "tests/test_elements.py")),
+    "rings": (
+        ("hfield/rings/*.py",),
+        (
+            *("tests/rings", "tests/test_elements.py", "tests/structure/test_global_field.py"),
+            *("tests/structure/test_functions.py", "tests/structure/test_quadratic.py"),
+        ),
+    ),
 }
 OUTCOMES = {0: "survived", 1: "killed", 3: "killed", 33: "no tests"}
 OUTCOMES |= dict.fromkeys((36, 24, -24, 152), "timeout")

@@ -157,9 +157,11 @@ def _pin(args: Namespace) -> Pin | None:
 
     setting = read_setting(None if everywhere else args.field, args.algebra)
     name = None if setting.field is None else setting.field.name
-    statement = args.statement
+    from hfield.syntax import plain
+
+    statement = plain(args.statement)
     if args.given:
-        statement = " => ".join(f"({text})" for text in (*args.given, statement))
+        statement = " => ".join(f"({plain(text)})" for text in (*args.given, statement))
     try:
         return Pin((statement,), name, setting.algebra).readable()
     except Rejected as error:

@@ -27,7 +27,7 @@ from hfield.lattices.class_number import mass
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order import Order, positive
-from hfield.lattices.subideals import of_prime_norm, right_subideals
+from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
 from hfield.lattices.twosided import generators
 
 if TYPE_CHECKING:
@@ -220,20 +220,23 @@ class ClassSet:
     def neighbours(self, p: int) -> list[Counter[int]]:
         """Return for each class how many right ideals of relative norm p in it belong to which class."""
         if p not in self._rows:
-            order = self.order
-            if order._discriminant % p:
+            if self.order._discriminant % p:
                 self._rows[p] = [
                     Counter(self._keys[key] for key, _ in self._neighbours(lattice, p))
                     for lattice in self._lattices
                 ]
             else:
-                self._rows[p] = [
-                    Counter(
-                        self._index(J) for J in of_prime_norm(Ideal.of(L, "right", order), order, p)
-                    )
-                    for L in self._lattices
-                ]
+                self._rows[p] = self.power_neighbours(p, 1)
         return self._rows[p]
+
+    def power_neighbours(self, p: int, e: int) -> list[Counter[int]]:
+        """Return for each class how many right ideals of relative norm pᵉ in it belong to which class.
+
+        In an ideal of a norm prime to p they are its intersections with those in the order.
+        """
+        local = of_prime_power_norm(self.order, p, e)
+        around = (prime_to(lattice, p) for lattice in self._lattices)
+        return [Counter(self._index(J & K) for K in local) for J in around]
 
     def brandt_matrix(self, n: int) -> list[list[int]]:
         """Return the Brandt matrix: entry (i, j) counts the ideals of class j of relative norm n in I_i.

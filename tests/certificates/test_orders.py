@@ -269,7 +269,8 @@ def test_an_eichler_order_is_not_maximal() -> None:
     assert data is not None
     assert data["statement"].endswith("; 33}")
     rejects({**data, "statement": data["statement"][:-1] + "; maximal}"}, "maximal at 3")
-    O = A.maximal_order()  # ℤ[i] + 3·O has the symbol −1 at 3, as a maximal order of a division algebra has
+    # ℤ[i] + 3·O has the symbol −1 at 3, as a maximal order of a division algebra has
+    O = A.maximal_order()
     smaller = A.order(["i", *(3 * q for q in O.basis)])
     assert smaller.eichler_symbol(3) == -1
     data = smaller.certificate
@@ -282,7 +283,9 @@ def test_what_both_orders_have_tells_nothing() -> None:
     data = O.isomorphism(O.ideals_of_norm(2)[0].right_order()).certificate
     assert data is not None
     for changes in ({"norm": 10**3, "trace": 7}, {"norm": -1}):
-        rejects({**data, "evidence": {**data["evidence"], **changes}}, "both orders have 0 elements")
+        rejects(
+            {**data, "evidence": {**data["evidence"], **changes}}, "both orders have 0 elements"
+        )
 
 
 def test_optimal_embeddings() -> None:

@@ -22,7 +22,7 @@ class Algebra:
         evaluator = Evaluator(RingScalars(ring), setting.constants, {})
         if evaluator.conditions:
             reject("the structure constants are not defined")
-        a, t, b = (Fraction(evaluator.term(tree)[0]) for tree in setting.constants)
+        a, t, b = map(Fraction, evaluator.constants)
         self.scale = s = lcm(*(x.denominator for x in (a, t, b, a * b, t * b)))
         table = [[[Fraction(0)] * 4 for _ in range(4)] for _ in range(4)]
         for m, products in enumerate(evaluator.table):

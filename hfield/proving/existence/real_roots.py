@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
+from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.polynomials.expansion import Symbolic
