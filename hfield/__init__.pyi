@@ -30,6 +30,7 @@ from .rings import RR as RR
 from .rings import ZZ as ZZ
 from .rings import Zmod as Zmod
 from .rings import ring as ring
+from .rings.number_field import NumberField as NumberField
 from .structure import four_squares as four_squares
 from .structure import hilbert_symbol as hilbert_symbol
 from .structure import places as places
