@@ -84,7 +84,8 @@ class Isomorphism(LinearMap):
         for p, p_image in basis:
             for q, q_image in basis:
                 product = q_image * p_image if self.reverses else p_image * q_image
-                if self(p * q) != product:
+                rest = (self(p * q) - product).coordinates
+                if not all(self.target.ring.vanishes(x) for x in rest):
                     raise CoercionError(
                         f"{self} is no homomorphism: see the product of {p} and {q}"
                     )
@@ -115,11 +116,11 @@ class Splitting:
     """An isomorphism of ``algebra`` with the 2 × 2 matrices over its field, checked when found.
 
     ``i`` and ``j`` are the matrices of i and j (``I, J = A.split()`` unpacks them), ``images`` those
-    of e, i, j, k; ``zero_divisor`` is an element of norm 0.
+    of e, i, j, k; ``zero_divisor`` is an element of norm 0, and ``reason`` says why there is one.
     """
 
-    def __init__(self, algebra: Parent, found: splitting.Splitting, reason: str = "") -> None:
-        self.algebra, self.reason, self._found = algebra, reason, found
+    def __init__(self, algebra: Parent, found: splitting.Splitting) -> None:
+        self.algebra, self.reason, self._found = algebra, found.reason, found
         self.images = found.images
         self.i, self.j = found.i, found.j
         self.zero_divisor: Quaternion = algebra(*found.zero_divisor)

@@ -15,7 +15,6 @@ from hfield.proving.polynomials.vanishing import vanishes_as_function
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.trees import TRUE
-from hfield.rings import ring
 
 FEW = 200
 MODULI = range(2, 14)
@@ -56,7 +55,7 @@ def _exists(problem: Problem) -> bool | None:
         return found is not None
     if field.is_field:
         return _generically(problem)
-    return False if field.name == "ZZ" and _fails_modulo(problem) else None
+    return False if _fails_modulo(problem) else None
 
 
 def _generically(problem: Problem) -> bool:
@@ -69,10 +68,13 @@ def _generically(problem: Problem) -> bool:
 
 
 def _fails_modulo(problem: Problem) -> bool:
-    """Tell whether the divisors are units together nowhere modulo some number, hence not in ℤ."""
+    """Tell whether the divisors are units together nowhere modulo some number, hence nowhere."""
     for n in MODULI:
+        residues = problem.ring.modulo(n)
+        if residues is None:
+            continue
         try:
-            found, _ = counterexample(problem.over(ring(f"ZZ/{n}")), None, True)
+            found, _ = counterexample(problem.over(residues), None, True)
         except HFieldError:
             continue
         if found is None:

@@ -42,9 +42,12 @@ class Searcher:
         self.exists = self.moving or bool(self.evaluator.bind({}))
 
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether the algebra exists there and the statement has the wanted truth value."""
-        exists = self.evaluator.bind(assignment) if self.moving else self.exists
-        return bool(exists) and self.holds(assignment) is self.wanted
+        """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
+        try:
+            exists = self.evaluator.bind(assignment) if self.moving else self.exists
+            return bool(exists) and self.holds(assignment) is self.wanted
+        except UndecidedError:  # a local field knows its roots to some digits only
+            return False
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
         """Return the first assignment with the wanted truth value, before the deadline."""

@@ -56,7 +56,10 @@ def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assi
     quaternions = quaternions_of(problem)
     for clause in left:
         for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
-            found = solve(problem.within(SHORT), x, narrower)
+            try:
+                found = solve(problem.within(SHORT), x, narrower)
+            except UndecidedError:  # a root that is known to some digits only
+                continue
             if found is not None and test(found):
                 return found
     return None

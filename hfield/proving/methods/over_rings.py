@@ -23,7 +23,6 @@ from hfield.proving.polynomials.vanishing import prime_factors, vanishes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import FALSE, divides_in, walk
-from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
 
@@ -143,12 +142,14 @@ def _is_unit(node: Node, field: Ring) -> bool:
 def _modulo(problem: Problem, x: Expanded) -> Decision | None:
     """Prove that polynomials have no common zero in ℤ or ℤ/m: they have none modulo a number (dividing m)."""
     field = problem.ring
-    if any(c.goals for c in x.clauses) or not (field.name == "ZZ" or field.residues_of):
+    if any(c.goals for c in x.clauses):
         return None
     for n in _moduli(x, field.characteristic):
         if problem.is_late:
             return None
-        residues = ring(f"ZZ/{n}")
+        residues = field.modulo(n)
+        if residues is None:
+            continue
         there = problem.over(residues).within(1.0)
         cases = n ** len(coordinates(problem.statement, used_variables(x)))
         if not residues.is_field and cases > FEW_CASES * 40:
@@ -167,10 +168,7 @@ def _modulo(problem: Problem, x: Expanded) -> Decision | None:
 
 
 def _moduli(x: Expanded, m: int) -> Iterator[int]:
-    """Run through numbers modulo which a contradiction may show: primes in the coefficients first.
-
-    With m > 0, those that divide m.
-    """
+    """Run through numbers modulo which a contradiction may show, over ℤ or (for m > 0) ℤ/m."""
     seen: dict[int, None] = {}
     zeros = [z for clause in x.clauses for z in clause.zeros]
     for z in zeros:  # modulo what divides all else in it a constant is left

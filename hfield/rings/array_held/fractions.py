@@ -28,7 +28,9 @@ class FractionArrays(WordArrays):
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
-        self.one = Fractions(ring, constants)
+        one = ring.holding(constants)
+        assert isinstance(one, Fractions)
+        self.one = one
         self.integral = self.one.integral
 
     def _program(self, name: str) -> tuple[Program, Sides]:
