@@ -228,6 +228,20 @@ class Ring(ABC):
         return self.vanishes(x - y)
 
     @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is, as far as that is known."""
+        return self.is_field or self.fractions is not None
+
+    @property
+    def fractions(self) -> "Ring | None":
+        """The field of fractions of an integral domain that is no field, where it has a name."""
+        return None
+
+    def modulo(self, n: int) -> "Ring | None":
+        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
+        return None
+
+    @property
     def residues_of(self) -> tuple["Ring", Any] | None:
         """The Euclidean ring R and the m for which this is R/m, None for any other ring.
 
