@@ -34,6 +34,7 @@ COMMANDS = {
     "four-squares": "write an integer as a sum of four squares",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
+    "warm": "compile the loops over arrays beforehand",
     "repl": "an interactive session with e, i, j, k at hand",
 }
 GROUP = "hfield.commands"
