@@ -1,10 +1,10 @@
 """Finite fields: GF(p) on flint's residues, GF(pⁿ) on flint's ``fq_default``."""
 
-import random
 from abc import abstractmethod
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
+from random import Random
 from typing import Any
 
 import flint
@@ -189,6 +189,11 @@ class ExtensionField(FiniteField):
         """Return some y with y² = x, or None; in characteristic 2 the only one."""
         return x.sqrt() if x.is_zero() or x.is_square() else None
 
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the roots of a polynomial that is not 0."""
+        polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
+        return [root for root, _ in polynomial.roots()]
+
     @property
     def level(self) -> Known:
         """1 when −1 is a square, else 2."""
@@ -220,7 +225,7 @@ class ExtensionField(FiniteField):
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
         return (self.from_label(n) for n in range(self.order))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
 

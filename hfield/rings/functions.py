@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import atexit
 import gc
-import random
 from collections.abc import Callable, Hashable, Iterator
+from random import Random
 from typing import Any
 
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
 from hfield.rings.printing import quotient_text, sum_text
 from hfield.rings.quotient import Quotient
@@ -171,10 +173,16 @@ class FunctionField(Ring):
             return super().sign(x, ordering)
         return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four polynomials over one."""
+        from hfield.rings.held.rational_functions import RationalFunctions
+
+        return RationalFunctions(self, constants)
 
     def places(self) -> Iterator[Any]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""

@@ -1,9 +1,9 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
 import itertools
-import random
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -16,6 +16,7 @@ from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
+from hfield.rings.roots import rational_roots
 
 _ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
 
@@ -80,6 +81,14 @@ class Integers(_Ordered):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
 
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints, as those over ℚ are."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(
+            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _: flint.fmpz(n)
+        )
+
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
@@ -104,6 +113,15 @@ class Integers(_Ordered):
         if y == 0 or x % y != 0:
             self.inverse(y)
         return x // y
+
+    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return quotient and remainder, which has the sign of y."""
+        quotient, remainder = divmod(x, y)
+        return quotient, remainder
+
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the integer roots of a polynomial that is not 0."""
+        return [flint.fmpz(x.p) for x in rational_roots(coefficients) if x.q == 1]
 
     def sqrt(self, x: Any) -> Any:
         """Return the root y ≥ 0 with y² = x, or None."""
@@ -148,7 +166,11 @@ class Rationals(_Ordered):
             return None
         return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
-    def random(self, rng: random.Random) -> Any:
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the rational roots of a polynomial that is not 0."""
+        return rational_roots(coefficients)
+
+    def random(self, rng: Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 
@@ -156,7 +178,7 @@ class Rationals(_Ordered):
         """Elements are held as four ints over one denominator."""
         from hfield.rings.held.fractions import Fractions
 
-        return Fractions(self, constants)
+        return Fractions(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""

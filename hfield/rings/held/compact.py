@@ -14,7 +14,16 @@ from hfield.rings.holding import Holding
 from hfield.straight_line import Program, arithmetic_text
 
 LARGE = 2**256  # from about here on flint's integers multiply faster than Python's
-MADE = ("conjugate", "inverse", "norm", "product", "sum", "trace")
+MADE = (
+    "conjugate",
+    "difference",
+    "inverse",
+    "negative",
+    "norm",
+    "product",
+    "sum",
+    "trace",
+)
 
 
 class Compact(Holding):
@@ -27,7 +36,9 @@ class Compact(Holding):
     __slots__ = MADE  # slots, for Python looks these up fastest
 
     conjugate: Callable[[Any], Any]
+    difference: Callable[[Any, Any], Any]
     inverse: Callable[[Any], Any]
+    negative: Callable[[Any], Any]
     norm: Callable[[Any], Any]
     product: Callable[[Any, Any], Any]
     sum: Callable[[Any, Any], Any]

@@ -10,7 +10,7 @@ import flint
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE, Compact, function, statements
-from hfield.straight_line import pattern, specialise
+from hfield.straight_line import BINARY, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.finite import ExtensionField
@@ -22,7 +22,7 @@ Held = tuple[Any, Any, Any, Any]
 class Quotients(Compact):
     """Elements over R/(n), held as representatives that ``%`` makes unique."""
 
-    SUM = "({0}1 + {0}2) % n"
+    reduces_sums = True
 
     def __init__(
         self,
@@ -59,33 +59,23 @@ class Quotients(Compact):
 
     def source(self, operation: str) -> str:
         """Return the text of an operation on four representatives."""
-        p, q = {"p": "w1, x1, y1, z1"}, {"q": "w2, x2, y2, z2"}
-        if operation == "sum":
-            sums = ", ".join(self.SUM.format(c) for c in "wxyz")
-            return function("sum", p | q, [f"return {sums}"])
         program = specialise(
             "adjoint" if operation == "inverse" else operation,
             self.pattern,
             2 if self.ring.characteristic == 2 else 0,
         )
+        operands = {"p": "w1, x1, y1, z1"}
         if operation in ("norm", "trace"):
-            return function(operation, p, [*statements(program, ("s",)), "return project(s % n)"])
-        if operation == "inverse":
-            return function(
-                "inverse", p, [*statements(program, (*"wxyz", "s")), *INVERTED, REDUCED]
-            )
-        operands = p | q if operation == "product" else p
-        return function(operation, operands, [*statements(program, (*"wxyz",)), REDUCED])
-
-    def difference(self, p: Held, q: Held, /) -> Held:
-        """Return p − q."""
-        (w1, x1, y1, z1), (w2, x2, y2, z2), n = p, q, self.modulus
-        return (w1 - w2) % n, (x1 - x2) % n, (y1 - y2) % n, (z1 - z2) % n
-
-    def negative(self, p: Held, /) -> Held:
-        """Return −p."""
-        (w, x, y, z), n = p, self.modulus
-        return -w % n, -x % n, -y % n, -z % n
+            body = [*statements(program, ("s",)), "return project(s % n)"]
+        elif operation == "inverse":
+            body = [*statements(program, (*"wxyz", "s")), *INVERTED, REDUCED]
+        else:
+            multiplies = any(step.operation == "*" for step in program.steps)
+            last = REDUCED if self.reduces_sums or multiplies else "return w, x, y, z"
+            body = [*statements(program, (*"wxyz",)), last]
+        if operation in BINARY:
+            operands["q"] = "w2, x2, y2, z2"
+        return function(operation, operands, body)
 
     def scaled(self, p: Held, s: Any) -> Held:
         """Return s·p for an element s of the ring."""
@@ -138,13 +128,13 @@ class Residues(Quotients):
 class Polynomials(Quotients):
     """Elements over GF(pⁿ) as four polynomials of degree below n."""
 
-    SUM = "{0}1 + {0}2"
+    reduces_sums = False  # their degrees are small enough
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:
         from hfield.rings.functions import polynomials_modulo
 
         p = ring.characteristic
-        polynomial = polynomials_modulo(p)
+        polynomial: Any = polynomials_modulo(p)
         f = polynomial(ring.coefficients)
 
         def invert(s: Any) -> Any:
@@ -161,7 +151,7 @@ class Polynomials(Quotients):
             project=ring.context,
             invert=invert,
         )
-        self._constant = lambda n: polynomial([n % p])
+        self._constant: Callable[[int], Any] = lambda n: polynomial([n % p])
 
     def whole(self, w: int, x: int, y: int, z: int) -> Held:
         """Hold four ints."""

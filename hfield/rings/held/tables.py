@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.product import Constants, Coordinates
 from hfield.rings.held.compact import Compact, function, statements
-from hfield.straight_line import FIRST, GENERAL, pattern, specialise
+from hfield.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.finite import ExtensionField
@@ -100,32 +100,27 @@ class Labels(Compact):
             "T": t.times,
             "plus": t.plus,
             "minus": t.minus,
-            "negative": t.negative,
+            "opposite": t.negative,
             "inverse_of": t.inverse,
             "element": t.elements,
         }
 
     def source(self, operation: str) -> str:
         """Return the text of an operation on four labels."""
-        p, q = {"p": "w1, x1, y1, z1"}, {"q": "w2, x2, y2, z2"}
-        if operation == "sum":
-            sums = ", ".join(self._write("+", (f"{c}1", f"{c}2")) for c in "wxyz")
-            return function("sum", p | q, [f"return {sums}"])
         formula = "adjoint" if operation == "inverse" else operation
         program = specialise(formula, self.pattern, 2 if self.p == 2 else 0)
-        outputs = {"norm": ("s",), "trace": ("s",), "inverse": (*"wxyz", "s")}
-        last = {"norm": ["return element[s]"], "trace": ["return element[s]"], "inverse": INVERTED}
-        body = statements(program, outputs.get(operation, (*"wxyz",)), self._write)
+        outputs, last = ENDS.get(operation, ((*"wxyz",), ["return w, x, y, z"]))
+        body = statements(program, outputs, self._write)
         rows = [f"T{n} = T[{n}]" for n in FIRST if f"T{n}[" in "".join(body)]
-        operands = p | q if operation == "product" else p
-        return function(
-            operation, operands, [*rows, *body, *last.get(operation, ["return w, x, y, z"])]
-        )
+        operands = {"p": "w1, x1, y1, z1"}
+        if operation in BINARY:
+            operands["q"] = "w2, x2, y2, z2"
+        return function(operation, operands, [*rows, *body, *last])
 
     def _write(self, operation: str, operands: Sequence[str]) -> str:
         """Write an operation on labels as a look-up; in characteristic 2 a sum is an exclusive or."""
         if operation == "neg":
-            return f"negative[{operands[0]}]"
+            return f"opposite[{operands[0]}]"
         left, right = operands
         if operation == "*":
             if right in ROWS and left not in ROWS:
@@ -134,16 +129,6 @@ class Labels(Compact):
         if self.p == 2:
             return f"{left} ^ {right}"
         return f"{'plus' if operation == '+' else 'minus'}[{left}][{right}]"
-
-    def difference(self, p: Held, q: Held, /) -> Held:
-        """Return p − q."""
-        (w1, x1, y1, z1), (w2, x2, y2, z2), minus = p, q, self.tables.minus
-        return minus[w1][w2], minus[x1][x2], minus[y1][y2], minus[z1][z2]
-
-    def negative(self, p: Held, /) -> Held:
-        """Return −p."""
-        (w, x, y, z), negative = p, self.tables.negative
-        return negative[w], negative[x], negative[y], negative[z]
 
     def scaled(self, p: Held, s: Any) -> Held:
         """Return s·p for an element s of the field."""
@@ -170,3 +155,9 @@ INVERTED = [
     "row = T[inverse_of[s]]",
     "return row[w], row[x], row[y], row[z]",
 ]
+# Where an operation does not return four labels: what its outputs are called, and what is done to them.
+ENDS = {
+    "norm": (("s",), ["return element[s]"]),
+    "trace": (("s",), ["return element[s]"]),
+    "inverse": ((*"wxyz", "s"), INVERTED),
+}
