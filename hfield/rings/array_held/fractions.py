@@ -141,6 +141,13 @@ class FractionArrays(WordArrays):
         rows = self.in_words("norm", p)
         return self.by_arrays("units", p) if rows is None else rows[0] != 0
 
+    def prepare(self) -> None:
+        """Compile every loop, or read it from the disk."""
+        super().prepare()
+        for kernel in self.kernels("inverse"):
+            kernel.prepare()
+        lowest(tuple(np.ones((5, 1), WORD)))
+
 
 _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
 
