@@ -4,7 +4,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from hfield.certificates.finding import FIELD, FIELDS, Finding, together
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import FIELD, FIELDS, WITNESS
 from hfield.certificates.language import Tree, parse, substitute
 from hfield.certificates.rejection import (
     a_list,
@@ -26,7 +27,7 @@ def terms(prove: Prove, statement: Statement, setting: Setting, evidence: object
     """Show existence by terms: the statement with them put in is true for all values given."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
-    return prove(instance, setting, data["proof"]).within(_reach(setting)).by("witness")
+    return prove(instance, setting, data["proof"]).within(_reach(setting)).by(WITNESS)
 
 
 def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -49,7 +50,7 @@ def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object
     for h in reversed(statement.hypotheses):
         cover = ("=>", h, cover)
     findings.append(prove(cover, setting, data["cover"]))
-    return together(findings).within(_reach(setting)).by("witness")
+    return together(findings).within(_reach(setting)).by(WITNESS)
 
 
 def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:

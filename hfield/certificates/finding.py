@@ -3,8 +3,9 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-FIELD, FIELDS, RINGS = "field", "fields", "commutative rings"
-WIDTH = {FIELD: 0, FIELDS: 1, RINGS: 2}
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
+
+WIDTH = {FIELD: 0, FIELDS: 1, COMMUTATIVE_RINGS: 2}
 
 
 @dataclass(frozen=True)
@@ -32,16 +33,11 @@ class Finding:
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
 
-def finding(scope: str, method: str) -> Finding:
-    """Return what a single piece of evidence shows."""
-    return Finding(scope, method)
-
-
 def together(findings: Iterable[Finding]) -> Finding:
     """Return what several findings show that are all needed: the narrowest scope, and each method once."""
     every = list(findings)
     return Finding(
-        min((f.scope for f in every), key=WIDTH.__getitem__, default=RINGS),
+        min((f.scope for f in every), key=WIDTH.__getitem__, default=COMMUTATIVE_RINGS),
         "; ".join(dict.fromkeys(f.method for f in every)),
         tuple(dict.fromkeys(text for f in every for text in f.cites)),
         tuple(dict.fromkeys(text for f in every for text in f.vacuous)),

@@ -4,7 +4,8 @@ from itertools import product
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
 from hfield.certificates.items import Item
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import is_constant
@@ -24,11 +25,11 @@ def check_implication(expansion: Expansion, setting: Setting, data: Any) -> Find
     rules = Rules(expansion, setting, place, data["facts"])
     items = [Item(raw, expansion.names, place, rules) for raw in a_list(data["items"], "items")]
     if ring is None:
-        return finding(_everywhere(expansion, items), "implication")
+        return Finding(_everywhere(expansion, items), IMPLICATION)
     if not ring.is_field and (expansion.factors or not ring.is_domain):
         items = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
     _cover(expansion, place, items)
-    return finding(FIELD, "implication").citing(*rules.cites)
+    return Finding(FIELD, IMPLICATION).citing(*rules.cites)
 
 
 def _everywhere(expansion: Expansion, items: list[Item]) -> str:
@@ -36,6 +37,7 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
     general = [item for item in items if item.p == 0]
     _cover(expansion, Place(expansion, None), general)
     divided = {abs(d) for item in general for d in item.denominators}
+    charge(100 * len(divided) + sum(d.bit_length() for d in divided))
     primes = {item.p for item in items if item.p}
     primes |= {p for d in divided for p in range(2, 1000) if d % p == 0 and is_prime(p)}
     for p in primes:
@@ -49,7 +51,7 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
         if d != 1:
             reject("a proof over all fields divides by a number that may be 0")
     direct = all(item.is_direct for item in items) and divided <= {1}
-    return RINGS if direct else FIELDS
+    return COMMUTATIVE_RINGS if direct else FIELDS
 
 
 def _cover(expansion: Expansion, place: Place, items: list[Item]) -> None:

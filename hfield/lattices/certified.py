@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from hfield.certificates.theorems import MASS
+from hfield.certificates.glossary import MASS
 from hfield.lattices import enumeration
 from hfield.lattices.answers import element_json
 from hfield.lattices.hermite import tuples

@@ -84,16 +84,7 @@ class Answer:
         d = self.decision
         if not _is_whole(d.evidence):
             return None
-        return {
-            "schema": "hfield-cert/1",
-            "statement": self.text,
-            "algebra": self.setting.algebra,
-            "field": self.field,
-            "verdict": d.verdict,
-            "method": d.method,
-            "assumes": list(d.assumes),
-            "evidence": dict(d.evidence or {}),
-        }
+        return d.certificate(self.text, self.setting.algebra, self.field)
 
     @property
     def text(self) -> str:

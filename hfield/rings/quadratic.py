@@ -1,6 +1,6 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Iterator
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -8,7 +8,9 @@ import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import factorise, is_prime
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
@@ -94,7 +96,7 @@ class QuadraticField(Ring):
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Any) -> tuple[Any, Any]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
@@ -150,6 +152,17 @@ class QuadraticField(Ring):
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as eight ints over one denominator."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(self, constants, (self.d, 0), self.key, self._element)
+
+    def _element(self, a: Any, b: Any, denominator: Any) -> Surd:
+        """Return (a + b·√d)/denominator for integers."""
+        terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
+        return Surd({n: c for n, c in terms.items() if c})
 
     degree = 2
 

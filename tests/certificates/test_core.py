@@ -10,7 +10,8 @@ from hfield.certificates.check import Pin, check
 from hfield.certificates.clauses import expand, without_factors
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.existence import MAX_CASES
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, together
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.certificates.language import parse, substitute, walk
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import add, constant, multiply, variable
@@ -27,7 +28,7 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, Setting, read_setting, read_statement
-from hfield.certificates.work import bounded, charge
+from hfield.certificates.work import Work, bounded, charge
 from hfield.proving.prove import prove
 from tests.certificates.cases import Certificate, certified
 
@@ -177,7 +178,7 @@ def test_an_algebra_with_three_constants() -> None:
     assert statement.unknowns == (("a", "s"), ("s", "s"), ("b", "s"))
     assert (
         check(certified("i*i == a + (s+1)*i", None, "identity", IDENTITY, "[a,b,s+1|F)")).scope
-        == RINGS
+        == COMMUTATIVE_RINGS
     )
     assert (
         check(certified("k*k == -a*b", None, "identity", IDENTITY, "[a,b|F)")).verdict == "proved"
@@ -292,7 +293,7 @@ def test_direct_items() -> None:
     data = certified("s*y == 1 => s*y*t == t", None, "implication", implication([]))
     item = direct(["s*y - 1"], "s*t*y - t", ["t"])
     good = {**data, "evidence": implication([item])}
-    assert check(good).scope == RINGS
+    assert check(good).scope == COMMUTATIVE_RINGS
     for field in ("ZZ", "ZZ/6", "GF(2)", "QQ[x,y]", "ZZ[x]", "GF(4)"):
         if field not in ("QQ[x,y]",):
             assert check({**good, "field": field, "algebra": f"(-1,-1|{field})"}).scope == FIELD
@@ -318,7 +319,7 @@ def test_direct_items() -> None:
 def test_a_hypothesis_that_is_a_contradiction() -> None:
     item = direct(["s", "s - 1"], "1", ["1", "-1"])
     data = certified("s == 0 and s == 1 => p == q", None, "implication", implication([item]))
-    assert check(data).scope == RINGS
+    assert check(data).scope == COMMUTATIVE_RINGS
     twice = direct(["s", "s - 2"], "2", ["1", "-1"])
     rejects({**data, "evidence": implication([twice])}, "not covered")
     over_q = certified("s == 0 and s == 2 => p == q", "QQ", "implication", implication([twice]))
@@ -655,12 +656,15 @@ def test_roots_by_theorems(text: str, field: str, evidence: Any, good: bool) -> 
 
 
 def test_findings() -> None:
-    wide, narrow = Finding(RINGS, "identity"), Finding(FIELD, "exhaustion").citing("a", "b", "a")
+    wide, narrow = (
+        Finding(COMMUTATIVE_RINGS, "identity"),
+        Finding(FIELD, "exhaustion").citing("a", "b", "a"),
+    )
     both = together([wide, narrow, narrow])
     assert both == Finding(FIELD, "identity; exhaustion", ("a", "b"))
     assert wide.within(FIELDS).scope == FIELDS
-    assert narrow.within(RINGS).scope == FIELD
-    assert together([]).scope == RINGS
+    assert narrow.within(COMMUTATIVE_RINGS).scope == FIELD
+    assert together([]).scope == COMMUTATIVE_RINGS
     assert narrow.by("witness") == Finding(FIELD, "witness", ("a", "b"))
 
 
@@ -862,7 +866,7 @@ def test_multilinear_maps() -> None:
     tuples = [[x, [int(x == u) for u in "eijk"]] for x in "eijk"]
     evidence = {"kind": "multilinear", "unknowns": ["q"], "tuples": tuples}
     data = certified("vector(q) + scalar(q)*e - 0 == -(-q)", None, "multilinear", evidence)
-    assert check(data).scope == RINGS
+    assert check(data).scope == COMMUTATIVE_RINGS
     for statement in (
         "q == q => q == q",
         "q != q",
@@ -957,3 +961,14 @@ def test_a_refutation_is_named_by_what_is_refuted(statement: str, field: str, me
             assert check(data)
         else:
             rejects(data, "not that of the evidence")
+
+
+def test_comparing_many_clauses_with_many_items_is_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    clauses = [f"(s == 0 => s*t == {n}*s)" for n in range(20)]
+    items = [direct(["s"], f"s*t - {n}*s", [f"t - {n}"]) for n in range(20)]
+    items += [direct(["s + 1"], "s + 1", ["1"])] * 400
+    data = certified(" and ".join(clauses), None, "implication", implication(items))
+    assert check(data)
+    monkeypatch.setattr(Work.__init__, "__defaults__", (60_000,))
+    assert check({**data, "evidence": implication(items[:20])})
+    rejects(data, "more work")

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from hfield.certificates.check import check
+from hfield.certificates.glossary import COMPLEX_ROOTS, INDUCTION, KULIKOV, REAL_ROOTS
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.theorems import COMPLEX_ROOTS, INDUCTION, KULIKOV, REAL_ROOTS
 
 TUPLES = [["".join(t) for t in product("eijk", repeat=k)] for k in (1, 2, 3)]
 IDENTITY = {"kind": "identity"}
@@ -50,7 +50,7 @@ def tuples(*arities: int) -> dict[str, Any]:
 LEVEL, ORDERED = {"kind": "level"}, {"kind": "anisotropic", "by": "ordering"}
 NOT_COMMUTING = at({"p": ["0", "1", "0", "0"], "q": ["0", "0", "1", "0"]}, "GF(3)")
 NORM_I = {"kind": "witness", "value": ["I", "0", "0", "0"], "norm": -1}
-DET, COUNT, RINGS = {"kind": "determinant"}, {"kind": "count"}, "commutative rings"
+DET, COUNT, COMMUTATIVE_RINGS = {"kind": "determinant"}, {"kind": "count"}, "commutative rings"
 LEFT_OUT: dict[str, Any] = {"kind": "left out", "tuple": ""}
 ALL, NO_ROOT, PARTS = {"kind": "basis tuples"}, {"kind": "no root"}, {"kind": "parts"}
 PART: dict[str, Any] = {"kind": "part", "part": 0, "evidence": NOT_COMMUTING}
@@ -61,8 +61,8 @@ CONSTANT = "determined-by{constant; 2,3}"
 # Statement, field, verdict, method, what is cited, evidence, scope.
 Row = tuple[str, str | None, str, str, str | None, dict[str, Any], str]
 GOOD: list[Row] = [
-    ("basis{2; 1,2; 3,7}", None, "proved", "determinant", None, DET, RINGS),
-    ("basis{2; 1,2; 3,5}", None, "proved", "determinant", None, DET, RINGS),
+    ("basis{2; 1,2; 3,7}", None, "proved", "determinant", None, DET, COMMUTATIVE_RINGS),
+    ("basis{2; 1,2; 3,5}", None, "proved", "determinant", None, DET, COMMUTATIVE_RINGS),
     ("basis{2; 1,2; 3,4}", "GF(3)", "proved", "determinant", None, DET, "field"),
     ("basis{2; 1,2; 3,4}", None, "refuted", "determinant", None, DET, "field"),
     ("basis{2; 1,2; 3,4}", "GF(2)", "refuted", "determinant", None, DET, "field"),
@@ -73,19 +73,19 @@ GOOD: list[Row] = [
     ("centre{2}", "QQ", "proved", "linear algebra", None, MINOR, "field"),
     ("centre{2}", "GF(4)", "proved", "linear algebra", None, MINOR, "field"),
     ("centre{3}", "GF(5)", "proved", "linear algebra", None, MINOR, "field"),
-    ("determined-by{all; 1,3}", None, "proved", "basis tuples", None, tuples(1, 3), RINGS),
+    ("determined-by{all; 1,3}", None, "proved", "basis tuples", None, tuples(1, 3), COMMUTATIVE_RINGS),
     ("determined-by{all; 2}", "QQ", "proved", "basis tuples", None, tuples(2), "field"),
     (CONSTANT, None, "refuted", "basis tuples", None, {**LEFT_OUT, "tuple": "ei"}, "field"),
     ("determined-by{short; 2}", None, "refuted", "basis tuples", None, {**LEFT_OUT, "tuple": "ek"}, "field"),
     ("determined-by{all-but-one; 3}", None, "refuted", "basis tuples", None,
      {**LEFT_OUT, "tuple": "kkk"}, "field"),
-    ("curried-linear{1}", None, "proved", "identity", None, IDENTITY, RINGS),
+    ("curried-linear{1}", None, "proved", "identity", None, IDENTITY, COMMUTATIVE_RINGS),
     ("curried-linear{1}", "QQ", "proved", "identity", None, IDENTITY, "field"),
-    ("last-argument{4; 1,2}", None, "proved", "identity", None, IDENTITY, RINGS),
+    ("last-argument{4; 1,2}", None, "proved", "identity", None, IDENTITY, COMMUTATIVE_RINGS),
     ("last-argument{4; 1}", "GF(2)", "proved", "identity", None, IDENTITY, "field"),
     ("last-argument{3; 1,2}", None, "refuted", "identity", None, IDENTITY, "field"),
     ("last-argument{5; 2}", None, "refuted", "identity", None, IDENTITY, "field"),
-    (CITING, None, "proved", "basis tuples", INDUCTION, tuples(1), RINGS),
+    (CITING, None, "proved", "basis tuples", INDUCTION, tuples(1), COMMUTATIVE_RINGS),
     ("citing{induction; last-argument{5; 1}}", None, "refuted", "identity", None, IDENTITY, "field"),
     ("division", "QQ", "proved", "anisotropic norm", None, ORDERED, "field"),
     ("division", "QQ(I)", "refuted", "zero norm", None, ZERO, "field"),

@@ -120,7 +120,6 @@ REFUSED = {
     "QQ(sqrt(4/9))": "write QQ",
     "QQ(sqrt(x))": "expected an integer",
     "QQ(sqrt())": "sqrt",
-    "QQ(sqrt(2),sqrt(3))": "expected an integer",
     "GF(3)(sqrt(2))": "QQ only",
     "QQ(x)(y)": "rational functions",
     "RR(x,y)": "rational functions are over",

@@ -11,7 +11,18 @@ from fractions import Fraction
 from math import gcd
 from typing import Any
 
-from hfield.certificates.finding import FIELD, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import (
+    BY_MASS,
+    DISCRIMINANT,
+    ELEMENT,
+    ENUMERATION,
+    FIELD,
+    IDEAL,
+    MASS,
+    NORM,
+    ORDER,
+)
 from hfield.certificates.orders.algebra import Algebra, times
 from hfield.certificates.orders.classes import need_class_set
 from hfield.certificates.orders.enumeration import short_vectors
@@ -34,7 +45,6 @@ from hfield.certificates.rejection import (
     texts,
 )
 from hfield.certificates.statement import Setting
-from hfield.certificates.theorems import MASS
 
 SIDES = ("left", "right")
 
@@ -145,7 +155,7 @@ def _is_order(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Fin
         for p, e in factored(n).items():
             if e > 1 or eichler_symbol(order, p) != -1:
                 reject(f"it is not shown that this order is maximal at {p}")
-    return finding(FIELD, "order")
+    return Finding(FIELD, ORDER)
 
 
 def _is_ideal(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
@@ -157,7 +167,7 @@ def _is_ideal(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Fin
     need_locally_principal(ideal, order)
     if ideal.norm != _rational(parts[3]):
         reject("this ideal has another norm")
-    return finding(FIELD, "ideal")
+    return Finding(FIELD, IDEAL)
 
 
 # --- what carries one to the other ------------------------------------------------------------------
@@ -170,7 +180,7 @@ def _are_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: object) 
     # left ideals go into each other by factors on the right
     if first.times(c, "right" if side == "left" else "left").key != second.key:
         reject("the element does not carry the first lattice to the second")
-    return finding(FIELD, "element")
+    return Finding(FIELD, ELEMENT)
 
 
 def _are_not_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
@@ -184,7 +194,7 @@ def _are_not_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: obje
             reject(
                 "there is nothing to run through: no element can have the norm that is asked for"
             )
-        return finding(FIELD, "norm")
+        return Finding(FIELD, NORM)
     if "between" not in data:
         reject("the elements that are run through need a basis, under the key 'between'")
     basis = _basis_of(between, data["between"])
@@ -192,7 +202,7 @@ def _are_not_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: obje
     for _, value in short_vectors(basis.gram, int(wanted)):
         if value == wanted:
             reject("an element carries the first lattice to the second")
-    return finding(FIELD, "enumeration")
+    return Finding(FIELD, ENUMERATION)
 
 
 def _are_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
@@ -201,14 +211,14 @@ def _are_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) 
     x = _element(data["element"])
     if first.times(x, "left").key != second.times(x, "right").key:
         reject("the element does not conjugate the first order into the second")
-    return finding(FIELD, "element")
+    return Finding(FIELD, ELEMENT)
 
 
 def _are_not_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind", "the evidence", "trace norm bases")
     first, second = (_order(algebra, part) for part in parts)
     if discriminant(first) != discriminant(second):
-        return finding(FIELD, "discriminant")
+        return Finding(FIELD, DISCRIMINANT)
     data = an_object(evidence, "kind trace norm bases", "the evidence")
     trace, norm = (an_integer(data[key], key) for key in ("trace", "norm"))
     bases = a_list(data["bases"], "bases")
@@ -220,7 +230,7 @@ def _are_not_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: obje
     ]
     if numbers[0] == numbers[1]:
         reject(f"both orders have {numbers[0]} elements of this trace and norm")
-    return finding(FIELD, "enumeration")
+    return Finding(FIELD, ENUMERATION)
 
 
 def _with_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[tuple[int, ...]]:
@@ -249,7 +259,7 @@ def _is_embedded(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> 
         reject("the element has another discriminant")
     if not _is_optimal(order, x):
         reject("the element does not generate all integral elements of its field in the order")
-    return finding(FIELD, "element")
+    return Finding(FIELD, ELEMENT)
 
 
 def _is_optimal(order: Lattice, x: Element) -> bool:
@@ -271,7 +281,7 @@ def _is_not_embedded(algebra: Algebra, parts: tuple[str, ...], evidence: object)
     for row in _with_trace_and_norm(basis, trace, (trace - d) // 4):
         if _is_optimal(order, Element(basis.den, row)):
             reject("an element of the order has this discriminant, and is optimal")
-    return finding(FIELD, "enumeration")
+    return Finding(FIELD, ENUMERATION)
 
 
 # --- classes --------------------------------------------------------------------------------------------
@@ -284,7 +294,7 @@ def _is_class_set(algebra: Algebra, parts: tuple[str, ...], evidence: object) ->
     if len(ideals) != _integer(parts[1], "the number of classes"):
         reject(f"{len(ideals)} classes are given, which is not the number that is stated")
     need_class_set(order, ideals)
-    return finding(FIELD, "mass").citing(MASS)
+    return Finding(FIELD, BY_MASS).citing(MASS)
 
 
 Check = Callable[[Algebra, tuple[str, ...], object], Finding]

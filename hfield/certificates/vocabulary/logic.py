@@ -14,7 +14,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.finding import FIELD, FIELDS, Finding, together
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, FIELD, FIELDS, INDUCTION, WITNESS
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import parse, walk
 from hfield.certificates.orders.words import PARTS as LATTICES
@@ -30,7 +31,6 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
-from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME, INDUCTION
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.lemmas import LEMMAS
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
@@ -235,7 +235,7 @@ class _Logic:
         if field is not None and read_field(a_text(data["field"], "field")).name != field.name:
             reject("the field of the evidence is not that of the certificate")
         anywhere = replace(self.setting, field=None)
-        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by("witness")
+        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by(WITNESS)
 
     def _implies(self, verdict: str, kind: str, evidence: Any) -> Finding:
         if verdict == "proved" and kind == "conclusion":

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from hfield.certificates.theorems import QUATERNION_ROOT
+from hfield.certificates.glossary import QUATERNION_ROOT
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.statements.language import BASIS, Sort, Statement
 from hfield.proving.statements.setting import Setting

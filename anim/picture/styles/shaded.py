@@ -1,12 +1,16 @@
-"""The top in the light: smooth cones, a z-buffer, and averaging in linear light."""
+"""Smooth cones in the light, before a wall.
+
+A z-buffer, and averaging in linear light.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.picture.canvas import Canvas
-from anim.picture.look import RGB
+from anim.picture.look import RGB, Look
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View
+from anim.picture.style import Style
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -14,6 +18,8 @@ Pixels = NDArray[np.uint8]
 
 SKY, SUN = 0.30, 0.60
 """Light from all around and from the light, as shares of a face's own colour."""
+WALL_TOP: RGB = (244, 243, 240)
+WALL_FOOT: RGB = (206, 205, 202)
 GLOSS, SHARPNESS = 0.30, 36
 DARKEST = 0.012
 """The least linear light a face sends back: nothing real is blacker."""
@@ -100,3 +106,23 @@ def _encoding() -> Pixels:
     v = np.linspace(0, 1, 1 << 14)
     srgb = np.where(v <= 0.0031308, 12.92 * v, 1.055 * v ** (1 / 2.4) - 0.055)
     return np.round(255 * srgb).astype(np.uint8)
+
+
+class Shaded(Style):
+    """Lit cones before a wall."""
+
+    def background(self, look: Look) -> Pixels:
+        """Return a wall a little brighter at its top; even paper where the look asks for it."""
+        if look.background is not None:
+            return super().background(look)
+        width, height = look.size
+        down = np.linspace(0, 1, height)[:, None, None]
+        rows = np.array(WALL_TOP) + down * np.subtract(WALL_FOOT, WALL_TOP)
+        return np.repeat(np.round(rows).astype(np.uint8), width, axis=1)
+
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> ShadedBody:
+        """Return the body under the light; ``quality``² samples a pixel."""
+        return ShadedBody(mesh, colours, light, quality)
+
+
+STYLE = Shaded()

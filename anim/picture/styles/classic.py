@@ -1,4 +1,6 @@
-"""The thesis's picture: matplotlib's three-dimensional axes, drawn once, as a background.
+"""Matplotlib's three-dimensional axes, as in the thesis.
+
+They are drawn once, as a background.
 
 The axes bring their own projection, which the top, its shadow and its trace then share.
 """
@@ -11,7 +13,10 @@ from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.look import RGB, Look
+from anim.picture.mesh import Mesh
 from anim.picture.projection import View, fitting, reached
+from anim.picture.style import Style
+from anim.picture.styles.flat import FlatBody
 from rotation.figures.backend import import_matplotlib
 
 Floats = NDArray[np.float64]
@@ -88,3 +93,20 @@ def _view(axes: Any) -> View:
     place[np.ix_([0, 1], [0, 1, 3])] = affine[:2]
     place[2, 2] = -1  # matplotlib's depth grows away from the eye
     return View(place @ axes.get_proj())
+
+
+class Classic(Style):
+    """The thesis's picture: empty axes on white paper, and the top in its two colours."""
+
+    paper: RGB = (255, 255, 255)
+
+    def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
+        """Return the axes' own projection, and the axes."""
+        return axes_and_view(model, look, self.paper_of(look))
+
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> FlatBody:
+        """Return the body in the colours given."""
+        return FlatBody(mesh, [colours] * 3)
+
+
+STYLE = Classic()

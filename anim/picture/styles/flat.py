@@ -1,4 +1,7 @@
-"""Bodies in even colours: the merged outlines of the visible faces, filled in the derived order."""
+"""Even colours, without light.
+
+The merged outlines of the visible faces, filled in the derived order.
+"""
 
 from itertools import pairwise
 
@@ -11,6 +14,7 @@ from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View
 from anim.picture.solid import BAND, LOWER, UPPER, drawing_order, pieces
+from anim.picture.style import Style
 
 Floats = NDArray[np.float64]
 
@@ -61,3 +65,14 @@ class FlatBody:
             keys = np.where(part.facing(view.eye), self._keys, HIDDEN)
             for key, loops in outlines(low, high, keys):
                 canvas.fill(loops, self._colours[k][key], touched=True)
+
+
+class Flat(Style):
+    """Even colours, the three pieces told apart by their lightness."""
+
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> FlatBody:
+        """Return the body in tinted colours."""
+        return FlatBody(mesh, tinted(colours))
+
+
+STYLE = Flat()
