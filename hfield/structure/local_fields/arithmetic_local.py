@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError
@@ -107,6 +108,10 @@ class LocalArithmetic(GlobalField):
         if not all(x.is_exact for x in c):
             return None
         return self.below.unit_and_prime(Constants(*(x.value for x in c)), place)
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield u and j at the one place, whatever else showed that the norm has no zero."""
+        return super().evidence(c, self.ring.places())
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return an element of norm 0 to some digits, and the plane on which Hensel's lemma finds it."""
