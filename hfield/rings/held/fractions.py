@@ -18,7 +18,10 @@ Vector = tuple[Any, ...]  # of rational numbers
 
 
 class Fractions(Numerators):
-    """Elements over ``ℚ(s)`` with ``sⁿ = Σ relation[k]·sᵏ`` for integers; for ℚ and ℤ n = 1 and s = 0."""
+    """Elements over ℚ(s) as ints over one denominator.
+
+    Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
+    """
 
     def __init__(
         self,
