@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NoReturn, Protocol
 
+from hfield.batches import BatchMethods, raised
 from hfield.elements import ElementFacts
 from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
@@ -33,7 +34,7 @@ class Parent(Protocol):
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
 
 
-class Quaternion(ElementFacts):
+class Quaternion(ElementFacts, BatchMethods):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
     Elements are made by calling their algebra. The four coordinates are elements of the base ring,
@@ -90,11 +91,6 @@ class Quaternion(ElementFacts):
         return self._algebra.ring
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        """The shape of an array of quaternions; ``()`` for a single one."""
-        return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
-
-    @property
     def is_batch(self) -> bool:
         """Whether this is an array of quaternions."""
         return self._how.is_batch
@@ -119,6 +115,10 @@ class Quaternion(ElementFacts):
 
     def _new(self, w: Any, x: Any, y: Any, z: Any) -> Quaternion:
         return Quaternion(self._algebra, (w, x, y, z))
+
+    def _alike(self, held: Any) -> Quaternion:
+        """Return another element of this algebra, held as this one is."""
+        return held_by(self._algebra, self._how, held)
 
     def _operand(self, other: Any, operation: str) -> Quaternion:
         """Bring the other operand into this algebra."""
@@ -206,8 +206,10 @@ class Quaternion(ElementFacts):
     def __pow__(self, n: int) -> Quaternion:
         if not isinstance(n, int):
             raise CoercionError(f"the exponent {n!r} is not an int; only integer powers exist")
-        one = self - self + 1 if self.is_batch else self.algebra.basis[0]
-        result: Quaternion = power(one, self if n >= 0 else self.inverse(), abs(n))
+        base: Quaternion = self if n >= 0 else self.inverse()
+        if isinstance(self._how, Batch):
+            return held_by(self._algebra, self._how, raised(self._how, base._held, abs(n)))
+        result: Quaternion = power(self._algebra.basis[0], base, abs(n))
         return result
 
     def __eq__(self, other: object) -> Any:
@@ -334,8 +336,11 @@ class Quaternion(ElementFacts):
         state = self.ring.state
         if not self.is_batch:
             return self.algebra, tuple(map(state, self.coordinates))
-        coordinates = self.coordinates
-        if coordinates[0].dtype != object:  # numpy's and galois's arrays pickle as they are
+        try:
+            return _from_array, (self.algebra, self.to_array())
+        except CoercionError:
+            coordinates = self.coordinates
+        if coordinates[0].dtype != object:  # numpy's arrays pickle as they are
             return Quaternion, (self.algebra, coordinates)
         rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
         return _unpickled, (self.algebra, self.shape, rows)
@@ -359,6 +364,12 @@ def _first(flags: Any) -> tuple[int, ...]:
     import numpy as np
 
     return tuple(map(int, np.argwhere(flags)[0]))
+
+
+def _from_array(algebra: Parent, block: Any) -> Quaternion:
+    """Make an array of quaternions again from its integers."""
+    how = algebra.array_holding
+    return held_by(algebra, how, how.from_array(block))
 
 
 def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]) -> Quaternion:

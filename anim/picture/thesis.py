@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
 from anim.picture.canvas import Canvas
-from anim.picture.classic import axes_and_view
 from anim.picture.look import RGB, Camera, Look
-from anim.picture.painting import WHITE, painter
+from anim.picture.painting import painter
+from anim.picture.styles.classic import STYLE as CLASSIC
 from rotation.figures.saving import try_folder, write_whole
 from rotation.matrices import R_z, to_matrix
 from rotation.vectors import from_axis_angle
@@ -80,7 +80,7 @@ def leaning(i: int) -> Floats:
 
 def _points(model: Model) -> Pixels:
     """Draw the base points as dots: P₁ green, P₂ red, tip and apex blue."""
-    view, background = axes_and_view(model, LOOK, WHITE)
+    view, background = CLASSIC.scene(model, LOOK)
     canvas = Canvas(background)
     n = model.ring
     circle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
@@ -93,7 +93,7 @@ def _points(model: Model) -> Pixels:
 
 def _skeleton(model: Model) -> Pixels:
     """Draw the polygons' edges: rings in their points' colours, the edges between them blue."""
-    view, background = axes_and_view(model, LOOK, WHITE)
+    view, background = CLASSIC.scene(model, LOOK)
     canvas = Canvas(background)
     seen = view.project(model.points)
     n = model.ring

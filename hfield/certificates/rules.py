@@ -1,16 +1,15 @@
 """Rules of a field that steps of an implication use: forms that are 0 only at 0, polynomials without roots.
 
-Each is verified, as ``facts`` give it, before any step uses it. docs/trust.md has the proofs.
+Each is verified, before any step uses it. docs/trust.md has the proofs.
 """
 
 from typing import Any
 
+from hfield.certificates.anisotropy import anisotropic
 from hfield.certificates.clauses import Expansion
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.certificates.facts import has_no_rational_root, is_ordered, is_square, level_above
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
-from hfield.certificates.places import anisotropic
 from hfield.certificates.polynomials import (
     Names,
     Poly,
@@ -55,9 +54,8 @@ class Rules:
             elif form == "squares" and self.squares is None:
                 self._squares(fact, setting.field)
             elif form == "roots" and not self.roots:
-                by = an_object(fact, "form by", "a fact")["by"]
-                if by not in ("factors", "squares"):
-                    reject("the fact 'roots' is by 'factors' or by 'squares'")
+                if an_object(fact, "form by", "a fact")["by"] != setting.field.roots_by:
+                    reject(f"roots in {setting.field.name} are told by {setting.field.roots_by}")
                 self.roots = True
             else:
                 reject("a fact is of no known form, or stands there twice")
@@ -77,7 +75,7 @@ class Rules:
         here = Evaluator(RingScalars(ring), setting.constants, known)
         if here.conditions or setting.letters:
             reject("the structure constants of a fact are not known")
-        a, t, b = (here.term(tree)[0] for tree in setting.constants)
+        a, t, b = here.constants
         reason = {key: value for key, value in fact.items() if key not in ("form", "algebra")}
         self.cites |= dict.fromkeys(anisotropic(ring, (a, t, b), reason, setting.algebra))
         general = self.expansion.evaluator
@@ -92,9 +90,9 @@ class Rules:
         if most is not None:
             an_integer(most, "most", 1)
         if fact["by"] == "ordering":
-            if not is_ordered(ring):
+            if not ring.is_ordered:
                 reject(f"{ring.name} is not known to have an ordering")
-        elif fact["by"] != "level" or positive or most is None or not level_above(ring, most - 1):
+        elif fact["by"] != "level" or positive or most is None or not ring.level_above(most - 1):
             reject(f"sums of squares in {ring.name} may be 0")
         self.squares = most, positive
 
@@ -163,15 +161,5 @@ class Rules:
             reject("a step uses the fact 'roots', which is not there")
         if ring.is_zero(values[-1]):
             reject("the leading coefficient is 0")
-        if ring.name == "QQ":
-            below = 1
-            for value in values:
-                below *= value.denominator
-            if has_no_rational_root([int(value * below) for value in values]):
-                return
-        elif len(values) == 3 and ring.characteristic != 2:
-            c, b, a = values
-            four = ring.mul(ring.number(-4), ring.mul(a, c))
-            if not is_square(ring, ring.add(ring.mul(b, b), four)):
-                return
-        reject("a polynomial that should have no root may have one")
+        if not ring.has_no_root(values):
+            reject("a polynomial that should have no root may have one")

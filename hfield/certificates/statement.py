@@ -9,7 +9,8 @@ from fractions import Fraction
 
 from hfield.certificates.language import Tree, parse, substitute, walk
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.fields import read_field, without_blanks
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.names import without_blanks
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
@@ -130,10 +131,10 @@ def read_tree(tree: Tree, setting: Setting) -> Statement:
     return _Reader(setting).read(tree)
 
 
-def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str]]:
-    """Return the sort of a term, ``q`` or ``s``, and the unknowns in it."""
+def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str], bool]:
+    """Return the sort of a term, ``q`` or ``s``, the unknowns in it, and whether it may be undefined."""
     reader = _Reader(setting)
-    return reader.term(tree), frozenset(reader.unknowns)
+    return reader.term(tree), frozenset(reader.unknowns), reader.divides
 
 
 class _Reader:

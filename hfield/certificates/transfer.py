@@ -4,13 +4,10 @@ from dataclasses import replace
 
 from hfield.certificates.clauses import expand
 from hfield.certificates.existence import Prove
-from hfield.certificates.finding import FIELD, Finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import FIELD
 from hfield.certificates.rejection import a_text, an_integer, an_object, reject
 from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.finite import Residues
-from hfield.certificates.scalars.functions import Functions, Polynomials
-from hfield.certificates.scalars.numbers import QQ, Rationals
-from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
 
 
@@ -18,26 +15,16 @@ def fractions(prove: Prove, statement: Statement, setting: Setting, evidence: ob
     """What nothing divides in, and holds for all of the field of fractions, holds for the ring in it."""
     data = an_object(evidence, "kind field proof", "the evidence")
     field = read_field(a_text(data["field"], "the field of the evidence"))
-    if statement.divides or not _is_field_of_fractions(field, setting.field):
+    if statement.divides or setting.field is None or setting.field.fractions != field.name:
         reject("a ring takes from its field of fractions what is said without division")
     return prove(statement.matrix, replace(setting, field=field), data["proof"]).within(FIELD)
-
-
-def _is_field_of_fractions(field: Ring, ring: Ring | None) -> bool:
-    if isinstance(ring, Rationals):
-        return ring.name == "ZZ" and field is QQ
-    if not isinstance(ring, Polynomials) or not isinstance(field, Functions):
-        return False
-    base = QQ if isinstance(ring.base, Rationals) else ring.base
-    return field.base.name == base.name and field.polynomials.names == ring.names
 
 
 def reduction(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Polynomials that have no common zero modulo n have none in ℤ, or modulo a multiple of n."""
     data = an_object(evidence, "kind modulus proof", "the evidence")
     ring, n = setting.field, an_integer(data["modulus"], "the modulus", 2)
-    residues = isinstance(ring, Residues) and ring.characteristic % n == 0
-    if ring is None or statement.divides or not (ring.name == "ZZ" or residues):
+    if ring is None or statement.divides or not ring.maps_modulo(n):
         reject(
             "what is said without division over ZZ or ZZ/m is reduced modulo n, or a divisor of m"
         )

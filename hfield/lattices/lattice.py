@@ -216,6 +216,10 @@ class Lattice:
     def conjugate(self) -> Lattice:
         """Return the lattice of the conjugates."""
         r = self._regular
+        if (
+            r.conjugate_scale == 1
+        ):  # conjugation permutes the integer rows: the denominator stays the least
+            return Lattice(self.algebra, self._den, (self._matrix * r.conjugation).hnf())
         return self._make(self._den * r.conjugate_scale, self._matrix * r.conjugation)
 
     def dual(self) -> Lattice:

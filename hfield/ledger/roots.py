@@ -8,7 +8,23 @@ from itertools import chain
 from itertools import product as tuples
 from typing import Any
 
-from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
+from hfield.certificates.glossary import (
+    ALL_CHOICES_OF_ROOTS,
+    CHOICE_OF_ROOTS,
+    CLOSED_FIELD,
+    COMPLEX_ROOTS,
+    EXHAUSTION,
+    IDENTITY,
+    KULIKOV,
+    ORDERING,
+    PROVED,
+    REAL_ROOTS,
+    REFUTED,
+    SEARCH,
+    UNDECIDED,
+    UNIQUE_ROOTS,
+    WITNESS,
+)
 from hfield.ledger.facts import hamilton, texts
 from hfield.ledger.propositions import Statement, search_panel
 from hfield.product import Coordinates, multiply, norm
@@ -38,24 +54,24 @@ class ModulusDefined:
                 step = f"N(q) = {field.text(n)} is not a square in {field}."
                 value = texts(field, q)
                 return Decision(
-                    "refuted",
-                    "witness",
+                    REFUTED,
+                    WITNESS,
                     witness={"q": value},
                     steps=(step,),
                     evidence={"kind": "no root", "value": value},
                 )
         if field.characteristic == 2:
-            return replace(SUM_OF_ALL.decide(field), method="identity")
+            return replace(SUM_OF_ALL.decide(field), method=IDENTITY)
         if field.closure:
             step = f"{field} is {field.closure}, so every norm is a square."
             return Decision(
-                "proved",
-                "closed field",
+                PROVED,
+                CLOSED_FIELD,
                 steps=(step,),
                 assumes=(REAL_ROOTS if field.closure == "real closed" else COMPLEX_ROOTS,),
                 evidence={"kind": "closed"},
             )
-        return Decision("undecided", "search", tried=("norms of small elements",))
+        return Decision(UNDECIDED, SEARCH, tried=("norms of small elements",))
 
     def _norm_without_root(self, F: Ring) -> Iterator[Coordinates]:
         """Yield w + x·i whose norm is no square, over a finite field of odd order."""
@@ -117,25 +133,23 @@ class ModulusLaw:
                 "roots": [field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
             }
             return Decision(
-                "refuted", "all choices of roots", witness=bad, steps=steps, evidence=evidence
+                REFUTED, ALL_CHOICES_OF_ROOTS, witness=bad, steps=steps, evidence=evidence
             )
         if self.operation != "*":
-            return Decision("undecided", "all choices of roots", tried=("roots of small norms",))
+            return Decision(UNDECIDED, ALL_CHOICES_OF_ROOTS, tried=("roots of small norms",))
         if field.characteristic == 2:
             step = "In characteristic 2 a square has one root, for y² = z² means (y − z)² = 0."
-            return Decision(
-                "proved", "unique roots", steps=(step,), evidence={"kind": "unique roots"}
-            )
+            return Decision(PROVED, UNIQUE_ROOTS, steps=(step,), evidence={"kind": "unique roots"})
         if field.level.value == INFINITY:
             step = "Take the root ≥ 0 in an order of F: products of such roots are such roots."
             lines = (f"{field}: {field.level.reason}.", step)
-            return Decision("proved", "ordering", steps=lines, evidence={"kind": "ordering"})
+            return Decision(PROVED, ORDERING, steps=lines, evidence={"kind": "ordering"})
         if field.order is not None:
             return self._finite(field)
         step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
         return Decision(
-            "proved",
-            "choice of roots",
+            PROVED,
+            CHOICE_OF_ROOTS,
             steps=(step,),
             assumes=(KULIKOV,),
             evidence={"kind": "pure subgroup"},
@@ -177,13 +191,13 @@ class ModulusLaw:
         )
         evidence = {"kind": "square roots"}
         if F.order is None or F.order > CHECKED_BELOW:
-            return Decision("proved", "choice of roots", steps=steps, evidence=evidence)
+            return Decision(PROVED, CHOICE_OF_ROOTS, steps=steps, evidence=evidence)
         squares = {F.key(x * x) for x in F.elements()}
         root = {F.key(x * x): x for x in F.elements() if F.key(x) in squares}
         pairs = tuples(root.values(), repeat=2)
         if set(root) != squares or not all(
             F.equal(root[F.key(x * x * (y * y))], x * y) for x, y in pairs
         ):
-            return Decision("undecided", "exhaustion", tried=steps)
+            return Decision(UNDECIDED, EXHAUSTION, tried=steps)
         checked = (*steps, f"Checked on all {len(root)}² pairs.")
-        return Decision("proved", "exhaustion", steps=checked, evidence=evidence)
+        return Decision(PROVED, EXHAUSTION, steps=checked, evidence=evidence)

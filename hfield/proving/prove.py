@@ -18,6 +18,7 @@ from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
+from hfield.syntax import plain
 
 MAX_STEPS = 12  # shown to people; the decision has them all
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
@@ -83,16 +84,7 @@ class Answer:
         d = self.decision
         if not _is_whole(d.evidence):
             return None
-        return {
-            "schema": "hfield-cert/1",
-            "statement": self.text,
-            "algebra": self.setting.algebra,
-            "field": self.field,
-            "verdict": d.verdict,
-            "method": d.method,
-            "assumes": list(d.assumes),
-            "evidence": dict(d.evidence or {}),
-        }
+        return d.certificate(self.text, self.setting.algebra, self.field)
 
     @property
     def text(self) -> str:
@@ -187,15 +179,16 @@ def prove(
     """Decide a statement about quaternions and return the answer with its evidence.
 
     ``field`` is a ring or its text; None decides for all fields at once. ``given`` are hypotheses
-    put in front of the statement, ``algebra`` a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if
-    None), ``timeout`` the time in seconds. Raises :class:`NotationError` with a position for what
-    cannot be read. The language is described in docs/language.md.
+    put in front of the statement; both may have the signs in which answers are printed (``p·q̄ ≠ 0``).
+    ``algebra`` is a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None), ``timeout`` the time in
+    seconds. Raises :class:`NotationError` with a position for what cannot be read. The language is
+    described in docs/language.md.
 
     >>> prove("p*q == q*p", field="QQ").witness
     {'p': ['0', '1', '0', '0'], 'q': ['0', '0', '1', '0']}
     >>> bool(prove("(p*q)*r == p*(q*r)"))
     True
     """
-    hypotheses = tuple(given)
-    read, setting, decision = read_and_decide(statement, field, hypotheses, algebra, timeout)
+    hypotheses = tuple(map(plain, given))
+    read, setting, decision = read_and_decide(plain(statement), field, hypotheses, algebra, timeout)
     return Answer(read, setting, decision)

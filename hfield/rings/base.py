@@ -6,11 +6,11 @@ A ring is a parent object; its elements are the values of some library as they c
 say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
 """
 
-import random
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 from hfield import syntax
@@ -122,11 +122,25 @@ class Ring(ABC):
         """Return some y with y² = x, or None when there is none; undecided if not known."""
         raise UndecidedError(f"square roots in {self.name} cannot be decided")
 
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
+
+        Raises :class:`UndecidedError` where they are not computed.
+        """
+        raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
+
+    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
+
+        Raises :class:`UndecidedError` for any other ring.
+        """
+        raise UndecidedError(f"{self.name} is not known to be Euclidean")
+
     def elements(self) -> Iterator[Any]:
         """Run through all elements of a finite ring, 0 and 1 first."""
         raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element, small if the ring is infinite; the same for the same seed."""
         return self(rng.randint(-9, 9))
 
@@ -187,6 +201,18 @@ class Ring(ABC):
         [inf, 2, 3, (5, I-2)]
         """
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
+
+    @property
+    def residues_of(self) -> tuple["Ring", Any] | None:
+        """The Euclidean ring R and the m for which this is R/m, None for any other ring.
+
+        :meth:`lift` then gives an element of R for each of this ring.
+        """
+        return None
+
+    def lift(self, x: Any) -> Any:
+        """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
+        raise UndecidedError(f"{self.name} is not known as a ring of residues")
 
     # --- what follows --------------------------------------------------------------------------
 

@@ -1,10 +1,10 @@
 """Finite fields: GF(p) on flint's residues, GF(pⁿ) on flint's ``fq_default``."""
 
-import random
 from abc import abstractmethod
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
+from random import Random
 from typing import Any
 
 import flint
@@ -14,7 +14,7 @@ from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
-from hfield.rings.holding import Holding
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -44,6 +44,16 @@ class FiniteField(Ring):
     def array(self, values: Any) -> Any:
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
         return _arrays().array(self, values)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
+        return _arrays().of_labels(self, row)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of labels, unless the field is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
 
     def scalar(self, x: Any) -> Any:
         """Turn an entry of ``array`` back into an element."""
@@ -179,6 +189,11 @@ class ExtensionField(FiniteField):
         """Return some y with y² = x, or None; in characteristic 2 the only one."""
         return x.sqrt() if x.is_zero() or x.is_square() else None
 
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the roots of a polynomial that is not 0."""
+        polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
+        return [root for root, _ in polynomial.roots()]
+
     @property
     def level(self) -> Known:
         """1 when −1 is a square, else 2."""
@@ -210,7 +225,7 @@ class ExtensionField(FiniteField):
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
         return (self.from_label(n) for n in range(self.order))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
 

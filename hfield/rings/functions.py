@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import atexit
 import gc
-import random
 from collections.abc import Callable, Hashable, Iterator
+from random import Random
 from typing import Any
 
 import flint
@@ -173,7 +173,7 @@ class FunctionField(Ring):
             return super().sign(x, ordering)
         return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)

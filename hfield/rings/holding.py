@@ -11,6 +11,7 @@ from collections.abc import Hashable
 from typing import TYPE_CHECKING, Any
 
 from hfield import product
+from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 
 if TYPE_CHECKING:
@@ -157,6 +158,21 @@ class Batch(Holding):
         """Return the coordinates, elements of the ring, of a part of no dimensions."""
         w, x, y, z = map(self.ring.scalar, self.coordinates(p))
         return w, x, y, z
+
+    def reshaped(self, p: Any, shape: tuple[int, ...]) -> Any:
+        """Return the elements in another shape. Raises ValueError."""
+        w, x, y, z = (c.reshape(shape) for c in self.coordinates(p))
+        return self.hold((w, x, y, z))
+
+    def to_array(self, p: Any) -> Any:
+        """Return the elements as one array of integers. Raises :class:`CoercionError` where there is none."""
+        raise CoercionError(
+            f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
+        )
+
+    def from_array(self, values: Any) -> Any:
+        """Hold what ``to_array`` returned. Raises :class:`CoercionError`."""
+        return self.to_array(values)
 
     # --- arithmetic ----------------------------------------------------------------------------
 

@@ -1,9 +1,9 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
 import itertools
-import random
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -12,10 +12,11 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
-from hfield.rings.holding import Holding
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
+from hfield.rings.roots import rational_roots
 
 _ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
 
@@ -91,6 +92,12 @@ class Integers(_Ordered):
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of 64-bit integers, as long as they fit."""
+        from hfield.rings.array_held.words import WholeArrays
+
+        return WholeArrays(self, constants)
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x for x = 1 or −1. Raises :class:`NotInvertibleError`."""
         if x == 1 or x == -1:
@@ -106,6 +113,15 @@ class Integers(_Ordered):
         if y == 0 or x % y != 0:
             self.inverse(y)
         return x // y
+
+    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return quotient and remainder, which has the sign of y."""
+        quotient, remainder = divmod(x, y)
+        return quotient, remainder
+
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the integer roots of a polynomial that is not 0."""
+        return [flint.fmpz(x.p) for x in rational_roots(coefficients) if x.q == 1]
 
     def sqrt(self, x: Any) -> Any:
         """Return the root y ≥ 0 with y² = x, or None."""
@@ -132,6 +148,12 @@ class Rationals(_Ordered):
             raise self.refuse(x)
         return fmpq(number)
 
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
+        from hfield.rings.array_held.fractions import FractionArrays
+
+        return FractionArrays(self, constants)
+
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x == 0:
@@ -144,7 +166,11 @@ class Rationals(_Ordered):
             return None
         return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
-    def random(self, rng: random.Random) -> Any:
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the rational roots of a polynomial that is not 0."""
+        return rational_roots(coefficients)
+
+    def random(self, rng: Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 
@@ -165,6 +191,26 @@ class Residues(Modular):
 
     def __init__(self, n: int) -> None:
         super().__init__(f"ZZ/{n}", n, is_prime(n))
+
+    def label(self, x: Any) -> int:
+        """Return the residue between 0 and n − 1."""
+        return int(x)
+
+    def from_label(self, n: int) -> Any:
+        """Return the element with a residue."""
+        return self(n)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of residues as ``array`` returns arrays."""
+        from hfield.rings.arrays import objects
+
+        return objects(row, lambda n: self(int(n)))
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of residues, unless the modulus is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
 
     def state(self, x: Any) -> Any:
         """Return the residue as an int."""

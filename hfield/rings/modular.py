@@ -1,9 +1,9 @@
 """Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
 
-import random
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd
+from random import Random
 from typing import Any
 
 import flint
@@ -17,6 +17,7 @@ from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import residue_roots
 
 WORD = 2**63
 SEARCH = 2_000  # the largest modulus over which squares are searched one by one
@@ -60,6 +61,17 @@ class Modular(Ring):
     def _modulus_of(self, x: Any) -> int:
         """Return the modulus of a residue; flint's fmpz_mod tells its own only through −1."""
         return int(x.modulus()) if self.modulus < WORD else int(-(x - x + 1)) + 1
+
+    @property
+    def residues_of(self) -> tuple[Ring, Any]:
+        """ℤ, and the modulus."""
+        from hfield.rings import ring
+
+        return ring("ZZ"), flint.fmpz(self.modulus)
+
+    def lift(self, x: Any) -> Any:
+        """Return the residue between 0 and n − 1 as an integer."""
+        return flint.fmpz(int(x))
 
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""
@@ -120,6 +132,10 @@ class Modular(Ring):
         root = int(value.sqrtmod(self.modulus))
         return self.residue(min(root, self.modulus - root))
 
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return the roots of a polynomial that is not 0. Raises :class:`UndecidedError`."""
+        return [self._make(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)]
+
     @property
     def level(self) -> Known:
         """The least number of squares with sum −1."""
@@ -178,7 +194,7 @@ class Modular(Ring):
         """Run through 0, 1, …, n − 1."""
         return (self.residue(n) for n in range(self.modulus))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return self.residue(rng.randrange(self.modulus))
 

@@ -1,9 +1,9 @@
 """Polynomial rings in several variables over ZZ, QQ and GF(p), on flint's ``mpoly`` types."""
 
-import random
 from collections.abc import Hashable
 from fractions import Fraction
 from math import comb
+from random import Random
 from typing import Any
 
 import flint
@@ -129,6 +129,13 @@ class PolynomialRing(Ring):
             )
         return quotient
 
+    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Return quotient and remainder of polynomials in one variable over a field."""
+        if len(self.variables) > 1 or not self.base.is_field:
+            return super().euclid(x, y)
+        quotient, remainder = divmod(x, y)
+        return quotient, remainder
+
     def power(self, x: Any, n: int) -> Any:
         """Return xⁿ; n < 0 inverts first."""
         return (x if n >= 0 else self.inverse(x)) ** abs(n)
@@ -167,7 +174,7 @@ class PolynomialRing(Ring):
             return super().sign(x, ordering)
         return self.base.sign(self.constant_part(_leading(x)))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random polynomial of at most 3 terms; the same for the same seed."""
         out = self.context.constant(0)
         for _ in range(3):

@@ -1,146 +1,20 @@
-"""Threads that help with one call: they take blocks from its counter until none is left.
+"""How many threads a call may use; they are those of :mod:`hfield.native.pool`."""
 
-The calling thread always works too, so a call never waits for help that did not come: helpers that
-have not started when the work is done are called off. There is no state in a call that other Python
-threads, a fork or the end of the interpreter could break; numba's own parallel regions fail there.
-"""
-
-import os
-import threading
-from collections.abc import Callable
-from ctypes import addressof, c_int64
-from functools import partial
-from queue import SimpleQueue
-from typing import Any
-
+from hfield.native import pool
+from hfield.native.pool import share
 from rotation.errors import RotationError
 
-VARIABLE = "ROTATION_NUM_THREADS"
-
-
-class _State:
-    """The number of threads, and the helpers that wait for work; anew in a child."""
-
-    def __init__(self) -> None:
-        self.number: int | None = None
-        self.forget_helpers()
-
-    def forget_helpers(self) -> None:
-        """Threads do not survive a fork: the child starts without them, and with a free lock."""
-        self.lock = threading.RLock()  # a signal's handler may come in between
-        self.helpers = 0
-        self.waiting: SimpleQueue[_Part] = SimpleQueue()
-
-
-class _Part:
-    """What a helper does of a call, unless the call is over before it begins.
-
-    An executor's future does the same in twenty times the time, a fiftieth of a frame of 550 000 points.
-    """
-
-    def __init__(self, task: Callable[[], bool]) -> None:
-        self._task = task
-        self._begun, self._done = threading.Lock(), threading.Lock()
-        self._done.acquire()
-        self._answer = False
-        self._error: BaseException | None = None
-
-    def run(self) -> None:
-        """Do the part, in a helper."""
-        if self._begun.acquire(blocking=False):
-            try:
-                self._answer = self._task()
-            except BaseException as error:
-                self._error = error
-            finally:
-                self._done.release()
-
-    def result(self) -> bool:
-        """Call the part off if it has not begun, else wait for its answer."""
-        if self._begun.acquire(blocking=False):
-            self._task = bool  # it may stay in the queue, and would keep arrays alive
-            return False
-        self._done.acquire()
-        if self._error is not None:
-            raise self._error
-        return self._answer
-
-
-_state = _State()
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_state.forget_helpers)
+__all__ = ["share", "threads"]
 
 
 def threads(number: int | None = None) -> int:
     """Return how many threads a call may use, after setting it to ``number`` if that is given.
 
-    At first it is the environment variable ``ROTATION_NUM_THREADS``, else the number of processors
-    this process may run on. Raises `RotationError` unless it is a whole number of at least 1.
+    At first it is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
+    number of processors this process may run on. Raises `RotationError` unless it is a whole number of at
+    least 1.
     """
-    if number is not None:
-        _state.number = _checked(number, "the number of threads")
-    elif _state.number is None:
-        given = os.environ.get(VARIABLE)
-        _state.number = _processors() if not given else _checked(given, VARIABLE)
-    return _state.number
-
-
-def _checked(value: int | str, name: str) -> int:
     try:
-        number = int(value)
-    except (ValueError, OverflowError):
-        number = 0
-    if number < 1 or number != float(value) or isinstance(value, bool):
-        raise RotationError(f"{name} is {value!r}; expected a whole number of at least 1")
-    return number
-
-
-def _processors() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
-
-
-def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: Any) -> bool:
-    """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; tell if any said true.
-
-    ``alive`` is what the arguments point into: it is kept until the last thread is done, also when
-    Ctrl-C ends the wait for it.
-    """
-    counter = c_int64(0)
-    task = partial(_task, work, counter, alive, arguments)
-    helpers = _helpers(task, min(threads(), pieces) - 1)
-    answer = task()
-    for helper in helpers:
-        answer |= helper.result()
-    return answer
-
-
-def _task(
-    work: Callable[..., Any], counter: c_int64, alive: object, arguments: tuple[Any, ...]
-) -> bool:
-    return bool(work(addressof(counter), *arguments))
-
-
-def _helpers(task: Callable[[], bool], number: int) -> list[_Part]:
-    if number < 1:
-        return []
-    with _state.lock:
-        try:
-            while _state.helpers < number:
-                work = (_state.waiting,)
-                threading.Thread(target=_help, args=work, name="rotation", daemon=True).start()
-                _state.helpers += 1
-        except RuntimeError:  # the interpreter is shutting down, or no thread is to be had
-            number = _state.helpers
-        waiting = _state.waiting
-    parts = [_Part(task) for _ in range(number)]
-    for part in parts:
-        waiting.put(part)
-    return parts
-
-
-def _help(waiting: SimpleQueue[_Part]) -> None:
-    while True:
-        waiting.get().run()
+        return pool.threads(number)
+    except pool.ThreadsError as error:
+        raise RotationError(str(error)) from None

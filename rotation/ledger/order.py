@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from hfield.certificates.glossary import WITNESS
 from hfield.ledger.propositions import Every, Statement
 from hfield.proving.decision import REFUTED, Decision
 from hfield.rings import ring
@@ -55,7 +56,7 @@ class Less:
         witness = [str(Fraction(n, gap.denominator)) for n in squares]
         return Decision(
             REFUTED,
-            "witness",
+            WITNESS,
             witness={"q": witness},
             steps=(
                 *steps,

@@ -7,7 +7,6 @@ something to `tell`. Long work frees the interpreter lock.
 """
 
 import ctypes
-import hashlib
 import os
 import sys
 from collections.abc import Callable
@@ -16,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
+from hfield.native import compiling
 from rotation.native import tracing
-from rotation.native.keeping import keep, kept
 from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
 from rotation.native.tracing import WIDTH, Lanes, Program, Rows
 
@@ -45,17 +44,13 @@ def available() -> bool:
     """Tell whether this interpreter and its numpy are such as the machine code expects."""
     if sys.implementation.name != "cpython" or sys.maxsize < 2**62:
         return False
-    if os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
+    if not compiling.available():
         return False
     probe = np.zeros((3, 5))
 
     def read(offset: int, kind: Any) -> int:
         return int(kind.from_address(id(probe) + offset).value)
 
-    try:
-        machine()
-    except Exception:  # no LLVM here, or one of another age
-        return False
     address = probe.__array_interface__["data"][0]
     lengths = read(LENGTHS, ctypes.c_size_t)
     return (
@@ -66,30 +61,18 @@ def available() -> bool:
     )
 
 
-def machine() -> Any:
-    """Return LLVM's description of this processor; an engine takes it into its keeping."""
-    import llvmlite.binding as llvm
-
-    _introduce()
-    return llvm.Target.from_default_triple().create_target_machine(
-        cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=2
-    )
-
-
 @cache
 def _introduce() -> None:
     """Make the functions of the system and of Python known to LLVM."""
     import llvmlite.binding as llvm
 
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in _LIBRARY:
         address = ctypes.cast(getattr(system, name), ctypes.c_void_p).value
         llvm.add_symbol(f"rotation_{name}", address)
     for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
         llvm.add_symbol(name, ctypes.cast(getattr(ctypes.pythonapi, name), ctypes.c_void_p).value)
-    if not llvm.get_host_cpu_features().get("fma") and "fma" in vars(tracing):
+    if not compiling.processor_has("fma") and "fma" in vars(tracing):
         del tracing.fma
 
 
@@ -105,32 +88,14 @@ def assembled(
     shapes : tuple of shapes
         Of one row of each array.
     """
-    import llvmlite
-    import llvmlite.binding as llvm
-
-    target = machine()
+    _introduce()
     text, row = _module(formula, shapes, parameters)
-    module = llvm.parse_assembly(text)
-    made = f"{llvmlite.__version__} {llvm.llvm_version_info} {target.triple} "
-    made += llvm.get_host_cpu_name() + llvm.get_host_cpu_features().flatten()
-    key = hashlib.sha256((made + text).encode()).hexdigest()
-    code = kept(key)
-    if code is None:
-        options = llvm.create_pipeline_tuning_options(speed_level=0)
-        builder = llvm.create_pass_builder(target, options)
-        builder.getModulePassManager().run(module, builder)
-    engine = llvm.create_mcjit_compiler(module, target)
-    engine.set_object_cache(
-        notify_func=lambda module, code: keep(key, code), getbuffer_func=lambda module: code
-    )
-    engine.finalize_object()
-    method = _Method(
-        formula.__name__.encode(), engine.get_function_address("entry"), 0x0080, None
-    )  # METH_FASTCALL
+    address = compiling.compiled(text, "entry")
+    method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
-    _alive.extend((engine, method))
+    _alive.append(method)
     return make(ctypes.addressof(method), None, None), row
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.places import is_certified
+from hfield.certificates.anisotropy import is_certified
 
 PRIMES = (2, 3, 5, 7, 11, 13, 97, 1_000_003)
 

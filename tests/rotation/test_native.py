@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from hfield.native import keeping
 from rotation import Rotation, threads
 from rotation.namespaces import quiet
-from rotation.native import keeping
 from rotation.quaternions import _PRODUCT, _normalised, _product
 from rotation.rowwise import Formula
 
@@ -121,7 +121,7 @@ def test_few_rotations_and_points_import_no_numba(tmp_path: Path) -> None:
         "print('numba' in sys.modules)"
     )
     assert run(code, NUMBA_CACHE_DIR=str(tmp_path)) == "False"
-    assert list((tmp_path / "rotation-formulas").iterdir())
+    assert list((tmp_path / keeping.FOLDER).iterdir())
 
 
 def test_what_is_kept_is_whole_or_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,7 +129,7 @@ def test_what_is_kept_is_whole_or_not_used(tmp_path: Path, monkeypatch: pytest.M
     assert keeping.kept("key") is None
     keeping.keep("key", b"machine code")
     assert keeping.kept("key") == b"machine code"
-    (file,) = (tmp_path / "rotation-formulas").iterdir()
+    (file,) = (tmp_path / keeping.FOLDER).iterdir()
     file.write_bytes(file.read_bytes()[:-1])
     assert keeping.kept("key") is None
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(file))

@@ -1,1 +1,1 @@
-"""The base rings of the checker, on plain, hashable values: ℤ, ℚ, ℤ/n, GF(q), square roots, F(t), R[x, y]."""
+"""The base rings of the checker, on plain, hashable values: one module a kind, which ``fields`` lists."""

@@ -1,5 +1,6 @@
 """ℤ/n and GF(pⁿ), written out in integers; moduli are proved irreducible by Rabin's test."""
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
@@ -7,7 +8,8 @@ from typing import Any
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.conway import CONWAY
-from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.scalars.names import integer, polynomial
+from hfield.certificates.scalars.ring import ReadRing, Ring
 from hfield.certificates.work import charge
 
 MAX_BITS = 512
@@ -41,7 +43,42 @@ def is_prime(n: int) -> bool:
     return True
 
 
-class Residues(Ring):
+class Finite(Ring):
+    """What finite fields have in common; without a field, nothing is known."""
+
+    order: int
+
+    def is_square(self, x: Any) -> bool:
+        """Tell it by Euler's criterion; in characteristic 2 every element is a square."""
+        q = self.order
+        if not self.is_field:
+            return super().is_square(x)
+        return self.is_zero(x) or q % 2 == 0 or self.equal(self.power(x, (q - 1) // 2), self.one)
+
+    def level_above(self, bound: int) -> bool:
+        """−1 is a sum of two squares, and of one unless q ≡ 3 modulo 4."""
+        return bound < 1 or (self.is_field and bound == 1 and self.order % 4 == 3)
+
+    def is_irreducible(self, trace: Any, norm: Any) -> bool:
+        """Tell whether X² − trace·X + norm has no root in the field.
+
+        In odd characteristic that is so when trace² − 4·norm is no square, in characteristic 2 when trace is
+        not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
+        """
+        if self.characteristic != 2:
+            return self.has_no_root([norm, self.neg(trace), self.one])
+        if self.is_zero(trace):
+            return False
+        below = self.inverse(trace)
+        term = self.mul(norm, self.mul(below, below))
+        total = term
+        for _ in range(self.order.bit_length() - 2):
+            term = self.mul(term, term)
+            total = self.add(total, term)
+        return self.equal(total, self.one)
+
+
+class Residues(Finite):
     """ℤ/n, which is the field GF(p) for a prime n."""
 
     def __init__(self, n: int, is_field: bool, name: str) -> None:
@@ -76,11 +113,15 @@ class Residues(Ring):
         """Run through all elements."""
         return iter(range(self.characteristic))
 
+    def maps_modulo(self, n: int) -> bool:
+        """Tell whether n divides the characteristic."""
+        return self.characteristic % n == 0
+
 
 Digits = tuple[int, ...]
 
 
-class Extension(Ring):
+class Extension(Finite):
     """GF(pⁿ) as polynomials in x modulo ``modulus`` (n + 1 numbers, low degree first).
 
     Without a modulus only the elements of GF(p) can be named.
@@ -172,12 +213,12 @@ class Extension(Ring):
         assert self.modulus is not None
         for r in (r for r in range(2, n + 1) if n % r == 0 and is_prime(r)):
             rest = self.add(powers[n // r], self.neg(x))
-            if len(_gcd(list(self.modulus), list(rest), p)) != 1:
+            if len(gcd_modulo(list(self.modulus), list(rest), p)) != 1:
                 return False
         return True
 
 
-def _gcd(f: list[int], g: list[int], p: int) -> list[int]:
+def gcd_modulo(f: list[int], g: list[int], p: int) -> list[int]:
     """Return the greatest common divisor of polynomials over GF(p), low degree first."""
     while g and g[-1] == 0:
         g.pop()
@@ -221,3 +262,18 @@ def _root(q: int, n: int) -> int:
         middle = (low + high + 1) // 2
         low, high = (middle, high) if middle**n <= q else (low, middle - 1)
     return low
+
+
+def read(name: str, ring: ReadRing) -> Ring | None:
+    """Return ``ZZ/n`` or ``GF(q)``, perhaps with a modulus: ``GF(9,x^2+1)``."""
+    if m := re.fullmatch(r"ZZ/([0-9]+)", name):
+        n = integer(m[1])
+        if n < 2:
+            reject("ZZ/n needs n of at least 2")
+        return Residues(n, n < PROVED_BELOW and is_prime(n), f"ZZ/{n}")
+    m = re.fullmatch(r"GF\(([0-9]+)(?:,(.+))?\)", name)
+    if m is None or ")(" in (m[2] or ""):
+        return None
+    q = integer(m[1])
+    modulus = None if m[2] is None else polynomial(m[2], "x", q.bit_length() + 1)
+    return galois_field(q, modulus, name)

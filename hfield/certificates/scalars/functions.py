@@ -1,81 +1,25 @@
-"""Polynomials over a ring, and F(t): fractions of them, equal when they cross-multiply to the same."""
+"""F(t) over ℚ or a finite field: fractions of polynomials, equal when they cross-multiply to the same.
 
+Over GF(q) its places are the prime polynomials, and infinity.
+"""
+
+import re
+from collections.abc import Callable
 from itertools import zip_longest
 from typing import Any
 
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.rejection import reject, shown
+from hfield.certificates.scalars.finite import Finite
+from hfield.certificates.scalars.names import variable
+from hfield.certificates.scalars.place import Place
+from hfield.certificates.scalars.polynomials import MAX_DEGREE, Poly, Polynomials, dense
+from hfield.certificates.scalars.quotients import Quotient
+from hfield.certificates.scalars.residues import OverFiniteField
+from hfield.certificates.scalars.ring import ReadRing, Ring
 from hfield.certificates.work import charge
 
-MAX_TERMS = 4_000
-
-Poly = tuple[tuple[tuple[int, ...], Any], ...]  # exponents and nonzero coefficients, in order
 Fraction = tuple[Poly, Poly]
-
-
-class Polynomials(Ring):
-    """``base[names]``, the base being a domain."""
-
-    is_integral = True
-
-    def __init__(self, base: Ring, names: tuple[str, ...], name: str) -> None:
-        self.base, self.names, self.name = base, names, name
-        self.characteristic = base.characteristic
-        self.zero: Poly = ()
-        self.one: Poly = self._constant(base.one)
-
-    def number(self, n: int) -> Poly:
-        """Return n·1."""
-        return self._constant(self.base.number(n))
-
-    def add(self, x: Poly, y: Poly) -> Poly:
-        """Return x + y."""
-        out = dict(x)
-        for m, c in y:
-            out[m] = self.base.add(out[m], c) if m in out else c
-        return self._poly(out)
-
-    def neg(self, x: Poly) -> Poly:
-        """Return −x."""
-        return tuple((m, self.base.neg(c)) for m, c in x)
-
-    def mul(self, x: Poly, y: Poly) -> Poly:
-        """Return x·y."""
-        if len(x) * len(y) > MAX_TERMS**2 // 16:
-            reject(f"an element of {self.name} has grown too large")
-        charge(5 * len(x) * len(y))
-        out: dict[tuple[int, ...], Any] = {}
-        for m, c in x:
-            for n, d in y:
-                key = tuple([a + b for a, b in zip(m, n, strict=True)])
-                term = self.base.mul(c, d)
-                out[key] = self.base.add(out[key], term) if key in out else term
-        return self._poly(out)
-
-    def inverse(self, x: Poly) -> Poly | None:
-        """Return 1/x for a constant unit (the base is a domain)."""
-        if len(x) != 1 or any(x[0][0]):
-            return None
-        c = self.base.inverse(x[0][1])
-        return None if c is None else self._constant(c)
-
-    def constant(self, tree: Tree) -> Any:
-        """Return a variable, or a constant of the base."""
-        if tree[0] == "name" and tree[1] in self.names:
-            place = self.names.index(tree[1])
-            return ((tuple(int(n == place) for n in range(len(self.names))), self.base.one),)
-        c = self.base.constant(tree)
-        return None if c is None else self._constant(c)
-
-    def _constant(self, c: Any) -> Poly:
-        return () if self.base.is_zero(c) else (((0,) * len(self.names), c),)
-
-    def _poly(self, values: dict[tuple[int, ...], Any]) -> Poly:
-        out = tuple(sorted((m, c) for m, c in values.items() if not self.base.is_zero(c)))
-        if len(out) > MAX_TERMS:
-            reject(f"an element of {self.name} has more than {MAX_TERMS} terms")
-        return out
 
 
 class Functions(Ring):
@@ -145,6 +89,67 @@ class Functions(Ring):
             out += [plus, -plus if odd else plus]
         return tuple(out)
 
+    def is_square(self, x: Fraction) -> bool:
+        """Tell whether f·g is a square for x = f/g: its leading coefficient is, and it has a root.
+
+        In characteristic 2 it is not decided here.
+        """
+        if not x[0]:
+            return True
+        if self.characteristic == 2:
+            return super().is_square(x)
+        base, polynomials = self.base, self.polynomials
+        f = dict(polynomials.mul(*x))
+        degree = max(f)[0]
+        if degree > MAX_DEGREE:
+            reject(f"squares are not told above the degree {MAX_DEGREE}")
+        charge(5 * degree**2)
+        lead = f[(degree,)]
+        if degree % 2 or not base.is_square(lead):
+            return False
+        scale = base.inverse(lead)
+        monic = {m: base.mul(c, scale) for m, c in f.items()}
+        half = degree // 2
+        below_two = base.inverse(base.number(2))
+        root = [base.zero] * half + [base.one]
+        for n in range(half - 1, -1, -1):  # the coefficient of degree half + n tells root[n]
+            total = monic.get((half + n,), base.zero)
+            for m in range(n + 1, half):
+                total = base.add(total, base.neg(base.mul(root[m], root[half + n - m])))
+            root[n] = base.mul(total, below_two)
+        found = tuple(((n,), c) for n, c in enumerate(root) if not base.is_zero(c))
+        return bool(dict(polynomials.mul(found, found)) == monic)
+
+    def level_above(self, bound: int) -> bool:
+        """Ask the constants: one of them that is a sum of squares in F(t) is one in F."""
+        return self.base.level_above(bound)
+
+    def place(self, text: str) -> Place:
+        """Read a place of GF(q)(t): ``t^2+1``, a prime polynomial, or ``inf``."""
+        if not isinstance(self.base, Finite):
+            return super().place(text)
+        if "".join(text.split()) == "inf":
+            return Infinity(self, self.base)
+        return PrimePolynomial(self.base, self.read(text))
+
+    def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Any]]:
+        """Return F, and the value of a fraction at an element of F."""
+        base, at = self.base, self.base.read(point)
+
+        def part(f: Poly) -> Any:
+            total = base.zero
+            for coefficient in reversed(dense(f, base)):
+                total = base.add(base.mul(total, at), coefficient)
+            return total
+
+        def value(x: Fraction) -> Any:
+            below = base.inverse(part(x[1]))
+            if below is None:
+                reject(f"a constant has no value at {shown(point)}")
+            return base.mul(part(x[0]), below)
+
+        return base, value
+
     def _fraction(self, top: Poly, below: Poly) -> Fraction:
         """Divide by the greatest common divisor, so that sums stay small."""
         if not top:
@@ -188,16 +193,48 @@ class Functions(Ring):
         return f
 
 
-MAX_DEGREE = 2_000
+class PrimePolynomial(OverFiniteField):
+    """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide."""
+
+    def __init__(self, base: Finite, prime: Any) -> None:
+        self.base, self.odd = base, prime
+        top, below = (dense(part, base) for part in prime)
+        if len(below) != 1 or len(top) < 2:
+            reject("a place is a polynomial, of a degree of at least 1")
+        self.residues: Quotient = Quotient(base, top)
+
+    def residue(self, x: Any) -> Any:
+        """Return numerator over denominator modulo P."""
+        k = self.residues
+        top, below = (k.reduce(dense(part, self.base)) for part in x)
+        inverse = k.inverse(below)
+        return None if inverse is None else k.mul(top, inverse)
 
 
-def dense(f: Poly, base: Ring) -> list[Any]:
-    """Return the coefficients of a polynomial in one variable, low degree first."""
-    if not f:
-        return []
-    if f[-1][0][0] > MAX_DEGREE:
-        reject(f"a polynomial has a degree above {MAX_DEGREE}")
-    out = [base.zero] * (f[-1][0][0] + 1)
-    for (n,), c in f:
-        out[n] = c
-    return out
+class Infinity(OverFiniteField):
+    """GF(q)(t) at infinity: integral are the fractions whose degree is not positive."""
+
+    def __init__(self, field: Functions, base: Finite) -> None:
+        self.residues = self.base = base
+        self.odd = field.inverse(field.constant(("name", field.polynomials.names[0])))
+
+    def residue(self, x: Any) -> Any:
+        """Return the quotient of the coefficients at the degree of the denominator."""
+        base = self.base
+        top, below = (dense(part, base) for part in x)
+        if len(top) > len(below):
+            return None
+        if len(top) < len(below):
+            return base.zero
+        return base.mul(top[-1], base.inverse(below[-1]))
+
+
+def read(name: str, ring: ReadRing) -> Ring | None:
+    """Return ``QQ(x)`` or ``GF(4)(t)``."""
+    m = re.fullmatch(r"(.+)\(([a-zA-Z][a-zA-Z0-9_]*)\)", name)
+    if m is None:
+        return None
+    base = ring(m[1])
+    if not (base.name == "QQ" or base.order is not None) or not base.is_field:
+        reject(f"{shown(name)}: functions are over QQ or a finite field")
+    return Functions(base, variable(m[2], base), name)

@@ -1,12 +1,17 @@
-"""What the checker asks of a ring: a dozen operations on plain, hashable values."""
+"""What the checker asks of a ring: operations on plain, hashable values; and what it may know of a field.
+
+A kind of field is one module beside this one, with a class of this protocol and a function that reads its
+names; ``fields`` lists them. What a kind does not say of itself is not known, and so never used.
+"""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import reject, shown
+from hfield.certificates.scalars.place import Place
 
 MAX_EXPONENT = 10_000
 
@@ -19,6 +24,9 @@ class Ring(ABC):
     order: int | None = None
     is_field: bool = False
     is_integral: bool = False  # known to have no zero divisors, though it may be no field
+    is_exact: bool = True  # whether its arithmetic proves anything
+    fractions: str | None = None  # the name of the field of fractions, where that is another
+    roots_by = "squares"  # what tells polynomials without roots: discriminants, or linear factors
     zero: Any
     one: Any
 
@@ -47,6 +55,11 @@ class Ring(ABC):
         """Whether a product is 0 only where a factor is."""
         return self.is_field or self.is_integral
 
+    @property
+    def is_ordered(self) -> bool:
+        """Whether ``sign`` is the sign in an ordering of the field."""
+        return self.is_field and self.sign(self.one) == 1
+
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""
         return bool(x == self.zero)
@@ -66,6 +79,33 @@ class Ring(ABC):
     def signs(self, x: Any) -> tuple[int | None, ...]:
         """Return the signs of x in several orderings of the field."""
         return (self.sign(x),)
+
+    def is_square(self, x: Any) -> bool:
+        """Tell whether x is a square; rejects where that is not decided here."""
+        reject(f"squares in {self.name} are not decided here")
+
+    def has_no_root(self, c: list[Any]) -> bool:
+        """Prove that Σ cₙ·xⁿ, of the degree len(c) − 1, has no root in the field; False says nothing."""
+        if len(c) != 3 or self.characteristic == 2:
+            return False
+        four = self.mul(self.number(-4), self.mul(c[2], c[0]))
+        return not self.is_square(self.add(self.mul(c[1], c[1]), four))
+
+    def level_above(self, bound: int) -> bool:
+        """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing."""
+        return bound < 1 or self.is_ordered
+
+    def place(self, text: str) -> Place:
+        """Read a place of the field."""
+        reject(f"no places of {self.name} are known here")
+
+    def at(self, point: str) -> "tuple[Ring, Callable[[Any], Any]]":
+        """Return the field in which functions have values at a point, and what tells the values."""
+        reject(f"the elements of {self.name} have no values at points here")
+
+    def maps_modulo(self, n: int) -> bool:
+        """Tell whether the classes modulo n of the ring are ℤ/n."""
+        return False
 
     def equal(self, x: Any, y: Any) -> bool:
         """Tell whether x = y."""
@@ -118,3 +158,7 @@ class Ring(ABC):
         if result is None:
             reject(f"{shown(text)!r} is no element of {self.name}")
         return result
+
+
+# Reads the name of a ring, without blanks; given to each kind for the names inside its own.
+ReadRing = Callable[[str], Ring]

@@ -117,10 +117,10 @@ def exhaust(
     except (TooLargeError, UndecidedError) as error:
         found = look(statement, setting, MANY, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, statement)
+            return refuted(field, found, statement)
         return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
     if found is not None:
-        return refuted("exhaustion", field, found, statement)
+        return refuted(field, found, statement)
     steps = (f"true in each of the {cases} cases over {field.name}",)
     evidence = {"kind": "exhaustion", "cases": cases}
     return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)

@@ -12,7 +12,7 @@ from hfield.proving.evaluation.compiled import World
 from hfield.proving.evaluation.interpretation import PrimeInterpretation, RingInterpretation
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
-from hfield.proving.existence.terms import Decide, about, by_terms, combined
+from hfield.proving.existence.terms import Decide, about, alone, by_terms, combined
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
@@ -166,8 +166,7 @@ def _given(
     for h in reversed(statement.hypotheses) if hypotheses else ():
         node = Logic("=>", h, node)
     free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
-    made = about(statement, node, free, setting.field)
-    return replace(made, compares_unequal=True)
+    return replace(alone(statement, node, setting, free), compares_unequal=True)
 
 
 def _proof(

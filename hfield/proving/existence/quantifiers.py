@@ -18,9 +18,20 @@ from hfield.proving.counterexamples.refuting import lifted
 from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
 from hfield.proving.evaluation.interpretation import RingInterpretation, bind
 from hfield.proving.existence.case_distinction import by_isolating, by_linear_algebra
+from hfield.proving.existence.closed_equations import closed_solutions
+from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.linear_systems import linear_cases
+from hfield.proving.existence.quaternion_roots import by_quaternion_roots
 from hfield.proving.existence.real_roots import by_roots
-from hfield.proving.existence.terms import Decide, about, by_terms, constants_in, matrix, true_place
+from hfield.proving.existence.terms import (
+    Decide,
+    about,
+    alone,
+    by_terms,
+    constants_in,
+    matrix,
+    true_place,
+)
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.methods import all_fields, one_ring
 from hfield.proving.polynomials.vanishing import constant
@@ -46,7 +57,7 @@ def vacuous(
         node = Logic("and", node, h)
     if true_place(about(statement, node), setting, FEW, deadline) is not None:
         return None
-    never = about(statement, Not(node))
+    never = alone(statement, Not(node), setting)
     decision = decide_one(never, setting, deadline)
     if decision.verdict != PROVED:
         return None
@@ -80,15 +91,23 @@ def _exists(
 
     ``sought`` is the statement with its quantifier, where it is one of its own.
     """
-    node = matrix(statement)
+    node, field = matrix(statement), setting.field
+    assert field is not None
     found = true_place(about(statement, node), setting, FEW, deadline)
     if found is not None:
         return _witnessed(setting, found)
     decision = _solved(statement, setting, deadline)
     if decision is not None:
         return decision
+    solutions = closed_solutions(about(statement, node), setting)
+    test = Searcher(
+        about(statement, node), setting.constants, RingInterpretation(field), deadline, True
+    ).test
+    for place in solutions.places:
+        if test(place):
+            return _witnessed(setting, place)
     if sought is not None:
-        decision = by_roots(sought, setting, deadline)
+        decision = by_roots(sought, setting, deadline) or by_quaternion_roots(sought, setting)
         if decision is not None:
             return decision
     decision = decide_one(about(statement, Not(node)), setting, deadline)
@@ -106,6 +125,9 @@ def _exists(
         evidence = {"kind": "none exists", "proof": decision.evidence}
         steps = (*decision.steps, "so there is none")
         return replace(decision, verdict=REFUTED, scope=None, evidence=evidence, steps=steps)
+    if solutions.none:
+        steps = (f"solving the equations over {field.name} shows that there is none",)
+        return Decision(REFUTED, "linear algebra", steps=steps)
     return decision
 
 
@@ -207,7 +229,7 @@ def _for_all_exists(
         decision = _refuted_at(statement, setting, place, deadline)
         if decision is not None:
             return decision
-    decision = by_roots(statement, setting, deadline)
+    decision = by_roots(statement, setting, deadline) or by_quaternion_roots(statement, setting)
     if decision is not None:
         return decision
     found = _at_zero(statement, setting, deadline, decide_one)
@@ -287,25 +309,37 @@ def _around_solution(
     deadline: float,
     decide_one: Decide,
 ) -> Iterator[Assignment]:
-    """Run through places where the hypotheses have a solution that is found, the others small."""
+    """Run through places near those that are found by solving: the hypotheses, or where a term fails."""
     field = setting.field
-    if field is None or not statement.hypotheses:
+    if field is None:
         return
-    node = statement.hypotheses[0]
-    for h in statement.hypotheses[1:]:
-        node = Logic("and", node, h)
-    names = {n.name for n in walk(node) if isinstance(n, Name)} | set(setting.letters)
-    solved = about(statement, Not(node), tuple(name for name, _ in free), field)
-    witness = decide_one(solved, setting, monotonic() + (deadline - monotonic()) / 4).witness
-    if witness is None:
-        return
-    found: Assignment = {
-        name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
-        for name, texts in witness.items()
-    }
-    others = [(name, sort) for name, sort in free if name not in names]
-    for place in by_weight(others, list(small_scalars(field))[:5], 3):
-        yield {name: place.get(name, found[name]) for name, _ in free}
+    terms = [texts for texts in isolated(statement).values() if texts]
+    failing = []
+    if len(terms) == len(statement.exists) == 1:
+        node = substitute(matrix(statement), {statement.exists[0]: parse(terms[0][0])})
+        failing.append(node)
+    if statement.hypotheses:
+        node = statement.hypotheses[0]
+        for h in statement.hypotheses[1:]:
+            node = Logic("and", node, h)
+        failing.append(Not(node))
+    small = list(small_scalars(field))[:5]
+    for node in failing:
+        solved = about(statement, node, tuple(name for name, _ in free), field)
+        witness = decide_one(solved, setting, monotonic() + (deadline - monotonic()) / 4).witness
+        if witness is None:
+            continue
+        found: Assignment = {
+            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
+            for name, texts in witness.items()
+        }
+        used = {n.name for n in walk(node) if isinstance(n, Name)} | set(setting.letters)
+        others = [(name, sort) for name, sort in free if name not in used]
+        for place in by_weight(others, small, 3):
+            yield {name: place.get(name, found[name]) for name, _ in free}
+        for own in free:
+            for place in by_weight([own], small, 2):
+                yield {**found, **place}
 
 
 def _meant(

@@ -3,7 +3,7 @@
 from time import monotonic
 from typing import Any
 
-from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
+from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.polynomials.expansion import polynomial_world

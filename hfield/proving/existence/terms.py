@@ -59,6 +59,16 @@ def about(
     )
 
 
+def alone(
+    statement: Statement, node: Node, setting: Setting, names: tuple[str, ...] | None = None
+) -> Statement:
+    """Return the same, without those constants of the field that are left in neither it nor the algebra."""
+    made = about(statement, node, names, setting.field)
+    trees = (node, *map(parse, setting.constants))
+    used = {text for tree in trees for text in constants_in(tree, setting.field)}
+    return replace(made, constants=tuple(text for text in made.constants if text in used))
+
+
 def constants_in(node: Node, field: Ring | None) -> Iterator[str]:
     """Run through the texts of the field's constants in a tree."""
     if field is None:

@@ -17,7 +17,7 @@ from hfield.proving.polynomials.vanishing import common_primes
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
-from hfield.syntax import Compare, Logic, Node
+from hfield.syntax import Compare, Logic, Node, Not
 
 
 def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
@@ -90,8 +90,24 @@ def _listed_characteristics(scope: str) -> list[int]:
     return [int(n) for n in inside.split(",") if n.strip()]
 
 
+def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
+    """Tell whether what is said (or denied) is an identity: equations, joined by "and".
+
+    Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
+    """
+    match node:
+        case Compare(op):
+            return (op == "==") == said
+        case Not(x):
+            return _is_identity(x, not said, infinite)
+        case Logic(op, left, right) if op != "<=>" and (infinite or (op == "and") == said):
+            return _is_identity(left, said != (op == "=>"), infinite) and _is_identity(
+                right, said, infinite
+            )
+    return False
+
+
 def refuted(
-    method: str,
     field: Ring,
     found: Assignment,
     statement: Statement,
@@ -99,8 +115,10 @@ def refuted(
 ) -> Decision:
     """Return the refutation by the values found.
 
-    A conjunction of identities has a scope even so: the characteristics in which it does hold. Of any
-    other statement that holds over the fields of some characteristics a step says so in words.
+    The method is named by what is refuted, however the values were found: an identity, that equations
+    have no solution (a witness is one), or another statement. A conjunction of identities has a scope
+    even so: the characteristics in which it does hold. Of any other statement that holds over the fields
+    of some characteristics a step says so in words.
     """
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
@@ -117,12 +135,21 @@ def refuted(
             steps.append(f"over fields of {where} it holds")
     return Decision(
         REFUTED,
-        method,
+        _method(statement, field),
         witness=witness,
         steps=tuple(steps),
         scope=scope,
         evidence={"kind": "witness", "field": field.name, "values": witness},
     )
+
+
+def _method(statement: Statement, field: Ring) -> str:
+    if not field.is_exact:
+        return "floats, exact on small integers"
+    node, infinite = statement.node, field.order is None
+    if _is_identity(node, True, infinite):
+        return "identity"
+    return "witness" if _is_identity(node, False, infinite) else "counterexample"
 
 
 def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:

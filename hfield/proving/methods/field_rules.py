@@ -20,6 +20,7 @@ from hfield.syntax import Call, Number, parse
 
 NORM, SQUARES, ROOTS = "norm", "squares", "roots"
 MAX_ROOT = 12
+EXHAUSTED = 1_000  # elements of a field in which all cases are tried rather
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ def _roots_rule(field: Ring) -> Rule | None:
     if field.name == "QQ":
         reason = "a rational root of an integer polynomial gives a linear factor of it"
         return Rule(ROOTS, reason, by="factors")
-    if field.order is not None or field.characteristic == 2:
+    if field.characteristic == 2 or (field.order is not None and field.order <= EXHAUSTED):
         return None
     try:
         field.sqrt(field(2))
@@ -128,7 +129,7 @@ def unused_norm(setting: Setting) -> str | None:
 
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
     """Return the rule, or None where the norm has a zero. Raises :class:`UndecidedError`."""
-    from hfield.certificates.places import is_readable
+    from hfield.certificates.anisotropy import is_readable
     from hfield.structure.norm_forms.anisotropy_evidence import norm_evidence
     from hfield.structure.norm_forms.zero_norms import zero_norm
 

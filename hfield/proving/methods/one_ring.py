@@ -48,16 +48,16 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
         return _refuted_identity(statement, setting, x, left, deadline)
     found = look_quickly(statement, setting, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, statement, x)
+        return refuted(field, found, statement, x)
     p = field.characteristic
     proof = prove_clauses(statement, setting, p, min(deadline, monotonic() + SHORT))
     if not proof.complete:
         found = look(statement, setting, FEW, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, statement, x)
+            return refuted(field, found, statement, x)
         found = solve_clauses(statement, setting, x, left, deadline)
         if found is not None:
-            return refuted("counterexample", field, found, statement, x)
+            return refuted(field, found, statement, x)
         proof = prove_clauses(statement, setting, p, deadline)
     if proof.complete:
         return implied(proof, statement, setting)
@@ -65,7 +65,7 @@ def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
         return exhaust(statement, setting, x, deadline)
     found = look(statement, setting, MANY, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, statement, x)
+        return refuted(field, found, statement, x)
     return Decision(UNDECIDED, "none", tried=_tried(deadline, setting, field))
 
 
@@ -107,7 +107,7 @@ def _refuted_identity(
         return Decision(
             UNDECIDED, "identity", tried=("the identity fails, but no place was found",)
         )
-    return refuted("identity", field, found, statement, x)
+    return refuted(field, found, statement, x)
 
 
 def _tried(deadline: float, setting: Setting, field: Ring) -> tuple[str, ...]:
@@ -126,7 +126,7 @@ def _unexpanded(statement: Statement, setting: Setting, deadline: float, why: st
     assert field is not None
     found = look(statement, setting, FEW, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, statement)
+        return refuted(field, found, statement)
     if field.order is not None:
         return exhaust(statement, setting, None, deadline)
     return Decision(UNDECIDED, "none", tried=(why, f"{FEW} small places"))
@@ -139,8 +139,6 @@ def _floats(statement: Statement, setting: Setting, deadline: float) -> Decision
     if not statement.divides and not statement.constants:
         found = prime_search(statement, setting.constants, 0, FEW, deadline)
         if found is not None:
-            return refuted(
-                "floats, exact on small integers", field, lifted(field, found), statement
-            )
+            return refuted(field, lifted(field, found), statement)
     tried = (f"{field.name} is inexact, so nothing is proved there: decide over RR or QQ",)
     return Decision(UNDECIDED, "floats", tried=tried)

@@ -7,6 +7,7 @@ those of the domain, as long as nothing is divided by: over the field there is m
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
+from math import gcd
 from time import monotonic
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
@@ -41,7 +42,7 @@ def decide(
     assert field is not None
     found = look(statement, setting, FEW, deadline)
     if found is not None:
-        return refuted("counterexample", field, found, statement)
+        return refuted(field, found, statement)
     tried = [f"{FEW} small places over {field.name}"]
     try:
         x = expand(statement, setting.constants)
@@ -55,7 +56,10 @@ def decide(
             return proved
         tried.append("ideal membership of the conclusion")
     if field.order is not None:
-        return exhaust(statement, setting, x, deadline)
+        decision = exhaust(statement, setting, x, deadline)
+        if decision.verdict == UNDECIDED and x is not None and not divided:
+            decision = _modulo(statement, setting, x, deadline, decide_over_field) or decision
+        return decision
     if divided:
         proved = _proved_with_numerals(statement, setting, deadline, decide_over_field)
         if proved is not None:
@@ -87,9 +91,7 @@ def _proved(
             evidence = {"kind": "fractions", "field": above.name, "proof": decision.evidence}
             step = f"{field.name} lies in {above.name}, where this holds"
             return replace(decision, steps=(*decision.steps, step), evidence=evidence)
-    if field.name == "ZZ" and not any(c.goals for c in x.clauses):
-        return _modulo(statement, setting, x, deadline, decide_over_field)
-    return None
+    return _modulo(statement, setting, x, deadline, decide_over_field) if not p else None
 
 
 def _proved_with_numerals(
@@ -172,8 +174,13 @@ def fractions_of(field: Ring) -> Ring | None:
 def _modulo(
     statement: Statement, setting: Setting, x: Expanded, deadline: float, decide_over_field: Decide
 ) -> Decision | None:
-    """Prove that some polynomials have no common zero in ℤ, since they have none modulo a number."""
-    for n in _moduli(x):
+    """Prove that polynomials have no common zero in ℤ or ℤ/m: they have none modulo a number (dividing m)."""
+    field = setting.field
+    if field is None or any(c.goals for c in x.clauses):
+        return None
+    if field.name != "ZZ" and field.residues_of is None:
+        return None
+    for n in _moduli(x, field.characteristic):
         if monotonic() > deadline:
             return None
         residues = ring(f"ZZ/{n}")
@@ -188,7 +195,7 @@ def _modulo(
             continue
         if decision.verdict == PROVED:
             evidence = {"kind": "reduction", "modulus": n, "proof": decision.evidence}
-            step = f"so in ZZ too there is nothing else: it would stay true modulo {n}"
+            step = f"so in {field.name} too there is nothing else: it would stay true modulo {n}"
             return replace(decision, scope=FIELD, steps=(*decision.steps, step), evidence=evidence)
     return None
 
@@ -197,10 +204,20 @@ def _exhausted(statement: Statement, setting: Setting, deadline: float) -> Decis
     return exhaust(statement, setting, expand(statement, setting.constants), deadline)
 
 
-def _moduli(x: Expanded) -> Iterator[int]:
-    """Run through numbers modulo which a contradiction may show: primes in the coefficients first."""
+def _moduli(x: Expanded, m: int) -> Iterator[int]:
+    """Run through numbers modulo which a contradiction may show: primes in the coefficients first.
+
+    With m > 0, those that divide m.
+    """
     seen: dict[int, None] = {}
-    numbers = {abs(int(c)) for clause in x.clauses for z in clause.zeros for _, c in z.terms()}
+    zeros = [z for clause in x.clauses for z in clause.zeros]
+    for z in zeros:  # modulo what divides all else in it a constant is left
+        n = gcd(m, *(int(c) for exponents, c in z.terms() if any(exponents)))
+        if n > 1:
+            seen.setdefault(n)
+    if m:
+        seen.update(dict.fromkeys(prime_factors(m) or ()))
+    numbers = {abs(int(c)) for z in zeros for _, c in z.terms()}
     for c in sorted(numbers):
         for p in (prime_factors(c) or ()) if c > 1 else ():
             seen.setdefault(p)
@@ -210,4 +227,4 @@ def _moduli(x: Expanded) -> Iterator[int]:
                 power *= p
     for n in SMALL:
         seen.setdefault(n)
-    yield from list(seen)[:MAX_MODULI]
+    yield from [n for n in seen if not m or m % n == 0][:MAX_MODULI]

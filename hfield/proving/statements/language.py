@@ -267,6 +267,8 @@ class _Analysis:
             self.constants.setdefault(name)
             return Sort.SCALAR
         mend = "" if self.field is not None else "; name a field to use its generator"
+        if all(letter in BASIS or self.unknown_sort(letter) for letter in name):
+            mend = f"; for a product write {'*'.join(name)}"
         self.fail(f"{name!r} means nothing here: {_UNKNOWNS}{mend}", node)
         raise AssertionError  # fail() does not return
 

@@ -49,6 +49,11 @@ def walk(node: Node) -> Iterator[Node]:
         stack.extend(reversed(children(n)))
 
 
+def occurrences(node: Node, name: str) -> int:
+    """Return how often a name stands in a tree."""
+    return sum(isinstance(n, Name) and n.name == name for n in walk(node))
+
+
 def divides_in(node: Node) -> bool:
     """Tell whether something in a tree may be undefined: a quotient, an inverse, a decimal."""
     for n in walk(node):

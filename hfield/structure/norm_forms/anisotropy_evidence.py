@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from hfield.certificates.places import is_certified
+from hfield.certificates.anisotropy import is_certified
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure.global_field import global_field

@@ -1,1 +1,0 @@
-"""Places of a field, as the checker knows them: finite residue fields and what elements leave there."""

@@ -1,0 +1,22 @@
+"""What the checker asks of a place: which elements are integral there, and what their residues are."""
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+
+class Place(ABC):
+    """A valuation of a field, and ``odd``, an element whose valuation is an odd number."""
+
+    odd: Any
+
+    @abstractmethod
+    def residue(self, x: Any) -> Any:
+        """Return the residue of an integral element; None for another."""
+
+    @abstractmethod
+    def is_unit(self, residue: Any) -> bool:
+        """Tell whether this is the residue of a unit."""
+
+    @abstractmethod
+    def is_irreducible(self, trace: Any, norm: Any) -> bool:
+        """Tell whether X² − trace·X + norm has no root in the residue field."""

@@ -1,0 +1,221 @@
+"""ℚ(√d): sums of two square roots, 1 and √d; its squares, its level, its prime ideals."""
+
+import re
+from fractions import Fraction
+from itertools import product
+from math import gcd, isqrt
+from typing import Any
+
+from hfield.certificates.rejection import reject
+from hfield.certificates.scalars.names import integer
+from hfield.certificates.scalars.place import Place
+from hfield.certificates.scalars.quotients import Quotient
+from hfield.certificates.scalars.rationals import QQ
+from hfield.certificates.scalars.residues import (
+    GF2,
+    ModuloNumber,
+    OverFiniteField,
+    jacobi,
+    modulo,
+    two_or_odd,
+)
+from hfield.certificates.scalars.ring import ReadRing, Ring
+from hfield.certificates.scalars.surds import Radical, Surd, Surds, radical
+from hfield.certificates.work import charge
+
+MAX_POWER = 1_000  # of n in a denominator
+
+
+class Quadratic(Surds):
+    """QQ(sqrt(d)) for a squarefree number d."""
+
+    def __init__(self, name: str, d: int) -> None:
+        super().__init__(name)
+        self.d, self.is_real = d, d > 0
+        self.root, scale = radical(d)
+        if scale != 1 or self.root == ():
+            reject(f"{name}: expected the root of a squarefree number other than 1")
+
+    def has_root(self, key: Radical) -> bool:
+        """Tell whether the root is that of d."""
+        return key == self.root
+
+    def signs(self, x: Surd) -> tuple[int | None, ...]:
+        """Return the signs of a + b·√d and of a − b·√d."""
+        return self.sign(x), self.sign(tuple((key, -c if key else c) for key, c in x))
+
+    def is_square(self, x: Surd) -> bool:
+        """Tell it by the norm of u + v·√d: it is a square, and so is one of (u ± its root)/2."""
+        u, v = _pair(x)
+        if not v:
+            return QQ.is_square(u) or QQ.is_square(u / self.d)
+        norm = u * u - self.d * v * v
+        if not QQ.is_square(norm):
+            return False
+        root = Fraction(isqrt(norm.numerator), isqrt(norm.denominator))
+        return any(QQ.is_square((u + s * root) / 2) for s in (1, -1))
+
+    def level_above(self, bound: int) -> bool:
+        """Prove that −1 is not a sum of ``bound`` squares; False says nothing.
+
+        ℚ(√d) with d ≡ 1 modulo 8 lies in ℚ₂. A sum of four squares that is 0 there could be divided until
+        one of its terms is odd; but then it is not 0 modulo 8.
+        """
+        if super().level_above(bound):
+            return True
+        if bound == 1:
+            return self.d != -1
+        return bound <= 3 and self.d % 8 == 1 and _odd_squares_modulo_8()
+
+    def place(self, text: str) -> Place:
+        """Read a place: ``7``, or ``(7, sqrt(2)-3)`` of ℚ(√2)."""
+        name, root = "".join(text.split()), "I" if self.d == -1 else f"sqrt({self.d})"
+        m = re.fullmatch(r"\(([0-9]+),(.+)-([0-9]+)\)", name)
+        if m is not None and m[2] == root:
+            return SplitIdeal(self, two_or_odd(m[1]), int(m[3]))
+        n = two_or_odd(name)
+        if n > 2 and gcd(n, self.d) == 1:
+            return InertNumber(self, n)
+        return InertTwo(self) if n == 2 and self.d % 4 == 1 else RamifiedIdeal(self, n)
+
+
+def _odd_squares_modulo_8() -> bool:
+    """Try all: a sum of four squares, not all of even numbers, is never 0 modulo 8."""
+    return all(
+        (w * w + x * x + y * y + z * z) % 8
+        for w, x, y, z in product(range(8), repeat=4)
+        if (w | x | y | z) & 1
+    )
+
+
+def _pair(x: Any) -> tuple[Fraction, Fraction]:
+    """Return (u, v) with x = u + v·√d."""
+    values = dict(x)
+    u = values.pop((), Fraction(0))
+    return u, next(iter(values.values()), Fraction(0))
+
+
+def _pair_of_integers(x: Any) -> tuple[Fraction, Fraction]:
+    """Return (u, v) with x = u + v·ω, ω = (1 + √d)/2: at 2 these are the integers for d ≡ 1 modulo 4."""
+    u, v = _pair(x)
+    return u - v, 2 * v
+
+
+class RamifiedIdeal(ModuloNumber):
+    """ℚ(√d) at a divisor n of d, or at 2 for d ≢ 1 modulo 4: integral are u + v·√d with u, v integral at n.
+
+    √d ≡ d modulo the prime, and √d − (d mod n) has the norm (d mod n)² − d, which every prime in n divides
+    just once, since d is squarefree: it generates the only prime ideal above that prime.
+    """
+
+    def __init__(self, field: Quadratic, n: int) -> None:
+        if n > 2 and field.d % n:
+            reject(f"{n} neither divides {field.d} nor is prime to it")
+        self.n, self.root = n, field.d % n
+        omega = field.read("I" if field.d == -1 else f"sqrt({field.d})")
+        self.odd = field.add(omega, field.number(-self.root))
+
+    def residue(self, x: Any) -> int | None:
+        """Return u + v·d modulo n."""
+        u, v = (modulo(c, self.n) for c in _pair(x))
+        return None if u is None or v is None else (u + v * self.root) % self.n
+
+
+class SplitIdeal(ModuloNumber):
+    """ℚ(√d) where √d is r modulo n (modulo 4 for n = 2): r is prime to n, so primes in n split.
+
+    At such a prime p the completion is ℚ_p, with the root of d that begins with r.
+    """
+
+    def __init__(self, field: Quadratic, n: int, r: int) -> None:
+        self.n, self.odd, d = n, field.number(n), field.d
+        self.pair = _pair_of_integers if n == 2 else _pair
+        # ω, its trace and its norm
+        self.root, self.trace, self.norm = ((1 + r) // 2, 1, (1 - d) // 4) if n == 2 else (r, 0, -d)
+        fits = d % 8 == 1 and r in (1, 3) if n == 2 else r < n and gcd(r, n) == 1
+        if not fits or self._minimal(self.root) % n:
+            reject(f"√{d} is not {r} at an ideal above {n}")
+
+    def _minimal(self, r: int) -> int:
+        return r * r - self.trace * r + self.norm
+
+    def residue(self, x: Any) -> int | None:
+        """Return the class of u + v·ω: of a numerator that is divisible by what n there is below it."""
+        u, v = self.pair(x)
+        below = u.denominator * v.denominator
+        top = (u * below).numerator, (v * below).numerator
+        power, rest = 0, below
+        while rest % self.n == 0:
+            charge(5 + rest.bit_length() // 100)
+            rest, power = rest // self.n, power + 1
+        if gcd(rest, self.n) > 1 or power > MAX_POWER:
+            return None
+        modulus = self.n ** (power + 1)
+        value = (top[0] + top[1] * self._omega(modulus)) % modulus
+        if value % self.n**power:
+            return None
+        residue: int = value // self.n**power * pow(rest, -1, self.n) % self.n
+        return residue
+
+    def _omega(self, modulus: int) -> int:
+        """Return ω modulo a power of n, by Newton's steps."""
+        charge(10 + modulus.bit_length() ** 2 // 500)
+        r = self.root
+        while self._minimal(r) % modulus:
+            r = (r - self._minimal(r) * pow(2 * r - self.trace, -1, modulus)) % modulus
+        return r
+
+
+class InertNumber(Place):
+    """ℚ(√d) at an odd n prime to d: integral are u + v·√d with u, v integral at n.
+
+    Where p in n does not split, an element of GF(p²) is a square if its norm is one in GF(p); where p splits
+    and the norm of D is none, D is none at one of the two prime ideals. So the symbol of the norm tells.
+    """
+
+    def __init__(self, field: Quadratic, n: int) -> None:
+        self.n, self.d, self.odd = n, field.d, field.number(n)
+
+    def residue(self, x: Any) -> tuple[int, int] | None:
+        """Return (u, v) modulo n."""
+        u, v = (modulo(c, self.n) for c in _pair(x))
+        return None if u is None or v is None else (u, v)
+
+    def _norm(self, u: int, v: int) -> int:
+        return u * u - self.d * v * v
+
+    def is_unit(self, residue: tuple[int, int]) -> bool:
+        """Tell whether the norm is prime to n."""
+        return gcd(self._norm(*residue), self.n) == 1
+
+    def is_irreducible(self, trace: tuple[int, int], norm: tuple[int, int]) -> bool:
+        """Ask whether the discriminant is a square."""
+        u, v = trace
+        discriminant = u * u + self.d * v * v - 4 * norm[0], 2 * u * v - 4 * norm[1]
+        return jacobi(self._norm(*discriminant), self.n) == -1
+
+
+class InertTwo(OverFiniteField):
+    """ℚ(√d) at 2 for d ≡ 5 modulo 8, with residues in GF(4); for d ≡ 1 the polynomial of ω is reducible."""
+
+    def __init__(self, field: Quadratic) -> None:
+        self.residues: Quotient = Quotient(GF2, [(1 - field.d) // 4 % 2, 1, 1])
+        self.odd = field.number(2)
+
+    def residue(self, x: Any) -> Any:
+        """Return u + v·ω modulo 2."""
+        u, v = (modulo(c, 2) for c in _pair_of_integers(x))
+        return None if u is None or v is None else self.residues.reduce([u, v])
+
+
+def read(name: str, ring: ReadRing) -> Ring | None:
+    """Return ``QQ(sqrt(d))`` or ``QQ(I)``."""
+    m = re.fullmatch(r"QQ\((?:sqrt\((-?[0-9]+)\)|I)\)", name)
+    if m is None:
+        return None
+    if m[1] is None:
+        return Quadratic(name, -1)
+    d = integer(m[1])
+    if d == -1:
+        reject("QQ(sqrt(-1)) is called QQ(I)")
+    return Quadratic(name, d)

@@ -1,0 +1,174 @@
+"""The part of ℝ and ℂ that square roots of rational numbers generate.
+
+An element is a finite sum of rational multiples of √n, where n runs through products of −1 and
+distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940; docs/trust.md has a
+proof), so an element is 0 only if all its coefficients are.
+"""
+
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt, prod
+from typing import Any
+
+from hfield.certificates.language import Tree
+from hfield.certificates.rejection import reject, shown
+from hfield.certificates.scalars.rationals import QQ, bounded
+from hfield.certificates.scalars.ring import ReadRing, Ring
+from hfield.certificates.work import charge
+
+MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart
+MAX_SUMMANDS = 32
+
+Radical = tuple[int, ...]  # primes and −1, in order; () is 1
+Surd = tuple[tuple[Radical, Fraction], ...]
+
+
+class Surds(Ring):
+    """A field of sums of square roots."""
+
+    characteristic = 0
+    is_field = True
+    is_real: bool  # whether it is part of ℝ
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.zero: Surd = ()
+        self.one: Surd = (((), Fraction(1)),)
+
+    def has_root(self, key: Radical) -> bool:
+        """Tell whether the square root of the product of these primes lies in the field."""
+        return True
+
+    def number(self, n: int) -> Surd:
+        """Return n."""
+        return (((), Fraction(n)),) if n else ()
+
+    def add(self, x: Surd, y: Surd) -> Surd:
+        """Return x + y."""
+        out = dict(x)
+        for key, c in y:
+            out[key] = out.get(key, 0) + c
+        return self._surd(out)
+
+    def neg(self, x: Surd) -> Surd:
+        """Return −x."""
+        return tuple((key, -c) for key, c in x)
+
+    def mul(self, x: Surd, y: Surd) -> Surd:
+        """Return x·y, by √m·√n = √(mn) with √(−1)² = −1."""
+        out: dict[Radical, Fraction] = {}
+        for m, c in x:
+            for n, d in y:
+                key, factor = tuple(sorted(set(m) ^ set(n))), c * d
+                for p in set(m) & set(n):
+                    factor *= p
+                out[key] = out.get(key, Fraction(0)) + factor
+        return self._surd(out)
+
+    def inverse(self, x: Surd) -> Surd | None:
+        """Return 1/x, by multiplying with one conjugate after the other."""
+        if not x:
+            return None
+        top, below = self.one, x
+        while any(key for key, _ in below):
+            p = next(key[0] for key, _ in below if key)
+            conjugate = tuple((key, -c if p in key else c) for key, c in below)
+            top, below = self.mul(top, conjugate), self.mul(below, conjugate)
+        return self.mul(top, (((), 1 / below[0][1]),))
+
+    def sign(self, x: Surd) -> int | None:
+        """Return the sign of a real number; None in a field that is not real.
+
+        A sum of roots that is not () is not 0, so some precision tells its sign.
+        """
+        if not self.is_real:
+            return None
+        bits = 32
+        while x:
+            below = sum(_floor(key, c, bits) for key, c in x)  # at most len(x) below the sum
+            if below > 0 or below + len(x) < 0:
+                return 1 if below > 0 else -1
+            bits *= 2
+        return 0
+
+    def constant(self, tree: Tree) -> Any:
+        """Return the value of ``I`` or of ``sqrt(…)``, if it lies in the field."""
+        if tree == ("name", "I"):
+            return self._inside((((-1,), Fraction(1)),))
+        if tree[0] != "call" or tree[1] != "sqrt" or len(tree[2]) != 1:
+            return None
+        x = QQ.value(tree[2][0], "the number under a root")
+        key, scale = radical(x.numerator * x.denominator)
+        if scale == 0:
+            return ()
+        return self._inside(((key, Fraction(scale, x.denominator)),))
+
+    def _inside(self, x: Surd) -> Surd | None:
+        """Return x if it lies in the field."""
+        return x if all(self.has_root(key) for key, _ in x if key) else None
+
+    def _surd(self, values: dict[Radical, Fraction]) -> Surd:
+        if len(values) > MAX_SUMMANDS:
+            reject("too many square roots in one number")
+        return tuple(sorted((key, bounded(c)) for key, c in values.items() if c))
+
+
+class Reals(Surds):
+    """RR, as far as square roots go."""
+
+    is_real = True
+
+    def has_root(self, key: Radical) -> bool:
+        """Tell whether the number under the root is positive."""
+        return -1 not in key
+
+    def is_square(self, x: Surd) -> bool:
+        """Tell whether x is not negative."""
+        return self.sign(x) != -1
+
+
+class Complexes(Surds):
+    """CC, as far as square roots go."""
+
+    is_real = False
+
+    def is_square(self, x: Surd) -> bool:
+        """Every number is a square."""
+        return True
+
+
+def _floor(key: Radical, c: Fraction, bits: int) -> int:
+    """Return the greatest integer below or at c·√n·2^bits, n being the product of the primes."""
+    n = prod(key)
+    charge(5 + bits * bits // 10_000)
+    square = c.numerator**2 * n << 2 * bits
+    root = isqrt(square // c.denominator**2)
+    return root if c > 0 else -root - 1
+
+
+@lru_cache(maxsize=1024)
+def radical(n: int) -> tuple[Radical, int]:
+    """Return (primes, m) with √n = m·√(their product)."""
+    if n == 0:
+        return (), 0
+    if abs(n) > MAX_ROOT:
+        reject(f"the square root of {shown(n)} is not taken apart here")
+    charge(isqrt(abs(n)))
+    key, scale, rest, p = [-1] if n < 0 else [], 1, abs(n), 2
+    while p * p <= rest:
+        power = 0
+        while rest % p == 0:
+            rest, power = rest // p, power + 1
+        scale *= p ** (power // 2)
+        if power % 2:
+            key.append(p)
+        p += 1 + p % 2
+        if p > 2000 and isqrt(rest) ** 2 == rest:
+            scale, rest = scale * isqrt(rest), 1
+    return tuple(key if rest == 1 else [*key, rest]), scale
+
+
+def read(name: str, ring: ReadRing) -> Ring | None:
+    """Return ``RR`` or ``CC``."""
+    kind = {"RR": Reals, "CC": Complexes}.get(name)
+    return None if kind is None else kind(name)

@@ -1,0 +1,154 @@
+"""Equations in which nothing is given, solved in their ring: linear ones, and those in one unknown.
+
+Linear equations over a Euclidean ring by Hermite's normal form, over ℤ/n with multiples of n added; one
+unknown by the roots that the ring finds.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from hfield.errors import TooLargeError, UndecidedError
+from hfield.proving.polynomials.expansion import Expanded, polynomial_world
+from hfield.proving.polynomials.normal_form import branches
+from hfield.proving.polynomials.vanishing import Monomial, coefficients
+from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.setting import Setting
+from hfield.rings.base import Ring
+
+MAX_BRANCHES = 16
+MAX_SIZE = 40  # of the rows and of the columns of a linear system
+
+Polynomial = dict[Monomial, Any]
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """Some ``places`` at which equations hold; ``none`` tells that they hold nowhere."""
+
+    places: tuple[dict[str, Any], ...] = ()
+    none: bool = False
+
+
+def closed_solutions(statement: Statement, setting: Setting) -> Solutions:
+    """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
+    field = setting.field
+    assert field is not None
+    try:
+        world, variables, unknowns = polynomial_world(statement, setting.constants)
+        ways = list(branches(world.truth(statement.node)))
+    except TooLargeError:
+        return Solutions()
+    if len(ways) > MAX_BRANCHES or world.conditions:
+        return Solutions()
+    x = Expanded(world.context, variables, unknowns, ())
+    places, none = list[dict[str, Any]](), True
+    for way in ways:
+        zeros = [f for part in way if part.zero for f in part.polynomials]
+        try:
+            found = _solved([dict(coefficients(f, x, field)) for f in zeros], unknowns, field)
+        except UndecidedError:
+            none = False
+            continue
+        none = none and not found
+        places.extend(_assigned(statement, values) for values in found)
+    return Solutions(tuple(places), none)
+
+
+def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[list[Any]]:
+    """Return some solutions, and some if there are any. Raises :class:`UndecidedError`."""
+    equations = [f for f in equations if f]
+    used = {n for f in equations for m in f for n, e in enumerate(m) if e}
+    if all(sum(m) <= 1 for f in equations for m in f):
+        solution = _linear(equations, sorted(used), field)
+        found = [] if solution is None else [dict(zip(sorted(used), solution, strict=True))]
+    elif len(used) == 1:
+        (n,) = used
+        found = [{n: root} for root in _common_roots(equations, n, field)]
+    else:
+        raise UndecidedError("equations of higher degree in several unknowns are not solved here")
+    return [[values.get(n, field.zero) for n in range(unknowns)] for values in found]
+
+
+def _common_roots(equations: list[Polynomial], n: int, field: Ring) -> Iterator[Any]:
+    """Run through the values of one unknown at which all equations hold."""
+    dense = []
+    for f in equations:
+        c = [field.zero] * (max(m[n] for m in f) + 1)
+        for m, value in f.items():
+            c[m[n]] = value
+        dense.append(c)
+    first, *others = sorted(dense, key=len)
+    for root in field.roots(first):
+        if all(field.is_zero(_value(c, root, field)) for c in others):
+            yield root
+
+
+def _value(c: Sequence[Any], x: Any, field: Ring) -> Any:
+    total = field.zero
+    for a in reversed(c):
+        total = total * x + a
+    return total
+
+
+def _linear(equations: list[Polynomial], used: list[int], field: Ring) -> list[Any] | None:
+    """Return a solution of linear equations for the unknowns used, None if there is none."""
+    if max(len(equations), len(used)) > MAX_SIZE:
+        raise UndecidedError("the linear equations are too many")
+    rows = []
+    for f in equations:
+        by_unknown = {next((n for n, e in enumerate(m) if e), None): c for m, c in f.items()}
+        rows.append([by_unknown.get(n, field.zero) for n in (*used, None)])
+    over = field.residues_of
+    if over is None:
+        return _hermite(rows, field)
+    base, modulus = over
+    lifted = [
+        [
+            *(base(field.lift(a)) for a in row[:-1]),
+            *(modulus if m == n else base.zero for m in range(len(rows))),
+            base(field.lift(row[-1])),
+        ]
+        for n, row in enumerate(rows)
+    ]
+    solution = _hermite(lifted, base)
+    return None if solution is None else [field(x) for x in solution[: len(used)]]
+
+
+def _hermite(rows: list[list[Any]], ring: Ring) -> list[Any] | None:
+    """Solve A·x + b = 0 over a Euclidean ring, each row of A with its b behind.
+
+    Columns are combined until A is lower triangular; then each unknown follows by a division, or fails.
+    """
+    width = len(rows[0]) - 1 if rows else 0
+    columns = [[row[n] for row in rows] for n in range(width)]
+    steps = [[ring.one if m == n else ring.zero for m in range(width)] for n in range(width)]
+    rest = [row[-1] for row in rows]
+    solution = [ring.zero] * width
+    at = 0
+    for r in range(len(rows)):
+        for other in range(at + 1, width):
+            while not ring.is_zero(columns[other][r]):
+                q, _ = ring.euclid(columns[at][r], columns[other][r])
+                for table in (columns, steps):
+                    reduced = [x - q * y for x, y in zip(table[at], table[other], strict=True)]
+                    table[at], table[other] = table[other], reduced
+        if at < width and not ring.is_zero(columns[at][r]):
+            factor, left = ring.euclid(ring.zero - rest[r], columns[at][r])
+            if not ring.is_zero(left):
+                return None
+            rest = [x + factor * y for x, y in zip(rest, columns[at], strict=True)]
+            solution = [x + factor * y for x, y in zip(solution, steps[at], strict=True)]
+            at += 1
+        elif not ring.is_zero(rest[r]):
+            return None
+    return solution
+
+
+def _assigned(statement: Statement, values: Sequence[Any]) -> dict[str, Any]:
+    """Give the unknowns their values, the coordinates of a quaternion together."""
+    rest = iter(values)
+    return {
+        name: next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
+        for name, sort in statement.unknowns
+    }

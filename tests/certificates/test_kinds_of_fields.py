@@ -1,0 +1,103 @@
+"""Each kind of ring is one module of the checker: what it knows is asked of it, and nothing else is known."""
+
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.check import check
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars import fields
+from hfield.certificates.scalars.fields import KINDS, read_field
+from hfield.certificates.scalars.rationals import Rationals
+from hfield.ledger.claim import PANEL
+from tests.certificates.cases import decided
+
+NAMES = (
+    *(name for name in PANEL if name != "universal"),
+    *("QQ[s]/(s^3-2)", "QQ(zeta5)", "QQ(zeta7)+", "QQ(root(2,3))", "QQ(sqrt(2),sqrt(3))"),
+    *("ZZ", "RDF", "ZZ/6", "GF(9,x^2+1)", "QQ[x,y]", "GF(5)[x]", "ZZ[a]", "ZZ/7(t)"),
+)
+
+
+def read(kind: ModuleType, name: str) -> Any:
+    try:
+        return kind.read(name, read_field)
+    except Rejected:
+        return None
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_is_of_one_kind(name: str) -> None:
+    assert len([kind for kind in KINDS if read(kind, name) is not None]) == 1
+    assert read_field(name).name == name
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_a_kind_says_of_squares_is_so(name: str) -> None:
+    R = read_field(name)
+    if R.is_field and R.characteristic != 2:
+        for n in range(6):
+            assert R.is_square(R.number(n * n))
+        below = -R.number(1) if isinstance(R, Rationals) else R.neg(R.one)
+        assert R.level_above(1) <= (not R.is_square(below))
+    else:
+        for n in (1, 2, 5):
+            assert not R.level_above(n) or not R.is_field
+
+
+@pytest.mark.parametrize("name", ["RR", "CC", "GF(5)", "ZZ", "QQ[x,y]", "QQ(x)"])
+def test_what_a_kind_does_not_know_is_rejected(name: str) -> None:
+    with pytest.raises(Rejected, match="no places"):
+        read_field(name).place("3")
+
+
+@pytest.mark.parametrize("name", ["QQ", "RR", "GF(5)", "QQ(I)", "ZZ"])
+def test_only_functions_have_values(name: str) -> None:
+    with pytest.raises(Rejected, match="no values at points"):
+        read_field(name).at("1")
+
+
+def test_functions_over_a_finite_field_have_values_there() -> None:
+    base, value = read_field("GF(5)(t)").at("3")
+    assert base.name == "GF(5)"
+    assert value(read_field("GF(5)(t)").read("(t^2+1)/(t+1)")) == 0
+    with pytest.raises(Rejected, match="no value at 4"):
+        read_field("GF(5)(t)").at("4")[1](read_field("GF(5)(t)").read("1/(t+1)"))
+
+
+def test_squares_of_rings_that_are_no_fields_are_not_decided() -> None:
+    for name in ("ZZ/6", "QQ[x,y]", "GF(2)(t)"):
+        with pytest.raises(Rejected, match="squares"):
+            read_field(name).is_square(read_field(name).one)
+    assert read_field("GF(2)(t)").is_square(read_field("GF(2)(t)").zero)
+
+
+def test_the_field_of_fractions() -> None:
+    found = {name: read_field(name).fractions for name in NAMES if read_field(name).fractions}
+    assert found == {"ZZ": "QQ", "GF(5)[x]": "GF(5)(x)", "ZZ[a]": "QQ(a)"}
+
+
+def test_residues() -> None:
+    assert read_field("ZZ").maps_modulo(8)
+    assert read_field("ZZ/6").maps_modulo(3)
+    assert not read_field("ZZ/6").maps_modulo(4)
+    assert not any(read_field(name).maps_modulo(3) for name in ("QQ", "GF(9)", "QQ(x)", "ZZ[a]"))
+
+
+def test_a_kind_joins_by_its_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """ℚ under another name: certificates over it are checked, facts about its norms among them."""
+    twin = Rationals(True)
+    twin.name = "Twin"
+    kind = SimpleNamespace(read=lambda name, ring: twin if name == "Twin" else None)
+    with pytest.raises(Rejected, match="there is no ring"):
+        read_field("Twin")
+    monkeypatch.setattr(fields, "KINDS", (*KINDS, kind))
+    read_field.cache_clear()
+    data = decided("p*q == 0 => p == 0 or q == 0", "QQ", "(-1,-3|QQ)")
+    own = {**data, "field": "Twin", "algebra": "(-1,-3|Twin)"}
+    assert check(own).verdict == "proved"
+    assert is_certified("(-1,-3|Twin)", "Twin", {"by": "ordering"})
+    assert not is_certified("(1,-3|Twin)", "Twin", {"by": "ordering"})
+    read_field.cache_clear()

@@ -1,0 +1,125 @@
+"""Equations that a textbook solves: two-sided ones, linear ones and roots in rings, polynomials in H(ℝ)."""
+
+from itertools import product
+
+import pytest
+
+from hfield import ring
+from hfield.certificates.check import Rejected, check
+from hfield.proving import prove as proving
+from hfield.proving.decide import decide
+from hfield.proving.existence.closed_equations import closed_solutions
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
+from hfield.rings.roots import residue_roots
+
+P = 2**64 - 59  # a prime, 5 modulo 8, and 2 modulo 3
+N = 2**64 - 2
+DECIDED = [
+    ("norm(p) != norm(q) => (exists u: p*u - u*q == r)", "QQ", "proved"),
+    ("norm(p) != norm(q) => (exists u: p*u - u*q == r)", "CC", "refuted"),
+    ("trace(p) != trace(q) => (exists u: p*u == u*q + r)", "RR", "proved"),
+    ("trace(p) != trace(q) => (exists u: p*u == u*q + r)", "GF(5)", "refuted"),
+    ("norm(p**2 - trace(q)*p + norm(q)) != 0 => (exists u: p*u - u*q == r)", None, "proved"),
+    ("exists u: i*u - 2*u*j == r", "QQ", "proved"),
+    ("exists u: i*u - u*j == r", "QQ", "refuted"),
+    ("norm(p + s) != 0 => (exists u: p*u + s*u == 1)", None, "proved"),
+    ("exists s: 2*s == 1", f"ZZ/{N}", "refuted"),
+    ("exists s: 2*s == 1", f"ZZ/{N + 1}", "proved"),
+    ("exists s: 6*s == 4", f"ZZ/{N}", "proved"),
+    ("exists s, t: 1000003*s + 999983*t == 1", "ZZ", "proved"),
+    ("exists s, t: 1000002*s + 999984*t == 1", "ZZ", "refuted"),
+    ("exists s, t: x*s + (x**2 + 1)*t == 1", "QQ[x]", "proved"),
+    ("exists s: s**2 == 2", f"GF({P})", "refuted"),
+    ("exists s: s**2 == 5", f"GF({P})", "refuted"),
+    ("exists s: s**2 + s == 6", f"GF({P})", "proved"),
+    ("exists s: s**2 == -1", f"GF({P})", "proved"),
+    ("s**2 != 2", f"GF({P})", "proved"),
+    ("exists s: s**2 == 2", f"ZZ/{3 * P}", "refuted"),
+    ("exists q: q*q == p", "RR", "proved"),
+    ("exists q: i*q**3*j + p*q*r*q == q*s + 1", "RR", "proved"),
+    ("exists q: q*q == q**2 + 1", "RR", "refuted"),
+    ("exists q: p*q*q == 1", "RR", "refuted"),
+    ("exists q: i*q - q*i == 1", "RR", "refuted"),
+]
+
+
+@pytest.mark.parametrize(("text", "field", "verdict"), DECIDED)
+def test_textbook(text: str, field: str | None, verdict: str) -> None:
+    """The verdict is right, and its certificate is accepted."""
+    answer = proving.prove(text, field)
+    assert answer.verdict == verdict
+    assert answer.certificate is not None, answer.why_no_certificate
+
+
+def test_without_a_certificate() -> None:
+    """That x has no inverse in ℚ[x] is decided, and no certificate is pretended."""
+    answer = proving.prove("exists s: x*s == 1", "QQ[x]")
+    assert answer.verdict == "refuted"
+    assert answer.certificate is None
+
+
+@pytest.mark.parametrize("n", [4, 6, 8, 9, 12, 30])
+def test_linear_equations_over_residues(n: int) -> None:
+    """Two equations in two unknowns over ℤ/n have the solutions that trying all cases finds."""
+    setting = read_setting(f"ZZ/{n}")
+    for a, b, c, d in product((0, 1, 2, 3, n - 2), repeat=4):
+        text = f"{a}*s + {b}*t == {c} and {d}*s + 3*t == 2"
+        statement = read_statement(text, setting.field)
+        places = [
+            (s, t)
+            for s, t in product(range(n), repeat=2)
+            if (a * s + b * t - c) % n == 0 and (d * s + 3 * t - 2) % n == 0
+        ]
+        found = closed_solutions(statement, setting)
+        assert found.none is not bool(places), text
+        assert {(int(x["s"]), int(x["t"])) for x in found.places} <= set(places), text
+
+
+@pytest.mark.parametrize("n", [2, 8, 27, 12, 45, 72, 101])
+def test_roots_modulo_n(n: int) -> None:
+    """All roots modulo n, lifted and put together, are those that trying finds."""
+    for c in product((0, 1, -1, 2, 5, 9), (0, 1, 3), (0, 1, 2, 9)):
+        if any(x % n for x in c):
+            expected = [x for x in range(n) if (c[0] + c[1] * x + c[2] * x * x) % n == 0]
+            assert residue_roots(c, n) == expected, c
+
+
+@pytest.mark.parametrize("name", ["GF(9)", "GF(7)", "ZZ", "QQ", "GF(8)"])
+def test_roots_in_rings(name: str) -> None:
+    """Products of linear factors have the roots that they were made of."""
+    R = ring(name)
+    a, b = R.one + R.one + R.one, R.zero if R.gen_name is None else R.gen
+    roots = R.roots([a * b, R.zero - a - b, R.one])
+    assert {R.key(x) for x in roots} == {R.key(a), R.key(b)}
+
+
+def test_forged_quaternion_roots() -> None:
+    """The theorem on quaternion polynomials is not taken for what it does not say."""
+    forged = [
+        ("exists q: p*q*q == 1", "RR", "(-1,-1|RR)"),
+        ("exists q: q*q == q**2 + 1", "RR", "(-1,-1|RR)"),
+        ("exists q: i*q - q*i == 1", "RR", "(-1,-1|RR)"),
+        ("exists q: q - q == 1", "RR", "(-1,-1|RR)"),
+        ("exists q: 0*q*q == 1", "RR", "(-1,-1|RR)"),
+        ("exists q: q*conj(q) == -1", "RR", "(-1,-1|RR)"),
+        ("exists q: norm(q)*q*q == j and q == 0", "RR", "(-1,-1|RR)"),
+        ("exists q: q*q == p", "RR", "(1,-1|RR)"),
+        ("exists q: q*q == p", "QQ", "(-1,-1|QQ)"),
+        ("exists s: s*s == -1", "RR", "(-1,-1|RR)"),
+    ]
+    theorem = decide("exists q: q*q == p", "RR").assumes
+    for text, field, algebra in forged:
+        with pytest.raises(Rejected):
+            check(
+                {
+                    "schema": "hfield-cert/1",
+                    "statement": text,
+                    "algebra": algebra,
+                    "field": field,
+                    "verdict": "proved",
+                    "method": "witness",
+                    "assumes": list(theorem),
+                    "evidence": {"kind": "quaternion root"},
+                }
+            )
