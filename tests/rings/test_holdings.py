@@ -15,12 +15,17 @@ from hfield.rings.held.compact import LARGE
 from hfield.rings.holding import Holding
 from tests.conformance import CONSTANTS, RINGS
 
-EXACT = [name for name in RINGS if ring(name).is_exact]
+FIELDS = [
+    "QQ[s]/(s^3-2)", "QQ[s]/(s^3-1/2*s-1/3)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^5-1/3*s+2/5)", "QQ(zeta5)",
+]  # fmt: skip
+EXACT = [name for name in dict.fromkeys([*RINGS, *FIELDS]) if ring(name).is_exact]
 # Constants with denominators, and of the ring's own.
 FRACTIONS = {
     "QQ": [("-1/2", "3/5", "2/3"), ("1/4", "-1/9", 0)],
     "QQ(sqrt(-7))": [("1/2+sqrt(-7)/3", "sqrt(-7)", "1/5")],
     "QQ(I)": [("I", "1/2-I/3", 0)],
+    "QQ[s]/(s^3-1/2*s-1/3)": [("s/2", "1/3-s^2/5", "s"), ("s", -1, 0)],
+    "QQ[s]/(s^5-1/3*s+2/5)": [("s/2", "1/3-s^4/5", "s"), ("s", -1, 0)],
     "QQ(x)": [("1/x", "(x+1)/(x^2+2)", "x/(x-1)"), ("x", "-1", 0)],
     "GF(4)(t)": [("x/t", "t/(t+x)", 1)],
     "GF(9)": [("x", "x+1", "2*x"), ("x", -1, 0)],

@@ -28,8 +28,10 @@ class FractionArrays(WordArrays):
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
-        self.one = Fractions(ring, constants)
-        self.integral = self.one.integral
+        one = ring.holding(constants)
+        assert isinstance(one, Fractions)
+        self.one = one
+        self.integral = Constants(*(self.one.integers[name] for name in "atb"))
 
     def _program(self, name: str) -> tuple[Program, Sides]:
         if name in programs.FRACTIONS:
