@@ -8,6 +8,6 @@ array([3., 1., 2.])
 
 import lazy_loader
 
-# The public names are said once, in the stub beside this file, and imported on first use; numba comes with the
-# first call that needs it.
+# The public names are said once, in the stub beside this file, and imported on first use; numba comes with
+# the first call that needs it.
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
