@@ -1,5 +1,6 @@
 from .alignment import align as align
 from .alignment import align_points as align_points
+from .angular_velocity import integrate as integrate
 from .conventions import change_of_axes as change_of_axes
 from .conventions import convert_points as convert_points
 from .conventions import convert_rotation as convert_rotation
@@ -20,7 +21,6 @@ from .kernels.pool import threads as threads
 from .matrices import R_x as R_x
 from .matrices import R_y as R_y
 from .matrices import R_z as R_z
-from .motion import integrate as integrate
 from .plane import R2 as R2
 from .plane import reflect2 as reflect2
 from .plane import reflection as reflection
