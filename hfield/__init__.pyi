@@ -11,9 +11,15 @@ from .errors import NotInvertibleError as NotInvertibleError
 from .errors import RingError as RingError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
+from .functions import conj as conj
+from .functions import inv as inv
+from .functions import norm as norm
+from .functions import trace as trace
 from .lattices.ideal import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
 from .lattices.order import Order as Order
+from .ledger.blackboard import explain as explain
+from .ledger.notebook import verify as verify
 from .proving.prove import prove as prove
 from .quaternion import Quaternion as Quaternion
 from .rings import CC as CC
@@ -24,6 +30,7 @@ from .rings import RR as RR
 from .rings import ZZ as ZZ
 from .rings import Zmod as Zmod
 from .rings import ring as ring
+from .rings.number_field import NumberField as NumberField
 from .structure import four_squares as four_squares
 from .structure import hilbert_symbol as hilbert_symbol
 from .structure import places as places

@@ -47,18 +47,29 @@ class QuaternionAlgebra(Invariants):
     def from_ramification(
         cls, ring: Ring | str, primes: Iterable[Any], infinite: bool | None = None
     ) -> QuaternionAlgebra:
-        """Return the algebra over ℚ that ramifies exactly at these primes, and at ∞ if ``infinite``.
+        """Return an algebra over ℚ or a number field that ramifies exactly at these places.
 
-        Places ramify in even number, so ``infinite`` may be left out. Raises :class:`RingError` for
-        what is no prime or comes twice, for an odd number of places, and for another field.
+        Over ℚ they are primes, and ∞ if ``infinite``, which may be left out as places ramify in even
+        number; over a number field they are its places or their texts. Raises :class:`RingError` for what is
+        no such place or comes twice, for an odd number of places, and for another field, and
+        :class:`UndecidedError` where no constants were found.
 
         >>> QuaternionAlgebra.from_ramification("QQ", [2, 3]).discriminant()
         6
+        >>> A = QuaternionAlgebra.from_ramification("QQ[s]/(s^3-2)", ["(2, s)", "inf0"])
+        >>> A.ramified_places()
+        ((2, s), inf0)
         """
         F = read_ring(ring)
-        if F.name != "QQ":
-            raise RingError(f"algebras are made from their ramification over QQ only, not over {F}")
         named = list(primes)
+        if F.name != "QQ":
+            field = structure.global_field(F)
+            if field is None or infinite is not None:
+                raise RingError(
+                    f"algebras over {shorten(F.name)} are not made from ramified primes and a flag: expected "
+                    "QQ, or a number field and its places, infinite ones too"
+                )
+            return cls(F, *field.with_ramification(named))
         a, b = structure.from_ramification_q(
             named, len(named) % 2 == 1 if infinite is None else infinite
         )
@@ -103,11 +114,37 @@ class QuaternionAlgebra(Invariants):
         )
 
     def _element(self, values: tuple[Any, ...]) -> Quaternion:
-        if any(isinstance(v, (list, tuple)) or (is_array(v) and v.ndim) for v in values):
-            how: Holding = self.array_holding
-        else:
-            how = self.holding
+        how: Holding = self.array_holding if any(map(_is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
+
+    def from_array(self, values: Any) -> Quaternion:
+        """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
+
+        An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.
+        Raises :class:`CoercionError` for what stands for no elements.
+
+        >>> import numpy as np
+        >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
+        1 + 5k
+        """
+        return held_by(self, self.array_holding, self.array_holding.from_array(values))
+
+    def product(self, values: Any, axis: int | None = None) -> Quaternion:
+        """Return the ordered product of an array, or of a list of elements, from left to right.
+
+        An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
+
+        >>> H("QQ").product(["i", "j", "k"])
+        −1
+        """
+        if isinstance(values, Quaternion) and values.shape:
+            found: Quaternion = self(values).product(axis)
+            return found
+        parts = [self(x) for x in values] or [self.one]
+        while len(parts) > 1:  # factors of equal size multiply fastest
+            pairs = zip(parts[::2], parts[1::2], strict=False)
+            parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
+        return parts[0]
 
     def scalar(self, x: Any) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
@@ -217,6 +254,10 @@ class QuaternionAlgebra(Invariants):
         return self is other or (isinstance(other, QuaternionAlgebra) and self._key == other._key)
 
     def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
         return hash(self._key)
 
     def __contains__(self, x: object) -> bool:
@@ -246,6 +287,13 @@ class QuaternionAlgebra(Invariants):
     def __reduce__(self) -> Any:
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
+
+
+def _is_many(value: Any) -> bool:
+    """Tell whether a coordinate stands for many."""
+    if type(value) is int:
+        return False
+    return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
-    {"hfield.errors", "hfield.product", "hfield.certificates"},
+    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints"},
     {
         "hfield.syntax",
         "hfield.executors",
@@ -21,9 +21,9 @@ FLOORS = [
     {"hfield.rings"},
     {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},
-    {"hfield.elements"},
+    {"hfield.elements", "hfield.batches"},
     {"hfield.quaternion"},
-    {"hfield.maps", "hfield.lattices"},
+    {"hfield.functions", "hfield.maps", "hfield.lattices"},
     {"hfield.invariants"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},

@@ -8,8 +8,8 @@ NAMES = {
     "hfield": """
         CC CoercionError GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
         NotInvertibleError NotationError Order QQ Quaternion QuaternionAlgebra RDF RR RingError
-        TooLargeError UndecidedError ZZ Zmod conjugator errors four_squares hilbert_symbol places
-        prove ring
+        TooLargeError UndecidedError ZZ Zmod conj conjugator errors explain four_squares
+        hilbert_symbol inv norm places prove ring trace verify
     """,
     "rotation": """
         DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError

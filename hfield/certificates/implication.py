@@ -37,6 +37,7 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
     general = [item for item in items if item.p == 0]
     _cover(expansion, Place(expansion, None), general)
     divided = {abs(d) for item in general for d in item.denominators}
+    charge(100 * len(divided) + sum(d.bit_length() for d in divided))
     primes = {item.p for item in items if item.p}
     primes |= {p for d in divided for p in range(2, 1000) if d % p == 0 and is_prime(p)}
     for p in primes:

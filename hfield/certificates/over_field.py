@@ -15,6 +15,7 @@ from hfield.certificates.polynomials import (
 )
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.work import charge
 
 
 class Place:
@@ -84,6 +85,7 @@ class Place:
 
     def same(self, f: Poly) -> Frozen:
         """Return what f has in common with its multiples by units: coefficients made monic."""
+        charge(5 + len(f))
         f = modulo(f, self.p)
         if not f:
             return frozenset()

@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
 
 def candidates(words: list[str]) -> list[str]:
     """Return what may stand in place of the last word of a command line (without ``hfield``)."""
-    from hfield.cli import names
+    from hfield.commands.catalogue import names
 
     *before, last = words or [""]
     if not before:
@@ -77,7 +77,7 @@ def candidates(words: list[str]) -> list[str]:
 
 
 def _arguments(name: str, previous: str, last: str) -> Iterable[str]:
-    from hfield.cli import command
+    from hfield.commands.catalogue import command
 
     _, parser = command(name)
     options = {option: a for a in parser._actions for option in a.option_strings}

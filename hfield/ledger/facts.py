@@ -164,8 +164,11 @@ class PositiveNorm:
                 "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
             )
             return Decision(PROVED, ORDERING, steps=steps, evidence={"kind": "ordering"})
-        generators = [field.gen] if field.gen_name else []
-        for q in (one, *((x, *(field.zero,) * 3) for x in generators)):
+        candidates = [one] + ([(field.gen, *one[1:])] if field.gen_name else [])
+        squares = field.minus_one_as_squares()
+        if 0 < len(squares) <= 4:  # then −1 is a norm
+            candidates.append((*squares, *one[len(squares) :]))
+        for q in candidates:
             n = norm(hamilton(field), q)
             value = next((m for m in range(-20, 21) if m and field.equal(n, field(m))), None)
             if value is not None and value * self.sign < 0:
@@ -179,4 +182,6 @@ class PositiveNorm:
                     steps=(step,),
                     evidence={"kind": "witness", "value": value_of_q, "norm": value},
                 )
-        return Decision(UNDECIDED, ORDERING, tried=("multiples of e with a rational norm",))
+        return Decision(
+            UNDECIDED, ORDERING, tried=("multiples of e with a rational norm, and norms −1",)
+        )

@@ -15,8 +15,10 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
 from hfield.rings.printing import quotient_text, sum_text
 from hfield.rings.quotient import Quotient
@@ -176,6 +178,12 @@ class FunctionField(Ring):
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
 
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four polynomials over one."""
+        from hfield.rings.held.rational_functions import RationalFunctions
+
+        return RationalFunctions(self, constants)
+
     def places(self) -> Iterator[Any]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""
         from hfield.rings.function_places import all_places
@@ -218,7 +226,11 @@ def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
         if base not in _CONTEXTS:
             _CONTEXTS[base] = flint.fq_default_poly_ctx(base.context)
         return _CONTEXTS[base]  # type: ignore[no-any-return,unused-ignore]
-    p = base.characteristic
+    return polynomials_modulo(base.characteristic)
+
+
+def polynomials_modulo(p: int) -> Callable[[list[Any]], Any]:
+    """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
     if p < WORD:
         return lambda coefficients: flint.nmod_poly(coefficients, p)
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]

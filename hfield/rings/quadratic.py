@@ -1,20 +1,24 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
-from collections.abc import Callable, Hashable, Iterator
-from fractions import Fraction
+from collections.abc import Callable, Iterator
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import factorise
+from hfield.factorisation import factorise, is_prime
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
-from hfield.rings.squares import three_squares
+from hfield.rings.squares import minus_one
 from hfield.rings.surds import Surd, from_rational
+
+if TYPE_CHECKING:
+    from hfield.rings.quadratic_places import QuadraticPlace
 
 
 class QuadraticField(Ring):
@@ -87,7 +91,7 @@ class QuadraticField(Ring):
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Any) -> tuple[Any, Any]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
@@ -120,22 +124,10 @@ class QuadraticField(Ring):
         return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
-        """Return as few elements as possible whose squares add up to −1.
-
-        With w² = −m and m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is
-        no sum of three squares, m ≡ 7 mod 8, four squares of m, each over w, are needed.
-        """
-        m, w = -self.d, self.gen
-        if m < 0:
+        """Return as few elements as possible whose squares add up to −1."""
+        if self.d > 0:
             return ()
-        if m == 1:
-            return (w,)
-        parts = three_squares(m)
-        if parts is None:  # then m − 1 is one
-            return tuple(self.inverse(w) * n for n in (*(three_squares(m - 1) or ()), 1))
-        a, b, c = parts
-        scale = Fraction(1, b * b + c * c) if b or c else Fraction(1)
-        return (w * b + a * c) * scale, (w * c - a * b) * scale
+        return (self.gen,) if self.d == -1 else minus_one(-self.d, self.gen)
 
     @property
     def orderings(self) -> Known:
@@ -155,6 +147,49 @@ class QuadraticField(Ring):
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as eight ints over one denominator."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(self, constants, (self.d, 0), self.key, self._element)
+
+    def _element(self, a: Any, b: Any, denominator: Any) -> Surd:
+        """Return (a + b·√d)/denominator for integers."""
+        terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
+        return Surd({n: c for n, c in terms.items() if c})
+
+    degree = 2
+
+    def discriminant(self) -> int:
+        """Return the discriminant of the field: d, or 4d unless d ≡ 1 mod 4."""
+        return self.d if self.d % 4 == 1 else 4 * self.d
+
+    def integral_basis(self) -> tuple[Any, Any]:
+        """Return a basis over ℤ of the integers of the field, 1 first."""
+        from hfield.rings.quadratic_places import integers_basis
+
+        return integers_basis(self.d)
+
+    def primes_above(self, p: Any) -> "tuple[QuadraticPlace, ...]":
+        """Return the one or two prime ideals above a prime number. Raises :class:`RingError`.
+
+        >>> from hfield import ring
+        >>> [(P, P.e, P.f, P.generators) for P in ring("QQ(I)").primes_above(5)]
+        [((5, I-2), 1, 1, (5, -2+I)), ((5, I-3), 1, 1, (5, -3+I))]
+        """
+        from hfield.rings.quadratic_places import places_above
+
+        number = rational(p)
+        if not isinstance(number, int) or not is_prime(number):
+            raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
+        return places_above(self.d, number)
+
+    def real_places(self) -> "tuple[QuadraticPlace, ...]":
+        """Return the real places, √d negative first; each has ``index`` and ``sign(x)``."""
+        from hfield.rings.quadratic_places import places_above
+
+        return places_above(self.d, 0)[::-1] if self.d > 0 else ()
 
     def places(self) -> Iterator[Any]:
         """Run through the places: the infinite ones, then prime by prime."""

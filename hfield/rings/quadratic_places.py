@@ -2,11 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 import flint
 
-from hfield.errors import RingError
-from hfield.factorisation import is_prime
+from hfield.errors import RingError, UndecidedError
+from hfield.factorisation import is_prime, remove
+from hfield.rings.surds import Surd, as_surd, from_rational
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,101 @@ class QuadraticPlace:
 
     def __repr__(self) -> str:
         return str(self)
+
+    # --- an infinite place -----------------------------------------------------------------------
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether this is a prime ideal."""
+        return self.prime > 0
+
+    @property
+    def index(self) -> int:
+        """The number of an infinite place, by the image of √d, ascending from 0."""
+        if self.prime:
+            raise UndecidedError(f"{self} is a prime ideal, and has no number")
+        return 1 if self.root == 1 else 0
+
+    def sign(self, x: Surd) -> int:
+        """Return the sign of x at a real place."""
+        if self.prime or self.root is None:
+            raise UndecidedError(f"{self} is not a real place: nothing has a sign there")
+        return x.sign(self.d if self.root < 0 else 0)
+
+    # --- a prime ideal P above p -----------------------------------------------------------------
+
+    @property
+    def p(self) -> int:
+        """The prime number below the ideal."""
+        return self._at_prime().prime
+
+    @property
+    def e(self) -> int:
+        """The ramification index."""
+        p = self._at_prime().prime
+        return 2 if (self.d % 4 != 1 if p == 2 else self.d % p == 0) else 1
+
+    @property
+    def f(self) -> int:
+        """The degree of the residue field over GF(p)."""
+        return 2 // self.e if self.root is None else 1
+
+    @property
+    def generators(self) -> tuple[Surd, Surd]:
+        """Return p and a second number that generate the ideal."""
+        p, root = from_rational(self.p), Surd({self.d: flint.fmpq(1)})
+        if self.f == 2:
+            return p, p
+        if self.root is None:
+            return p, root + self.d if self.prime == 2 else root
+        shifted = root - self.root
+        return p, shifted * Fraction(1, 2) if self.prime == 2 else shifted
+
+    def valuation(self, x: Surd | int | Fraction) -> int:
+        """Return the order of x ≠ 0 at P. Raises :class:`RingError` for 0."""
+        p, y = self.p, as_surd(x)
+        if y is None or not y.terms:
+            raise RingError("0 has no valuation: it lies in every power of a prime ideal")
+        u, v = integer_coordinates(self.d, y)
+        k = min(_order(n, p) for n in (u, v) if n)
+        u, v = u * Fraction(p) ** -k, v * Fraction(p) ** -k
+        if self.root is not None:
+            image = (1 + self.root) * pow(2, -1, p) if p != 2 else (1 + self.root) // 2
+            image = image if self.d % 4 == 1 else self.root
+            if (u.numerator * v.denominator + v.numerator * u.denominator * image) % p:
+                return k
+        # y/p^k is no multiple of p, so that its norm has the order of one ideal alone
+        norm = u * u + u * v + v * v * Fraction(1 - self.d, 4)
+        norm = norm if self.d % 4 == 1 else u * u - self.d * v * v
+        return self.e * k + _order(norm, p) // (self.f if self.root is None else 1)
+
+    def __contains__(self, x: Surd | int | Fraction) -> bool:
+        y = as_surd(x)
+        if y is None or not y.terms:
+            return y is not None
+        whole = all(n.denominator == 1 for n in integer_coordinates(self.d, y))
+        return whole and self.valuation(y) > 0
+
+    def _at_prime(self) -> "QuadraticPlace":
+        if not self.prime:
+            raise UndecidedError(f"{self} is an infinite place, and lies above no prime")
+        return self
+
+
+def integer_coordinates(d: int, x: Surd) -> tuple[Fraction, Fraction]:
+    """Return rationals (u, v) with x = u + v·ω, where 1 and ω are the basis of the integers of ℚ(√d)."""
+    s, t = (Fraction(int(c.p), int(c.q)) for c in (x.terms.get(n, flint.fmpq(0)) for n in (1, d)))
+    return (s - t, 2 * t) if d % 4 == 1 else (s, t)
+
+
+def integers_basis(d: int) -> tuple[Surd, Surd]:
+    """Return 1 and ω, a basis of the integers: (1 + √d)/2 where d ≡ 1 mod 4, and √d elsewhere."""
+    root = Surd({d: flint.fmpq(1)})
+    return from_rational(1), (root + 1) * Fraction(1, 2) if d % 4 == 1 else root
+
+
+def _order(x: Fraction, p: int) -> int:
+    return remove(x.numerator, p)[0] - remove(x.denominator, p)[0]
 
 
 def places_above(d: int, p: int) -> tuple[QuadraticPlace, ...]:

@@ -24,7 +24,9 @@ WORDS = {
     *("sqrt", "cbrt", "root"),
 }
 
-_SYMBOLS = str.maketrans({"ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"})
+_SYMBOLS = str.maketrans(
+    {"ζ": "zeta", "ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"}
+)
 _NAMED = {
     "QQ": "integers", "ZZ": "integers", "RR": "algebraic", "CC": "algebraic", "RDF": "floats"
 }  # fmt: skip
@@ -41,6 +43,12 @@ def build(text: str) -> Ring:
     s = from_unicode("".join(text.translate(_SYMBOLS).split())).replace("**", "^")
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
+    if s.startswith("Q"):
+        from hfield.rings.number_field_specs import build as build_number_field
+
+        number_field = build_number_field(s)
+        if number_field is not None:
+            return number_field
     head, groups = _split(s)
     found = _base(head, groups)
     if found is None:
@@ -121,16 +129,16 @@ def _extension(base: Ring, inner: str) -> Ring:
         return build_quadratic((m[1] or m[2]) if m else "-1")
     from hfield.rings.functions import build as build_functions
 
-    return build_functions(base, _variables(f"{base}({shorten(inner)})", inner, base))
+    return build_functions(base, variables(f"{base}({shorten(inner)})", inner, base))
 
 
 def _polynomials(base: Ring, inner: str) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
 
-    return build_polynomials(base, _variables(f"{base}[{shorten(inner)}]", inner, base))
+    return build_polynomials(base, variables(f"{base}[{shorten(inner)}]", inner, base))
 
 
-def _variables(what: str, inner: str, base: Ring) -> tuple[str, ...]:
+def variables(what: str, inner: str, base: Ring | None = None) -> tuple[str, ...]:
     """Read names of variables, none of which means anything else. Raises :class:`RingError`."""
     names = tuple(inner.split(","))
     for name in names:
@@ -146,7 +154,7 @@ def _variables(what: str, inner: str, base: Ring) -> tuple[str, ...]:
             raise RingError(f"{what}: {name!r} is a word of the language; choose another name")
         if name == "I":
             raise RingError(f"{what}: I is the imaginary unit, in QQ(I); choose another name")
-        if name in base.names():
+        if base is not None and name in base.names():
             free = next(x for x in "tsuvxyz" if x not in base.names())
             raise RingError(
                 f"{what}: {name!r} already names the generator of {base}; choose another letter, "

@@ -1,6 +1,8 @@
 """Integers as sums of two and three squares, found by search (Rabin and Shallit, 1986)."""
 
+from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 import flint
 
@@ -24,6 +26,20 @@ def three_squares(n: int) -> tuple[int, int, int] | None:
             x, y, z = sorted((a, *pair), reverse=True)
             return x, y, z
     raise AssertionError("every n not of the form 4^k(8m+7) is a sum of three squares (Legendre)")
+
+
+def minus_one(m: int, w: Any) -> tuple[Any, ...]:
+    """Return squares that add up to −1, given w with w² = −m, m > 1: two, or four where m ≡ 7 mod 8.
+
+    With m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is no sum of three squares,
+    four squares of m, each over w, are taken.
+    """
+    parts = three_squares(m)
+    if parts is None:  # then m − 1 is one
+        return tuple(w * Fraction(-n, m) for n in (*(three_squares(m - 1) or ()), 1))
+    a, b, c = parts
+    scale = Fraction(1, b * b + c * c) if b or c else Fraction(1)
+    return (w * b + a * c) * scale, (w * c - a * b) * scale
 
 
 def two_squares(n: int) -> tuple[int, int] | None:

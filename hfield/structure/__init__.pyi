@@ -3,6 +3,7 @@ from .counting.formulas_finite import count as count
 from .counting.formulas_finite import has_formulas as has_formulas
 from .counting.tally import confirm as confirm
 from .counting.tally import tally as tally
+from .global_field import global_field as global_field
 from .hurwitz import four_squares as four_squares
 from .isomorphisms.isomorphic import is_isomorphic as is_isomorphic
 from .isomorphisms.isomorphic import isomorphism as isomorphism

@@ -13,12 +13,13 @@ from functools import cache
 from importlib import import_module
 from typing import Any, ClassVar
 
-from hfield.errors import UndecidedError
+from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
+from hfield.rings.number_field import NumberField
 from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimise import Vector
@@ -29,6 +30,7 @@ _KINDS: dict[type[Ring], str] = {
     Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
     FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
     QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
+    NumberField: "number_fields.arithmetic_number_fields.NumberFieldArithmetic",
 }
 
 
@@ -113,6 +115,15 @@ class GlobalField(ABC):
     @abstractmethod
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+
+    def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
+        """Return constants (a, b) of an algebra that ramifies exactly at the places.
+
+        Raises :class:`RingError` where the field does not know how, or where there is none.
+        """
+        raise RingError(
+            f"algebras are made from their ramification over number fields, not over {self.ring}"
+        )
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[Any, ...]:
         """Return some places where a form does not split, without factoring anything."""

@@ -28,7 +28,7 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, Setting, read_setting, read_statement
-from hfield.certificates.work import bounded, charge
+from hfield.certificates.work import Work, bounded, charge
 from hfield.proving.prove import prove
 from tests.certificates.cases import Certificate, certified
 
@@ -961,3 +961,14 @@ def test_a_refutation_is_named_by_what_is_refuted(statement: str, field: str, me
             assert check(data)
         else:
             rejects(data, "not that of the evidence")
+
+
+def test_comparing_many_clauses_with_many_items_is_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    clauses = [f"(s == 0 => s*t == {n}*s)" for n in range(20)]
+    items = [direct(["s"], f"s*t - {n}*s", [f"t - {n}"]) for n in range(20)]
+    items += [direct(["s + 1"], "s + 1", ["1"])] * 400
+    data = certified(" and ".join(clauses), None, "implication", implication(items))
+    assert check(data)
+    monkeypatch.setattr(Work.__init__, "__defaults__", (60_000,))
+    assert check({**data, "evidence": implication(items[:20])})
+    rejects(data, "more work")

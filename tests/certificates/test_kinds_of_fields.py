@@ -16,6 +16,7 @@ from tests.certificates.cases import decided
 
 NAMES = (
     *(name for name in PANEL if name != "universal"),
+    *("QQ[s]/(s^3-2)", "QQ(zeta5)", "QQ(zeta7)+", "QQ(root(2,3))", "QQ(sqrt(2),sqrt(3))"),
     *("ZZ", "RDF", "ZZ/6", "GF(9,x^2+1)", "QQ[x,y]", "GF(5)[x]", "ZZ[a]", "ZZ/7(t)"),
 )
 

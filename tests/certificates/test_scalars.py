@@ -33,7 +33,8 @@ def test_signs_of_functions_are_those_of_values(
     for x in NEAR:
         top, below = (sum(c * x**n for n, c in enumerate(f)) for f in (numerator, denominator))
         values.append((top / below > 0) - (top / below < 0))
-    assert sorted(field.signs(field.read(text))) == sorted(values)
+    signs = [sign for sign in field.signs(field.read(text)) if sign is not None]
+    assert sorted(signs) == sorted(values)
     assert field.sign(field.read(text)) == values[0]
 
 

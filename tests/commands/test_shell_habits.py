@@ -6,8 +6,9 @@ from shutil import which
 
 import pytest
 
-from hfield.cli import main, names
+from hfield.cli import main
 from hfield.commands import completion, doctor
+from hfield.commands.catalogue import names
 from hfield.commands.completion import SCRIPTS, candidates
 
 

@@ -12,7 +12,16 @@ from hfield.rings.integers import Rationals
 from hfield.structure import hilbert_symbol, is_isomorphic, ramified_places, zero_norm
 from hfield.structure.global_field import _KINDS, GlobalField, global_field, known_field
 
-FIELDS = ["QQ", "QQ(I)", "QQ(sqrt(5))", "QQ(sqrt(-7))", "GF(3)(t)", "GF(4)(t)", "QQ(x)"]
+FIELDS = [
+    "QQ",
+    "QQ(I)",
+    "QQ(sqrt(5))",
+    "QQ(sqrt(-7))",
+    "QQ[s]/(s^3-2)",
+    "GF(3)(t)",
+    "GF(4)(t)",
+    "QQ(x)",
+]
 
 
 @pytest.mark.parametrize("name", FIELDS)

@@ -7,6 +7,8 @@ from hfield.certificates.scalars import (
     finite,
     floats,
     functions,
+    multiquadratic,
+    number_fields,
     polynomials,
     quadratic,
     rationals,
@@ -17,7 +19,17 @@ from hfield.certificates.scalars.ring import Ring
 
 MAX_NAME = 4_000
 # One module a kind: its ``read`` returns the ring of a name, or None; the first that knows it is asked.
-KINDS = (rationals, floats, surds, finite, quadratic, functions, polynomials)
+KINDS = (
+    rationals,
+    floats,
+    surds,
+    finite,
+    quadratic,
+    multiquadratic,
+    number_fields,
+    functions,
+    polynomials,
+)
 
 
 @lru_cache(maxsize=64)

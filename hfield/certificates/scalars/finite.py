@@ -213,12 +213,12 @@ class Extension(Finite):
         assert self.modulus is not None
         for r in (r for r in range(2, n + 1) if n % r == 0 and is_prime(r)):
             rest = self.add(powers[n // r], self.neg(x))
-            if len(_gcd(list(self.modulus), list(rest), p)) != 1:
+            if len(gcd_modulo(list(self.modulus), list(rest), p)) != 1:
                 return False
         return True
 
 
-def _gcd(f: list[int], g: list[int], p: int) -> list[int]:
+def gcd_modulo(f: list[int], g: list[int], p: int) -> list[int]:
     """Return the greatest common divisor of polynomials over GF(p), low degree first."""
     while g and g[-1] == 0:
         g.pop()

@@ -25,7 +25,11 @@ def integer(digits: str) -> int:
 
 def variable(name: str, base: Ring) -> str:
     """Return the name of a variable, which must mean nothing else."""
-    if name in RESERVED or base.constant(("name", name)) is not None:
+    if (
+        name in RESERVED
+        or re.fullmatch("zeta[0-9]+", name)
+        or base.constant(("name", name)) is not None
+    ):
         reject(f"{shown(name)!r} cannot name a variable")
     return name
 

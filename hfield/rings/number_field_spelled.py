@@ -1,0 +1,289 @@
+"""Number fields named after numbers: ``QQ(root(2,3))``, ``QQ(sqrt(2),I)``, ``QQ(zeta5)``, ``QQ(zeta7)+``.
+
+Each number is known by its minimal polynomial and its complex value. A field with several is generated
+by a sum θ = Σ cₙ·αₙ of small multiples; elements are polynomials in θ, and are written and read in the αₙ.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import flint
+
+from hfield.errors import CoercionError, HFieldError, RingError, shorten
+from hfield.rings.base import Ring
+from hfield.rings.integers import QQ
+from hfield.rings.number_elements import FieldElement
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_specs import MAX_CONDUCTOR, MAX_DEGREE
+from hfield.rings.number_sums import Value, common_root, evaluate, factor_at, sums_of_roots
+from hfield.rings.printing import number_text, sum_text
+from hfield.rings.rational import rational
+
+
+@dataclass(frozen=True)
+class Number:
+    """An algebraic number: its text, its minimal polynomial over ℚ, and its value with so many bits."""
+
+    text: str
+    polynomial: Any
+    value: Value
+    radicand: tuple[Any, int] | None = None  # (r, n) for the n-th root of r
+
+
+class SpelledField(NumberField):
+    """ℚ(α, β, …) for numbers that have names; ``parts`` maps them to their images in powers of θ.
+
+    >>> from hfield import ring
+    >>> K = ring("QQ(sqrt(2),sqrt(3))")
+    >>> K("(sqrt(2)+sqrt(3))^2"), K.degree, K.sqrt(K(6))
+    (5+2*sqrt(2)*sqrt(3), 4, sqrt(2)*sqrt(3))
+    """
+
+    def __init__(self, name: str, numbers: list[Number]) -> None:
+        self.name = name
+        self.polynomial, self._value = numbers[0].polynomial, numbers[0].value
+        self._numbers = numbers
+        images, self._degrees = [flint.fmpq_poly([0, 1])], [int(numbers[0].polynomial.degree())]
+        for number in numbers[1:]:
+            images = self._adjoin(images, number)
+        if self.degree < 2:
+            raise RingError(f"{shorten(name)} is QQ itself: write QQ")
+        self._images = images
+        simple = [n.text for n in numbers if n.text.isidentifier()]
+        self.gen_name = simple[0] if len(numbers) == 1 and simple else None
+
+    def _adjoin(self, images: list[Any], number: Number) -> list[Any]:
+        """Make θ a generator of the field with one more number; return the images of all numbers."""
+        f = number.polynomial
+        for scale in itertools.chain.from_iterable((n, -n) for n in itertools.count(1)):
+            whole = sums_of_roots(self.polynomial, f, scale)
+            if whole.gcd(whole.derivative()).degree() == 0:
+                break
+        old, value = self._value, number.value
+        together: Value = lambda bits: old(bits) + scale * value(bits)  # noqa: E731
+        factor = factor_at(whole, together)
+        if factor.degree() > MAX_DEGREE:
+            raise RingError(
+                f"{shorten(self.name)} has degree {factor.degree()}; at most {MAX_DEGREE} is taken"
+            )
+        degree = int(self.polynomial.degree())
+        larger = NumberField(factor, "s")
+        beta = common_root(larger, f, self.polynomial, scale)
+        alpha = larger.gen - beta * scale
+        self.polynomial, self._value = larger.polynomial, together
+        self._degrees.append(int(larger.degree) // degree)
+        return [*(evaluate(larger, image, alpha).poly for image in images), beta.poly]
+
+    @property
+    def gen(self) -> Any:
+        """The number in the name, or the sum θ of multiples of them that generates the field."""
+        return FieldElement(self, flint.fmpq_poly([0, 1]))
+
+    @cached_property
+    def parts(self) -> dict[str, FieldElement]:
+        """The numbers in the name, as elements of the field: text to element."""
+        return {
+            n.text: FieldElement(self, image)
+            for n, image in zip(self._numbers, self._images, strict=True)
+        }
+
+    @cached_property
+    def principal(self) -> int:
+        """The number of the embedding that gives the numbers their values, or the complex conjugate ones."""
+        bits = 64
+        while True:
+            value = self._value(bits)
+            roots = self.embeddings.at(bits)
+            near = [
+                n for n, z in enumerate(roots) if z.overlaps(value) or z.overlaps(value.conjugate())
+            ]
+            if len(near) == 1:
+                return near[0]
+            bits *= 2
+
+    def names(self) -> dict[str, Any]:
+        """What is a name among the numbers: zeta5, I."""
+        return {text: x for text, x in self.parts.items() if text.isidentifier()}
+
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """Square roots, and the roots in the name."""
+        return {
+            "sqrt": self._sqrt_here,
+            "root": self._root_here,
+            "cbrt": lambda x: self._root_here(x, 3),
+        }
+
+    def _root_here(self, x: Any, n: Any) -> Any:
+        exponent = (
+            rational(n.poly[0]) if isinstance(n, FieldElement) and n.is_rational() else rational(n)
+        )
+        x = self(x)
+        for number, image in zip(self._numbers, self._images, strict=True):
+            if number.radicand is not None and number.radicand[1] == exponent:
+                ratio = x * self(number.radicand[0]).inverse()  # cⁿ for a rational c > 0?
+                c = (
+                    _rational_root(ratio.poly[0], number.radicand[1])
+                    if ratio.is_rational()
+                    else None
+                )
+                if c is not None:
+                    return FieldElement(self, image) * c
+        if exponent == 2:
+            return self._sqrt_here(x)
+        raise CoercionError(
+            f"root({shorten(x)},{shorten(n)}) is not known to lie in {shorten(self.name)}"
+        )
+
+    @cached_property
+    def _monomials(self) -> tuple[Any, list[tuple[int, ...]]]:
+        """Return the matrix from powers of θ to products of powers of the numbers, and their exponents."""
+        exponents = list(itertools.product(*(range(d) for d in self._degrees)))
+        rows = []
+        for powers in exponents:
+            x = self.one
+            for part, n in zip(self.parts.values(), powers, strict=True):
+                x = x * self.power(part, n)
+            coefficients = x.poly.coeffs()
+            rows += [*coefficients, *[0] * (self.degree - len(coefficients))]
+        return flint.fmpq_mat(self.degree, self.degree, rows).inv(), exponents
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x in products of powers of the numbers in the name."""
+        change, exponents = self._monomials
+        coefficients = x.poly.coeffs()
+        row = flint.fmpq_mat(
+            1, self.degree, [*coefficients, *[0] * (self.degree - len(coefficients))]
+        )
+        shown = [_in_style(n.text, style) for n in self._numbers]
+        terms = zip((row * change).entries(), exponents, strict=True)
+        return sum_text(
+            (
+                (number_text(c, style), [*zip(shown, powers, strict=True)])
+                for c, powers in sorted(
+                    terms, key=lambda term: (sum(term[1]), [-n for n in term[1]])
+                )
+                if c != 0
+            ),
+            style,
+        )
+
+
+def adjoined(s: str, inner: str) -> Ring:
+    """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
+    texts = _split(inner)
+    numbers = [read_number(s, text) for text in texts]
+    quadratic = [n.radicand for n in numbers if n.radicand is not None and n.radicand[1] == 2]
+    if len(numbers) == 1 and quadratic:
+        from hfield.rings.quadratic import build
+
+        return build(number_text(quadratic[0][0]))
+    numbers.sort(key=lambda n: n.text.isidentifier())  # roots first
+    name = f"QQ({','.join(n.text for n in numbers)})"
+    return SpelledField(name, numbers)
+
+
+def real_cyclotomic(n: int) -> Ring:
+    """Return the greatest real subfield of ℚ(ζₙ), generated by cₙ = ζₙ + ζₙ⁻¹ = 2·cos(2π/n)."""
+    name = f"QQ(zeta{n})+"
+    _check_conductor(name, n)
+    value: Value = lambda bits: flint.acb(2 * (2 * flint.arb.pi() / n).cos())  # noqa: E731
+    cyclotomic = flint.fmpz_poly.cyclotomic(n).coeffs()
+    half = len(cyclotomic) // 2
+    # Φ(z)·z^(−φ/2) in c = z + 1/z: the z^k + z^(−k) are Chebyshev polynomials
+    c, polynomial = flint.fmpq_poly([0, 1]), flint.fmpq_poly([cyclotomic[half]])
+    before, now = flint.fmpq_poly([2]), c
+    for k in range(1, half + 1):
+        polynomial = polynomial + now * flint.fmpq(cyclotomic[half - k])
+        before, now = now, c * now - before
+    if polynomial.degree() < 2:
+        raise RingError(f"{name} is QQ itself: write QQ")
+    return SpelledField(name, [Number(f"c{n}", polynomial, _precise(value))])
+
+
+def read_number(field: str, text: str) -> Number:
+    """Read ``sqrt(2)``, ``root(2,3)``, ``cbrt(2)``, ``zeta5`` or ``I``. Raises :class:`RingError`."""
+    if text == "I":
+        return Number(
+            "I", flint.fmpq_poly([1, 0, 1]), lambda bits: flint.acb(0, 1), (flint.fmpq(-1), 2)
+        )
+    if m := re.fullmatch(r"zeta_?(\d+|\(\d+\))", text):
+        n = int(m[1].strip("()"))
+        _check_conductor(field, n)
+        if n < 3:
+            raise RingError(
+                f"{shorten(field)}: zeta{n} is rational; expected zeta3, zeta4, zeta5, …"
+            )
+        polynomial = flint.fmpq_poly(flint.fmpz_poly.cyclotomic(n))
+        turn: Value = lambda bits: flint.acb(2 * flint.arb.pi() / n * flint.acb(0, 1)).exp()  # noqa: E731
+        return Number(f"zeta{n}", polynomial, _precise(turn))
+    m = re.fullmatch(r"(sqrt|cbrt)\((.+)\)|(root)\((.+),(\d+)\)", text)
+    if m is None:
+        raise RingError(
+            f"{shorten(field)}: {shorten(text)!r} is none of the numbers that make a field here: "
+            "sqrt(2), root(2,3), zeta5, I; for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
+        )
+    n = int(m[5]) if m[3] else {"sqrt": 2, "cbrt": 3}[m[1]]
+    try:
+        radicand = QQ(m[4] or m[2])
+    except HFieldError as error:
+        raise RingError(
+            f"{shorten(field)}: expected a rational number under the root: {error}"
+        ) from error
+    if not 2 <= n <= MAX_DEGREE or radicand == 0:
+        raise RingError(
+            f"{shorten(field)}: expected a root of order 2 to {MAX_DEGREE} of a number other than 0"
+        )
+    root: Value = lambda bits: flint.acb(flint.arb(radicand)).root(n)  # noqa: E731
+    shown = number_text(radicand)
+    polynomial = factor_at(flint.fmpq_poly([-radicand, *[0] * (n - 1), 1]), _precise(root))
+    if polynomial.degree() < 2:
+        raise RingError(f"{shorten(field)}: {shorten(text)} is rational; leave it out")
+    name = f"sqrt({shown})" if n == 2 else f"root({shown},{n})"
+    return Number(name, polynomial, _precise(root), (radicand, n))
+
+
+def _check_conductor(field: str, n: int) -> None:
+    if not 1 <= n <= MAX_CONDUCTOR:
+        raise RingError(f"{shorten(field)}: roots of unity of order 3 to {MAX_CONDUCTOR} are taken")
+
+
+def _split(inner: str) -> list[str]:
+    """Split at the commas outside all brackets."""
+    parts, depth = [""], 0
+    for char in inner:
+        depth += (char == "(") - (char == ")")
+        if char == "," and not depth:
+            parts.append("")
+        else:
+            parts[-1] += char
+    return parts
+
+
+def _precise(value: Value) -> Value:
+    def at(bits: int) -> Any:
+        with flint.ctx.workprec(bits + 16):
+            return value(bits)
+
+    return at
+
+
+def _rational_root(x: Any, n: int) -> Any:
+    """Return the positive rational n-th root of x, or None."""
+    if x <= 0:
+        return None
+    p, q = x.p.root(n), x.q.root(n)
+    return flint.fmpq(p, q) if flint.fmpq(p, q) ** n == x else None
+
+
+def _in_style(text: str, style: str) -> str:
+    if style == "latex":
+        text = re.sub(r"^sqrt\((.*)\)$", r"\\sqrt{\1}", text)
+        text = re.sub(r"^root\((.*),(\d+)\)$", r"\\sqrt[\2]{\1}", text)
+        return re.sub(r"^zeta(\d+)$", r"\\zeta_{\1}", re.sub(r"^c(\d+)$", r"c_{\1}", text))
+    return re.sub(r"^sqrt\((\d+)\)$", r"√\1", text) if style == "unicode" else text

@@ -1,0 +1,375 @@
+"""Prime ideals of number fields: e, f, two generators, valuations, residue fields.
+
+Where ℤ[s] is maximal at p the polynomial of s modulo p tells all (Kummer and Dedekind). Elsewhere the
+algebra O/pO of a p-maximal order is taken apart by idempotents (Buchmann and Lenstra; Cohen, section 6.2).
+Each prime P gets a π with (p, π) = P, a β in pP⁻¹ that is not in pO, with which valuations are counted
+(Cohen, algorithm 4.8.17), and an idempotent ε modulo p, 1 at P and 0 at the other primes above p.
+"""
+
+from __future__ import annotations
+
+import random
+from functools import cached_property, lru_cache
+from typing import Any
+
+import flint
+
+from hfield.errors import RingError, TooLargeError, shorten
+from hfield.factorisation import is_prime
+from hfield.rings.base import Ring
+from hfield.rings.modular import WORD
+from hfield.rings.number_elements import FieldElement
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_orders import (
+    LocalOrder,
+    left_kernel,
+    local_order,
+    multiplication_tables,
+    one_in,
+    p_radical,
+    residue_matrix,
+)
+from hfield.rings.rational import rational
+from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
+
+
+class PrimeIdeal:
+    """A prime ideal P above p, with ramification index ``e`` and residue degree ``f``.
+
+    ``residue`` is an irreducible polynomial over GF(p): the residue field is GF(p)[x] modulo it, and
+    ``residue_gen`` an integer of the field that goes to x.
+
+    >>> from hfield import ring
+    >>> K = ring("QQ[s]/(s^3-2)"); (P,) = K.primes_above(2)
+    >>> P, P.e, P.f, P.valuation(K(6)), K.gen in P
+    ((2, s), 3, 1, 3, True)
+    """
+
+    is_finite = True
+
+    def __init__(
+        self,
+        order: LocalOrder,
+        e: int,
+        f: int,
+        pi: FieldElement,
+        beta: FieldElement,
+        epsilon: FieldElement,
+        residue: Any,
+        residue_gen: FieldElement,
+        images: Any = None,
+    ) -> None:
+        self.field, self.order, self.p, self.e, self.f = order.field, order, order.p, e, f
+        self.pi, self.beta, self.idempotent = pi, beta, epsilon
+        self.residue, self.residue_gen, self._images = residue, residue_gen, images
+
+    @property
+    def generators(self) -> tuple[FieldElement, FieldElement]:
+        """Return p and a second number that generate the ideal."""
+        return self.field(self.p), self.pi
+
+    @property
+    def norm(self) -> int:
+        """The number of residues, p^f."""
+        return int(self.p**self.f)
+
+    @property
+    def is_only(self) -> bool:
+        """Whether no other prime ideal lies above p."""
+        return self.e * self.f == self.field.degree
+
+    @property
+    def is_inert(self) -> bool:
+        """Whether p itself generates the ideal."""
+        return self.f == self.field.degree
+
+    def __str__(self) -> str:
+        return str(self.p) if self.is_inert else f"({self.p}, {self.field.text(self.pi)})"
+
+    __repr__ = __str__
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, PrimeIdeal)
+            and self.p == other.p
+            and self.field == other.field
+            and self.pi == other.pi
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.field, self.p, self.pi))
+
+    def __reduce__(self) -> Any:
+        from hfield.rings.number_field_places import place_of_number_field
+
+        return place_of_number_field, (self.field, str(self))
+
+    def __contains__(self, x: object) -> bool:
+        y = self.field(x)
+        return not y or (self.field.is_integral(y) and self.valuation(y) > 0)
+
+    def valuation(self, x: Any) -> int:
+        """Return the order of x ≠ 0 at P. Raises :class:`RingError` for 0."""
+        return self.unit_part(self.field(x))[0]
+
+    def unit_part(self, x: FieldElement) -> tuple[int, FieldElement]:
+        """Return ``(v, u)``: the valuation of x ≠ 0, and x·(β/p)^v up to the square of a number."""
+        if not x:
+            raise RingError("0 has no valuation: it lies in every power of a prime ideal")
+        order, p = self.order, self.p
+        twice = order.content(x) // 2
+        y = x * flint.fmpq(p) ** (-2 * twice)
+        v = 2 * twice * self.e
+        while True:
+            z = y * self.inverse_uniformiser
+            if order.content(z) < 0:
+                return v, y
+            y, v = z, v + 1
+
+    @cached_property
+    def inverse_uniformiser(self) -> Any:
+        """β/p, of valuation −1 here and integral at all other primes."""
+        return self.beta * flint.fmpq(1, self.p)
+
+    @cached_property
+    def uniformiser(self) -> Any:
+        """An integer of valuation 1 here, and 0 at the other primes above p."""
+        if self.is_inert:
+            return self.field(self.p)
+        return self.pi if self.valuation(self.pi) == 1 else self.pi + self.p
+
+    # --- the residue field -----------------------------------------------------------------------
+
+    @cached_property
+    def residue_field(self) -> Ring:
+        """The field of residues GF(p^f), in which x is ``residue_gen``."""
+        from hfield.rings.field_specs import GF
+        from hfield.rings.finite import modulus_text
+
+        if self.f == 1:
+            return GF(self.p)
+        return GF(self.norm, modulus_text(coefficients(self.residue)))
+
+    def reduce(self, x: Any) -> Any:
+        """Return the class of x in the residue field. Raises :class:`RingError` for a negative valuation."""
+        field, residue = self.residue_field, coefficients(self.residue_of(self.field(x)))
+        total = field.zero
+        gen = field.gen if self.f > 1 else field.zero
+        for c in reversed(residue):
+            total = total * gen + field(c)
+        return total
+
+    def residue_of(self, x: FieldElement) -> Any:
+        """Return the class of x as a polynomial over GF(p) reduced modulo ``residue``."""
+        if not x:
+            return residues(self.p, [])
+        return self._residue(self.integral(x))
+
+    def integral(self, x: FieldElement) -> FieldElement:
+        """Return x, of valuation ≥ 0, times the square of a number that is 1 modulo P, integral at p."""
+        if self.order.content(x) < 0 and self.valuation(x) < 0:
+            raise RingError(f"{shorten(x)} has no residue at {self}: its valuation is negative")
+        while self.order.content(x) < 0:
+            x = x * self.idempotent * self.idempotent
+        return x
+
+    def _residue(self, x: FieldElement) -> Any:
+        numerators, below = self.order.coordinates(x)
+        scale = pow(below, -1, self.p)
+        values = [c * scale % self.p for c in numerators]
+        if self._images is None:
+            return residues(self.p, values) % self.residue
+        row = flint.nmod_mat(1, len(values), values, self.p) * self._images
+        return residues(self.p, row.entries())
+
+    def lift(self, residue: Any) -> FieldElement:
+        """Return an integer of the field with the given residue, a polynomial over GF(p)."""
+        total: FieldElement = self.field.zero
+        for c in reversed(coefficients(residue)):
+            total = total * self.residue_gen + c
+        return total
+
+
+def primes_above(field: NumberField, p: Any) -> tuple[PrimeIdeal, ...]:
+    """Return the prime ideals above a prime number, in a fixed order. Raises :class:`RingError`."""
+    number = rational(p)
+    if not isinstance(number, int) or not is_prime(number):
+        raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
+    return _primes_above(field, number)
+
+
+@lru_cache(maxsize=4096)
+def _primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
+    order = local_order(field, p)
+    return _by_kummer(order) if order.plain else _by_idempotents(order)
+
+
+def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
+    """Read the primes off the polynomial of s modulo p."""
+    field, p = order.field, order.p
+    den = field.polynomial.denom()
+    scale = pow(int(den), -1, p)
+    f = residues(p, [c * scale for c in field.polynomial.numer().coeffs()])
+    out = []
+    for g, e in sorted_factors(f):
+        pi = order.element(coefficients(g))
+        if len(coefficients(g)) > field.degree:  # p is inert
+            pi = field(p)
+        out.append(
+            PrimeIdeal(
+                order,
+                e,
+                int(g.degree()),
+                pi,
+                order.element(coefficients(f // g)),
+                order.element(coefficients(idempotent(f, g**e))),
+                g,
+                field.gen,
+            )
+        )
+    return tuple(out)
+
+
+class _ResidueAlgebra:
+    """The algebra O/pO of an order: elements are rows of coordinates modulo p."""
+
+    def __init__(self, order: LocalOrder) -> None:
+        self.order, self.p, self.n = order, order.p, order.field.degree
+        if self.p >= WORD:
+            raise TooLargeError(
+                f"the residues of an order modulo {shorten(self.p)} are not computed"
+            )
+        table = multiplication_tables(order.field, order.rows)
+        self.table = [residue_matrix(m, self.p) for m in table]
+        self.one = self.row(one_in(order.rows))
+        self.radical = p_radical(table, self.p, order.rows)
+
+    def row(self, values: list[int]) -> Any:
+        return flint.nmod_mat(1, self.n, [v % self.p for v in values], self.p)
+
+    def matrix(self, x: Any) -> Any:
+        """Return the matrix of the multiplication by x."""
+        total = flint.nmod_mat(self.n, self.n, [0] * self.n**2, self.p)
+        for c, m in zip(x.entries(), self.table, strict=True):
+            if int(c):
+                total = total + m * int(c)
+        return total
+
+    def at(self, f: Any, x: Any) -> Any:
+        """Return f(x) for a polynomial f over GF(p)."""
+        m, total = self.matrix(x), self.one * 0
+        for c in reversed(coefficients(f)):
+            total = total * m + self.one * c
+        return total
+
+    def random(self, rng: random.Random) -> Any:
+        return self.row([rng.randrange(self.p) for _ in range(self.n)])
+
+    def lift(self, x: Any) -> FieldElement:
+        return self.order.element(int(c) for c in x.entries())
+
+    def span(self, rows: list[Any]) -> Any:
+        """Return a basis, in reduced echelon form, of what rows span."""
+        entries = [int(c) for row in rows for c in row.entries()]
+        reduced, rank = flint.nmod_mat(len(rows), self.n, entries, self.p).rref()
+        return [self.row([int(c) for c in r]) for r in reduced.tolist()[:rank]]
+
+    def idempotents(self, count: int) -> list[Any]:
+        """Return the primitive idempotents, as many as said."""
+        rng, found = random.Random(1), [self.one]
+        while len(found) < count:
+            x = self.random(rng)
+            f = self.matrix(x).charpoly()
+            parts = [self.at(idempotent(f, g**e), x) for g, e in sorted_factors(f)]
+            products = [e * self.matrix(part) for e in found for part in parts]
+            found = [e for e in products if any(int(c) for c in e.entries())]
+        return found
+
+    def local_parts(self) -> int:
+        """Return the number of primes: the dimension of the x with xᵖ = x, modulo the radical."""
+        frobenius = [self.one * m**self.p for m in self.table]
+        radical = [self.row(r) for r in self.radical]
+        n = self.n
+        entries = []
+        for k, image in enumerate(frobenius):
+            row = [int(c) for c in image.entries()]
+            row[k] = (row[k] - 1) % self.p
+            entries += row
+        # x with xᵖ − x in the radical: the kernel of both together
+        entries += [int(c) for r in radical for c in r.entries()]
+        kernel = left_kernel(flint.nmod_mat(n + len(radical), n, entries, self.p))
+        fixed = self.span([self.row(v[:n]) for v in kernel] + [self.one])
+        return len(fixed) - len(radical)
+
+
+def _by_idempotents(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
+    """Take the algebra O/pO apart."""
+    algebra = _ResidueAlgebra(order)
+    out = [_at_idempotent(algebra, e) for e in algebra.idempotents(algebra.local_parts())]
+    out.sort(key=lambda P: (P.f, P.e, P.order.coordinates(P.pi)[0][::-1]))
+    return tuple(out)
+
+
+def _at_idempotent(algebra: _ResidueAlgebra, epsilon: Any) -> PrimeIdeal:
+    """Return the prime whose local algebra a primitive idempotent cuts out."""
+    order, p, n = algebra.order, algebra.p, algebra.n
+    project = algebra.matrix(epsilon)
+    units = [algebra.row([int(i == k) for i in range(n)]) for k in range(n)]
+    local = algebra.span([u * project for u in units])
+    radical = [algebra.row(r) * project for r in algebra.radical]
+    inside = algebra.span(radical) if radical else []
+    f = len(local) - len(inside)
+    e = len(local) // f
+    pi = algebra.one - epsilon
+    if e > 1:
+        squares = algebra.span([r * algebra.matrix(s) for r in inside for s in inside])
+        pi = pi + next(r for r in inside if len(algebra.span([*squares, r])) > len(squares))
+    # the annihilator of π modulo p
+    beta = algebra.row(left_kernel(algebra.matrix(pi))[0])
+    residue, gen, images = _residue_field(algebra, epsilon, inside, f)
+    return PrimeIdeal(
+        order,
+        e,
+        f,
+        algebra.lift(pi) if any(int(c) for c in pi.entries()) else order.field(p),
+        algebra.lift(beta),
+        algebra.lift(epsilon),
+        residue,
+        algebra.lift(gen),
+        images,
+    )
+
+
+def _residue_field(
+    algebra: _ResidueAlgebra, epsilon: Any, inside: list[Any], f: int
+) -> tuple[Any, Any, Any]:
+    """Return a polynomial that makes the residue field, its root, and the matrix that takes residues."""
+    p, n, rng = algebra.p, algebra.n, random.Random(1)
+    project = algebra.matrix(epsilon)
+    while True:
+        gen = algebra.random(rng) if f > 1 else algebra.one
+        m = algebra.matrix(gen)
+        powers = [epsilon]
+        for _ in range(f):
+            powers.append(powers[-1] * m)
+        if len(algebra.span([*inside, *powers[:f]])) == len(inside) + f:
+            break
+    # every ε·ωₖ is a combination of the powers, modulo the radical
+    basis = [*powers[:f], *inside]
+    targets = [algebra.row([int(i == k) for i in range(n)]) * project for k in range(n)]
+    solved = [_combination(algebra, basis, t)[:f] for t in [*targets, powers[f]]]
+    images = flint.nmod_mat(n, f, [c for row in solved[:n] for c in row], p)
+    residue = residues(p, [*(-c for c in solved[n]), 1])
+    if f == 1:
+        residue = residues(p, [0, 1])
+        gen = algebra.one * 0
+    return residue, gen, images
+
+
+def _combination(algebra: _ResidueAlgebra, basis: list[Any], target: Any) -> list[int]:
+    """Return coefficients of a vector in linearly independent ones."""
+    rows = [*basis, target]
+    entries = [int(c) for v in rows for c in v.entries()]
+    relation = left_kernel(flint.nmod_mat(len(rows), algebra.n, entries, algebra.p))[0]
+    scale = -pow(relation[-1], -1, algebra.p)
+    return [c * scale % algebra.p for c in relation[:-1]]

@@ -1,0 +1,33 @@
+"""Polynomials over GF(p) of FLINT, p of any size, and idempotents modulo one of them."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import flint
+
+from hfield.rings.modular import WORD
+
+
+def residues(p: int, coefficients: Iterable[Any]) -> Any:
+    """Return the polynomial over GF(p) with integer coefficients, low degree first."""
+    values = [int(c) % p for c in coefficients]
+    if p < WORD:
+        return flint.nmod_poly(values, p)
+    return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(values)
+
+
+def coefficients(f: Any) -> list[int]:
+    """Return the coefficients as numbers from 0 to p − 1, low degree first."""
+    return [int(c) for c in f.coeffs()]
+
+
+def sorted_factors(f: Any) -> list[tuple[Any, int]]:
+    """Return the monic irreducible factors with multiplicities, by degree, then by coefficients."""
+    factors = [(g, int(e)) for g, e in f.factor()[1]]
+    return sorted(factors, key=lambda pair: (pair[0].degree(), coefficients(pair[0])[::-1]))
+
+
+def idempotent(f: Any, part: Any) -> Any:
+    """Return the polynomial that is 1 modulo a factor of f prime to the rest, and 0 modulo the rest."""
+    rest = f // part
+    return rest * rest.xgcd(part)[1] % f if rest.degree() > 0 else rest - rest + 1

@@ -1,0 +1,1 @@
+"""Number fields of any degree: Hilbert symbols, conics, algebras from their ramification."""

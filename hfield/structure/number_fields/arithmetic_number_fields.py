@@ -1,0 +1,117 @@
+"""Number fields of degree 3 and more, and all that are written QQ[s]/(…), as global fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from hfield.factorisation import Factors, is_prime
+from hfield.product import Constants, Coordinates
+from hfield.rings.base import Ring
+from hfield.rings.number_elements import FieldElement
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_places import Place, place_of_number_field
+from hfield.rings.number_primes import PrimeIdeal
+from hfield.structure.forms import NormalForm
+from hfield.structure.global_field import GlobalField
+from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot
+from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import unit_and_prime
+from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
+from hfield.structure.number_fields.hilbert_number_fields import (
+    finite_ramified,
+    hilbert_symbol_number_field,
+    ramified_places_number_field,
+)
+from hfield.structure.number_fields.local_place import local_place
+from hfield.structure.number_fields.slots_number_fields import (
+    common_slot,
+    from_ramification_number_field,
+    is_local_square,
+)
+
+SMALL_PRIMES = 50
+
+
+class NumberFieldArithmetic(GlobalField):
+    """The arithmetic of a number field of any degree."""
+
+    ring: NumberField
+
+    def __init__(self, ring: NumberField) -> None:
+        super().__init__(ring)
+        self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
+
+    @classmethod
+    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
+        """Return the field of a place or of the first element that has one."""
+        if isinstance(getattr(place, "field", None), NumberField):
+            return place.field  # type: ignore[no-any-return]
+        return next((x.field for x in elements if isinstance(x, FieldElement)), None)
+
+    def read_place(self, text: Any) -> Place:
+        """Return a prime ideal or an infinite place."""
+        return place_of_number_field(self.ring, text)
+
+    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+        """Return the symbol; nothing is factored."""
+        return hilbert_symbol_number_field(self.ring(a), self.ring(b), self.read_place(place))
+
+    def ramified(self, form: NormalForm) -> tuple[Place, ...]:
+        """Return the places with a symbol of −1; the norms of a and b are factored."""
+        return ramified_places_number_field(form.a, form.b)
+
+    def discriminant(self, ramified: tuple[Any, ...]) -> tuple[PrimeIdeal, ...]:
+        """Return the prime ideals, whose product it is."""
+        return tuple(v for v in ramified if v.is_finite)
+
+    def with_ramification(self, places: Iterable[Any]) -> tuple[FieldElement, FieldElement]:
+        """Return constants by local classes and one more prime ideal."""
+        return from_ramification_number_field(self.ring, list(places))
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[PrimeIdeal, ...]:
+        """Return the prime ideals above primes below 50 with a symbol of −1."""
+        primes = {p for p in range(2, SMALL_PRIMES) if is_prime(p)}
+        return tuple(finite_ramified(form.a, form.b, primes))
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic ``z² = a·x² + b·y²``, searched within a bound."""
+        x, y, z = solve_conic_number_field(self.ring, form.a, form.b)
+        return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
+
+    def unit_and_prime(self, c: Constants, place: Place) -> tuple[Vector, Vector] | None:
+        """Return u and j at a prime ideal."""
+        if not isinstance(place, PrimeIdeal):
+            return None
+        return unit_and_prime(local_place(place), c, self.ring.one)
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot and three conics."""
+        e = common_slot([outer.a, inner.a], ramified_places_number_field(outer.a, outer.b))
+        return through_slot(self.ring, outer, inner, e, self._point)
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return x by a common slot, unless s is a square at a ramified place."""
+        ramified = self.ramified(form)
+        if any(is_local_square(v, s) for v in ramified):
+            return None
+        c = Constants(form.a, self.ring.zero, form.b)
+        return generator_by_slot(self.ring, s, c, common_slot([c.a, s], ramified), self._point)[0]
+
+    def _point(self, c: Constants) -> tuple[Any, Any, Any]:
+        """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``."""
+        x, y, w = solve_conic_number_field(self.ring, c.a, c.b)
+        return w, x, y
+
+
+def _finite_orders(degree: int) -> Mapping[int, int]:
+    """Return the primes of a number that the order of every root of unity of such a degree divides."""
+    orders = {}
+    for p in range(2, degree + 2):
+        if is_prime(p):
+            k = 0
+            while p**k * (p - 1) <= degree:
+                k += 1
+            orders[p] = k
+    return orders

@@ -1,0 +1,212 @@
+"""Numbers with given Hilbert symbols, common slots, and algebras from their ramification, over number fields.
+
+An e for which every (x, e) ramifies at given places and nowhere else is built as a zero of a quadratic form
+is in the theorem of Hasse and Minkowski (Serre, *A Course in Arithmetic*, chapter IV, §3): above each prime
+that matters a class is picked, and numbers in these classes with the signs asked for are tried until, apart
+from these primes, only one prime ideal divides them. There the symbols are right by the product formula.
+"""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Collection, Iterator, Sequence
+
+import flint
+
+from hfield.errors import RingError, UndecidedError, shorten
+from hfield.factorisation import is_probable_prime, remove
+from hfield.rings.number_elements import FieldElement
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_places import Place, RealPlace, place_of_number_field
+from hfield.rings.number_primes import PrimeIdeal, primes_above
+from hfield.structure.number_fields.dyadic_symbol import DyadicPrime
+from hfield.structure.number_fields.hilbert_number_fields import (
+    candidates,
+    hilbert_symbol_number_field,
+    ramified_places_number_field,
+)
+from hfield.structure.rationals.whole_numbers import crt
+
+TRIALS = 20_000
+LOCAL_TRIALS = 2_000
+TWOS = 2**5  # symbols above 2 of an e of valuation at most 1 hang on e modulo this
+
+
+def common_slot(numbers: Sequence[FieldElement], ramified: Collection[Place]) -> FieldElement:
+    """Return an e with (x, e) ramified exactly at the given places, for each of the numbers x.
+
+    Raises :class:`UndecidedError` where the norms are too hard to factor, or where no e was found, because
+    there is none or by bad luck.
+    """
+    field, rng = numbers[0].field, random.Random(1)
+    relevant = {2}.union(*(candidates(field, x) for x in numbers))
+    relevant |= {v.p for v in ramified if isinstance(v, PrimeIdeal)}
+    classes = [_local_class(p, numbers, ramified, rng) for p in sorted(relevant)]
+    signs = [_sign(v, numbers, ramified) for v in field.real_places()]
+    for e in _lifts(field, classes, signs, rng):
+        rest = abs(int(e.norm().p))
+        for p in relevant:
+            rest = remove(rest, p)[1]
+        if (rest == 1 or is_probable_prime(rest)) and all(
+            set(ramified_places_number_field(x, e)) == set(ramified) for x in numbers
+        ):
+            return e
+    raise UndecidedError(
+        f"no number of {field.name} with the symbols asked for was found among {TRIALS} of fitting classes"
+    )
+
+
+def from_ramification_number_field(
+    field: NumberField, named: Sequence[Place | str]
+) -> tuple[FieldElement, FieldElement]:
+    """Return (a, b) such that ``(a, b | K)`` ramifies exactly at the places named.
+
+    Raises :class:`RingError` unless they are even in number, different, and none of them complex.
+    """
+    places = [place_of_number_field(field, v) for v in named]
+    if len(set(places)) < len(places):
+        raise RingError("the same place was named twice among the ramified places")
+    if not all(isinstance(v, (PrimeIdeal, RealPlace)) for v in places):
+        raise RingError(
+            "no algebra ramifies at a complex place: only prime ideals and real places may be named"
+        )
+    if len(places) % 2:
+        raise RingError(
+            f"an algebra over {shorten(field.name)} ramifies at an even number of places, and {len(places)} "
+            "were named: add or drop one"
+        )
+    if not places:
+        return field.one, field.one
+    rng = random.Random(1)
+    for trial in range(TRIALS):
+        a = _small(field, 1 + trial // 200, rng)
+        if a and all(not is_local_square(v, a) for v in places):
+            return a, common_slot([a], places)
+    raise UndecidedError(
+        f"no small number of {shorten(field.name)} that is a square at none of the places was found"
+    )
+
+
+def _small(field: NumberField, size: int, rng: random.Random) -> FieldElement:
+    x: FieldElement = field.zero
+    for w in field.integral_basis():
+        x = x + w * rng.randint(-size, size)
+    return x
+
+
+def is_local_square(place: Place, x: FieldElement) -> bool:
+    """Tell whether x ≠ 0 is a square in the completion at a place."""
+    if isinstance(place, RealPlace):
+        return place.sign(x) > 0
+    if not isinstance(place, PrimeIdeal):
+        return True
+    v, unit = place.unit_part(x)
+    if v % 2:
+        return False
+    if place.p == 2:
+        integral = place.order.truncated(place.integral(unit), TWOS * 2)
+        return DyadicPrime(place).defect(integral)[0] > 2 * place.e
+    residue = place.residue_of(unit)
+    if place.f == 1:
+        return int(flint.fmpz(int(residue[0])).jacobi(place.p)) == 1
+    return bool(residue.pow_mod((place.norm - 1) // 2, place.residue) == 1)
+
+
+def _wanted(place: Place, ramified: Collection[Place]) -> int:
+    return -1 if place in ramified else 1
+
+
+def _sign(place: RealPlace, numbers: Sequence[FieldElement], ramified: Collection[Place]) -> int:
+    """Return the sign that e must have at a real place, 1 where either will do."""
+    for sign in (1, -1):
+        if all(
+            (-1 if sign < 0 and place.sign(x) < 0 else 1) == _wanted(place, ramified)
+            for x in numbers
+        ):
+            return sign
+    raise UndecidedError(f"no number has the symbols asked for at {place}")
+
+
+def _local_class(
+    p: int, numbers: Sequence[FieldElement], ramified: Collection[Place], rng: random.Random
+) -> tuple[list[int], int]:
+    """Return coordinates in the integral basis, and a modulus, for the prime p.
+
+    What is congruent to them has the symbols asked for at the places above p.
+    """
+    field = numbers[0].field
+    above = primes_above(field, p)
+    modulus = TWOS if p == 2 else p
+    basis = field.integral_basis()
+    for size in range(len(above) + 1):
+        for chosen in itertools.combinations(above, size):
+            base = field.one
+            for v in chosen:
+                base = base * v.uniformiser
+            # in a class modulo p² the valuation, at most 1, is fixed as well
+            whole = modulus if p == 2 else modulus**2 if chosen else modulus
+            for _ in range(LOCAL_TRIALS // (1 + 4 * size)):
+                e = base
+                unit: FieldElement = field.zero
+                for w in basis:
+                    unit = unit + w * rng.randrange(modulus)
+                if not unit or any(v.valuation(unit) for v in above):
+                    continue
+                e = base * unit
+                if all(
+                    hilbert_symbol_number_field(x, e, v) == _wanted(v, ramified)
+                    for v in above
+                    for x in numbers
+                ):
+                    return [int(c) % whole for c in _coordinates(field, e)], whole
+    raise UndecidedError(f"no number was found that has the symbols asked for above {p}")
+
+
+def _coordinates(field: NumberField, x: FieldElement) -> list[int]:
+    """Return the coordinates of an integer of the field in the integral basis."""
+    n = field.degree
+    rows = [c for w in field.integral_basis() for c in _padded(w, n)]
+    row = flint.fmpq_mat(1, n, _padded(x, n)) * flint.fmpq_mat(n, n, rows).inv()
+    return [int(c.p) for c in row.entries()]
+
+
+def _padded(x: FieldElement, n: int) -> list[flint.fmpq]:
+    coefficients = x.poly.coeffs()
+    return [*coefficients, *[0] * (n - len(coefficients))]
+
+
+def _lifts(
+    field: NumberField, classes: list[tuple[list[int], int]], signs: list[int], rng: random.Random
+) -> Iterator[FieldElement]:
+    """Run through random numbers with the given classes and signs at the real places, of growing size."""
+    import numpy as np
+
+    basis, n = field.integral_basis(), field.degree
+    residues = [crt((c[k], m) for c, m in classes) for k in range(n)]
+    modulus = residues[0][1]
+    places = field.infinite_places()
+    values = [[complex(v.value(w, 15)) for v in places] for w in basis]
+    rows = [
+        [
+            t
+            for v, z in zip(places, row, strict=True)
+            for t in ([z.real] if isinstance(v, RealPlace) else [z.real, z.imag])
+        ]
+        for row in values
+    ]
+    inverse = np.linalg.inv(np.array(rows))
+    start = np.array([float(r) / modulus for r, _ in residues])
+    for trial in range(TRIALS):
+        # a point with the right signs, in units of the modulus, and the number next to it in the class
+        size = 1 + trial / 200
+        target = np.array(
+            [s * rng.uniform(0.5, 1.5) * size for s in signs]
+            + [rng.uniform(-size, size) for _ in range(n - len(signs))]
+        )
+        steps = np.rint(target @ inverse - start)
+        e: FieldElement = field.zero
+        for w, (r, _), step in zip(basis, residues, steps, strict=True):
+            e = e + w * (r + modulus * int(step))
+        if e and all(v.sign(e) == s for v, s in zip(field.real_places(), signs, strict=True)):
+            yield e
