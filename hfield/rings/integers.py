@@ -133,6 +133,7 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
+    arithmetic = "rationals.arithmetic_rationals.RationalArithmetic"
 
     def __call__(self, x: Any) -> Any:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
