@@ -4,15 +4,12 @@ import functools
 from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
-from hfield.errors import RingError, shorten
-from hfield.factorisation import Factors, factorise, known_primes
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Coordinates
-from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
 from hfield.rings.residues.prime_ideals import PrimeIdeal, prime_at
-from hfield.rings.surds import Surd
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
@@ -37,21 +34,6 @@ class QuadraticArithmetic(GlobalField):
     ring: QuadraticField
     # a root of unity of degree at most 2 over it has order 1 to 6, 8, 10 or 12
     finite_orders: ClassVar[Mapping[int, int]] = {2: 3, 3: 1, 5: 1}
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return ℚ(√d) for a place of it or for numbers with one root; raises RingError for several."""
-        if isinstance(place, QuadraticPlace):
-            return QuadraticField(place.d)
-        roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
-        if len(roots) > 1:
-            shown = " and ".join(map(shorten, elements))
-            raise RingError(f"{shown} lie in no common quadratic field")
-        if not roots:
-            return None
-        d = roots.pop()
-        factorise(d)  # the theory of places asks for a squarefree d
-        return QuadraticField(d)
 
     def read_place(self, text: Any) -> QuadraticPlace:
         """Return a prime ideal or an infinite place."""
