@@ -7,7 +7,7 @@ import pytest
 NAMES = {
     "hfield": """
         CC CoercionError GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
-        NotInvertibleError NotationError Order QQ Quaternion QuaternionAlgebra RDF RR RingError
+        NotInvertibleError NotationError NumberField Order QQ Quaternion QuaternionAlgebra RDF RR RingError
         TooLargeError UndecidedError ZZ Zmod conjugator errors four_squares hilbert_symbol places
         prove ring
     """,
