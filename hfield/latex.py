@@ -22,8 +22,8 @@ _SIGNS = {
     "⟩": r"\rangle ", "†": r"\dagger ", "⋯": r"\cdots ", "∅": r"\varnothing ", "✓": r"\checkmark ",
     "✗": r"\times ", "ℚ": r"\mathbb{Q}", "ℤ": r"\mathbb{Z}", "ℝ": r"\mathbb{R}", "ℂ": r"\mathbb{C}",
     "ℍ": r"\mathbb{H}", "𝔽": r"\mathbb{F}", "ϕ": r"\phi ", "⊗": r"\otimes ", "∑": r"\sum ",
-    "∏": r"\prod ", "′": "'", "…": r"\ldots ", "ⁿ": "^{n}", "ᵏ": "^{k}", "ᵗ": "^{t}", "ₙ": "_{n}",
-    "ₖ": "_{k}", "│": "|",
+    "∏": r"\prod ", "′": r"^{\prime}", "'": r"^{\prime}", "…": r"\ldots ",
+    "ⁿ": "^{n}", "ᵏ": "^{k}", "ᵗ": "^{t}", "ₙ": "_{n}", "ₖ": "_{k}", "│": "|",
 }  # fmt: skip
 _GREEK_NAMES = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "varepsilon", "ζ": "zeta", "η": "eta",
@@ -37,8 +37,9 @@ _RAISED, _LOWERED = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹", "₋₊₀₁₂₃₄�
 _LEVEL = str.maketrans(_RAISED + _LOWERED, "-+0123456789" * 2)
 _OVER = {"\u0304": "bar", "\u0305": "bar", "\u20d7": "vec", "\u0302": "hat"}
 _SCRIPTS = re.compile(f"([{_RAISED}]+)|([{_LOWERED}]+)")
+_RUN_OF_SCRIPTS = re.compile(r"(?:[\^_]\{[^{}]*\}\s*){2,}")
 _OVERLINED = re.compile(f"(\\w)([{''.join(_OVER)}])")
-_MATHEMATICAL = frozenset({*_SIGNS, *_GREEK, *_RAISED, *_LOWERED, *_OVER} - {"…", "†", "°"})
+_MATHEMATICAL = frozenset({*_SIGNS, *_GREEK, *_RAISED, *_LOWERED, *_OVER} - {"…", "†", "°", "'"})
 
 _TEXT = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "%": r"\%", "#": r"\#",
@@ -127,13 +128,25 @@ def mathematics(text: str) -> str:
     text = re.sub("₍([^₍₎]*)₎", r"_{\1}", text)
     text = _OVERLINED.sub(lambda m: rf"\{_OVER[m[2]]}{{{m[1]}}}", text)
     text = _SCRIPTS.sub(lambda m: f"{'^' if m[1] else '_'}{{{m[0].translate(_LEVEL)}}}", text)
-    text = re.sub(r"√(\d+|\w)", r"\\sqrt{\1}", text)
+    text = re.sub(r"√(\d+|[^\W\d_])", r"\\sqrt{\1}", text)
     text = re.sub(r"(?<![\\\w])([A-Za-z]{2,})(?=\()", _named, latex_name(text))
     text = re.sub(rf"(?<![\\\w{{])({'|'.join(_UPRIGHT)})(?=\s|$)", r"\\\1", text)
     text = "".join(_SIGNS.get(c) or _GREEK.get(c) or c for c in text)
-    text = re.sub(r"(\^\{[^{}]*\})(?=\^)|(_\{[^{}]*\})(?=_)", r"\g<0>{}", text)  # no double scripts
+    text = _RUN_OF_SCRIPTS.sub(_separated, text)
     text = "".join(c if c.isascii() else rf"\text{{{_character(c)}}}" for c in text)
     return " ".join(text.split())
+
+
+def _separated(found: re.Match[str]) -> str:
+    """Put an empty group between scripts where TeX takes no second one of the same kind."""
+    out, used = "", set()
+    for script in re.findall(r"[\^_]\{[^{}]*\}", found[0]):
+        if script[0] in used:
+            out += "{}"
+            used.clear()
+        used.add(script[0])
+        out += script
+    return f"{out} " if found[0][-1].isspace() else out
 
 
 def _named(found: re.Match[str]) -> str:
@@ -190,10 +203,12 @@ def _dollars(run: Sequence[str]) -> list[str]:
         return []
     body, end = _parted(" ".join(run))
     opened = body.count("(") - body.count(")")
-    if opened < 0 and body.endswith(")"):  # a parenthesis of the sentence, not of the formula
+    if opened < 0 and body.endswith(
+        ")" * -opened
+    ):  # a parenthesis of the sentence, not of the formula
         body, end = body[:opened], body[opened:] + end
     start = ""
-    if opened > 0 and body.startswith("("):
+    if opened > 0 and body.startswith("(" * opened):
         body, start = body[opened:], body[:opened]
     return [f"{start}${mathematics(body)}${end}" if body else start + end]
 
@@ -212,8 +227,9 @@ def _character(char: str, before: list[str] | None = None) -> str:
     if char.isascii():
         return char
     if char in _OVER:
-        letter = before.pop() if before else "\\cdot"
-        return rf"\ensuremath{{\{_OVER[char]}{{{letter}}}}}"
+        letter = before.pop() if before else "{}"
+        under = letter if letter.isalnum() else rf"\text{{{letter}}}"
+        return rf"\ensuremath{{\{_OVER[char]}{{{under}}}}}"
     if char in _SIGNS or char in _GREEK:
         return rf"\ensuremath{{{(_SIGNS.get(char) or _GREEK[char]).strip()}}}"
     if char in _RAISED or char in _LOWERED:
