@@ -37,8 +37,10 @@ _RAISED, _LOWERED = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹", "₋₊₀₁₂₃₄�
 _LEVEL = str.maketrans(_RAISED + _LOWERED, "-+0123456789" * 2)
 _OVER = {"\u0304": "bar", "\u0305": "bar", "\u20d7": "vec", "\u0302": "hat"}
 _SCRIPTS = re.compile(f"([{_RAISED}]+)|([{_LOWERED}]+)")
+_SIMPLE = "A-Za-zα-ω0-9"
+_POWER = re.compile(rf"\^\{{([{_SIMPLE}+ -]+)\}}|\^\((-?[{_SIMPLE}]+)\)|\^(-?[{_SIMPLE}]+)")
 _RUN_OF_SCRIPTS = re.compile(r"(?:[\^_]\{[^{}]*\}\s*){2,}")
-_OVERLINED = re.compile(f"(\\w)([{''.join(_OVER)}])")
+_OVERLINED = re.compile(f"([^\\W_])([{''.join(_OVER)}])")
 _MATHEMATICAL = frozenset({*_SIGNS, *_GREEK, *_RAISED, *_LOWERED, *_OVER} - {"…", "†", "°", "'"})
 
 _TEXT = {
@@ -72,7 +74,9 @@ _FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|GF\(|Qp\()")
 _LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}ⁿᵏᵗₙₖ]+")
 _PUNCTUATION = re.compile(r"^(.*?)([,;:.?!]*)$", re.DOTALL)
 _UPRIGHT = {"cos", "sin", "tan", "det", "dim"}
-_ARTICLES = ("a", "A", "I")
+_ARTICLES = ("−", "…", "...", *"aiouwzAI")  # what may belong to a sentence, in English or Polish
+_NUMBER = re.compile(r"[\[(]*-?[\d./,-]*[\])]*")
+_UNITS = re.compile(r"[\[(]*[eijk]{2,}[\])]*")  # products of the basis, such as ijk
 _OPERATORS = {"=", "==", "!=", "+", "-", "*", "/", "<", ">", "=>", "<=>", "<=", ">="}
 
 
@@ -87,8 +91,8 @@ def words(text: str) -> str:
     order = [*range(len(tokens)), *reversed(range(len(tokens)))]
     for n in order:  # a number or an article's letter belongs to the mathematics beside it
         near = [m for m in (n - 1, n + 1) if 0 <= m < len(tokens) and kinds[m]]
-        if tokens[n] in _ARTICLES:
-            near = [m for m in near if tokens[m] in _OPERATORS or tokens[m] in _MATHEMATICAL]
+        if _parted(tokens[n])[0] in _ARTICLES:
+            near = [m for m in near if _leads(tokens[m]) or tokens[min(n, m)].endswith(",")]
         if kinds[n] is None and any(_joins(tokens[min(n, m)]) for m in near):
             kinds[n] = True
     out: list[str] = []
@@ -119,9 +123,7 @@ def mathematics(text: str) -> str:
         .replace("==", "=")
     )
     text = text.replace("<=", "≤").replace(">=", "≥")
-    text = re.sub(
-        r"\^\{([^{}]*)\}|\^\((-?\w+)\)|\^(-?\w+)", lambda m: f"⁽{m[1] or m[2] or m[3]}⁾", text
-    )
+    text = _POWER.sub(lambda m: f"⁽{m[1] or m[2] or m[3]}⁾", text)
     text = re.sub(r"(?<![A-Za-z\\])([A-Za-zα-ω])(\d+)", r"\1₍\2₎", text)
     text = "".join(_IN_MATHEMATICS.get(c, c) for c in text)
     text = re.sub("⁽([^⁽⁾]*)⁾", r"^{\1}", text)
@@ -139,7 +141,8 @@ def mathematics(text: str) -> str:
 
 def _separated(found: re.Match[str]) -> str:
     """Put an empty group between scripts where TeX takes no second one of the same kind."""
-    out, used = "", set()
+    out = ""
+    used: set[str] = set()
     for script in re.findall(r"[\^_]\{[^{}]*\}", found[0]):
         if script[0] in used:
             out += "{}"
@@ -156,18 +159,9 @@ def _named(found: re.Match[str]) -> str:
 def _is_mathematical(token: str) -> bool | None:
     """Tell whether a token is mathematics; None for what is where its neighbours are."""
     body, _ = _parted(token)
-    if (
-        body in _OPERATORS
-        or body in _MATHEMATICAL
-        or body in _UPRIGHT
-        or _FIELD.match(body.strip("([{"))
-    ):
+    if _leads(body) or body in _UPRIGHT or _FIELD.match(body.strip("([{")):
         return True
-    if (
-        not body
-        or re.fullmatch(r"[\[(]*-?[\d./,-]*[\])]*", body)
-        or body in (*_ARTICLES, "−", "…", "...")
-    ):
+    if not body or body in _ARTICLES or _NUMBER.fullmatch(body) or _UNITS.fullmatch(body):
         return None
     runs = _LETTERS.findall(unicodedata.normalize("NFC", body))
     simple = all(run in _FUNCTIONS or len(run) <= 2 or _greek(run) for run in runs)
@@ -186,6 +180,10 @@ def _barred(char: str) -> bool:
 
 def _greek(run: str) -> bool:
     return any(char in _GREEK for char in run) and len(run) <= 4
+
+
+def _leads(token: str) -> bool:
+    return token in _OPERATORS or (token in _MATHEMATICAL and token != "−")
 
 
 def _joins(token: str) -> bool:
@@ -226,10 +224,8 @@ def _character(char: str, before: list[str] | None = None) -> str:
         return _TEXT[char]
     if char.isascii():
         return char
-    if char in _OVER:
-        letter = before.pop() if before else "{}"
-        under = letter if letter.isalnum() else rf"\text{{{letter}}}"
-        return rf"\ensuremath{{\{_OVER[char]}{{{under}}}}}"
+    if char in _OVER and before and before[-1].isalnum():
+        return rf"\ensuremath{{\{_OVER[char]}{{{before.pop()}}}}}"
     if char in _SIGNS or char in _GREEK:
         return rf"\ensuremath{{{(_SIGNS.get(char) or _GREEK[char]).strip()}}}"
     if char in _RAISED or char in _LOWERED:

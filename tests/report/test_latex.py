@@ -31,6 +31,8 @@ SIGNS = "pqλθψ²³⁻¹₀₁·−√≠⇒∈‖°…“”—żółćę{}$&
         ("100% of #1_a & so", r"100\% of \#1\_a \& so"),
         ("zażółć gęślą", r"za\.{z}\'{o}\l{}\'{c} g\k{e}\'{s}l\k{a}"),
         ("(where p ∈ RR)", r"(where $p \in \mathbb{R}$)"),
+        ("basis e, i, j, k and ij = k", "basis $e, i, j, k$ and $ij = k$"),
+        ("obroty i animacje z roku", "obroty i animacje z roku"),
         ("x → ∞.", r"$x \to \infty$."),
     ],
 )
