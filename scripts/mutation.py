@@ -102,11 +102,9 @@ FORGETTING = """
 def _forget():
     for name, module in list(sys.modules.items()):
         if name.startswith("hfield"):
-            for key, value in list(vars(module).items()):
+            for value in list(vars(module).values()):
                 if hasattr(value, "cache_clear"):
                     value.cache_clear()
-                elif key == "_proofs" and isinstance(value, dict):
-                    value.clear()
 """
 
 
