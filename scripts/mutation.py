@@ -20,7 +20,7 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-CORE = ("core", "forged", "polynomials", "rejected")
+CORE = ("core", "forged", "messages", "polynomials", "rejected")
 CHECKER = (
     *(f"tests/certificates/test_{name}.py" for name in CORE),
     "tests/adversary/test_breaks.py",

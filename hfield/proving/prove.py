@@ -141,6 +141,11 @@ class Answer:
     def __repr__(self) -> str:
         return str(self)
 
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(str(self))}</pre>"
+
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, conjugate, multiply, norm, trace
 from hfield.rings.base import Ring
-from hfield.rings.local.element import LocalElement
 from hfield.rings.local.field import DIGITS, LocalField
 from hfield.rings.local.roots import hensel
 from hfield.structure.forms import NormalForm
@@ -32,11 +32,6 @@ class LocalArithmetic(GlobalField):
     def __init__(self, ring: Ring) -> None:
         super().__init__(ring)
         self.below = known_field(self.ring.global_field)
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of an element."""
-        return next((x.field for x in elements if isinstance(x, LocalElement)), None)
 
     def read_place(self, text: Any) -> Any:
         """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
@@ -107,6 +102,10 @@ class LocalArithmetic(GlobalField):
         if not all(x.is_exact for x in c):
             return None
         return self.below.unit_and_prime(Constants(*(x.value for x in c)), place)
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield u and j at the one place, whatever else showed that the norm has no zero."""
+        return super().evidence(c, self.ring.places())
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return an element of norm 0 to some digits, and the plane on which Hensel's lemma finds it."""
