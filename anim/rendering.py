@@ -21,7 +21,7 @@ from anim.picture import Look, painter
 from hfield.executors import InProcess, ordered
 
 if TYPE_CHECKING:
-    from anim.output.formats import Film, Frame
+    from anim.output.format import Film, Frame
     from anim.picture.painting import Painter
 
 FINE = 5000
@@ -140,8 +140,8 @@ def render(
 
     The file is whole or is not there. Raises :class:`~anim.errors.AnimationError`.
     """
-    from anim.output.formats import open_film
     from anim.output.palette import sampled
+    from anim.output.writing import open_film
     from rotation.figures.backend import import_matplotlib
 
     import_matplotlib()  # here first, so that other processes know where its folder is

@@ -11,9 +11,15 @@ from .errors import NotInvertibleError as NotInvertibleError
 from .errors import RingError as RingError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
+from .functions import conj as conj
+from .functions import inv as inv
+from .functions import norm as norm
+from .functions import trace as trace
 from .lattices.ideal import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
 from .lattices.order import Order as Order
+from .ledger.blackboard import explain as explain
+from .ledger.notebook import verify as verify
 from .proving.prove import prove as prove
 from .quaternion import Quaternion as Quaternion
 from .rings import CC as CC

@@ -114,11 +114,37 @@ class QuaternionAlgebra(Invariants):
         )
 
     def _element(self, values: tuple[Any, ...]) -> Quaternion:
-        if any(isinstance(v, (list, tuple)) or (is_array(v) and v.ndim) for v in values):
-            how: Holding = self.array_holding
-        else:
-            how = self.holding
+        how: Holding = self.array_holding if any(map(_is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
+
+    def from_array(self, values: Any) -> Quaternion:
+        """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
+
+        An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.
+        Raises :class:`CoercionError` for what stands for no elements.
+
+        >>> import numpy as np
+        >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
+        1 + 5k
+        """
+        return held_by(self, self.array_holding, self.array_holding.from_array(values))
+
+    def product(self, values: Any, axis: int | None = None) -> Quaternion:
+        """Return the ordered product of an array, or of a list of elements, from left to right.
+
+        An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
+
+        >>> H("QQ").product(["i", "j", "k"])
+        −1
+        """
+        if isinstance(values, Quaternion) and values.shape:
+            found: Quaternion = self(values).product(axis)
+            return found
+        parts = [self(x) for x in values] or [self.one]
+        while len(parts) > 1:  # factors of equal size multiply fastest
+            pairs = zip(parts[::2], parts[1::2], strict=False)
+            parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
+        return parts[0]
 
     def scalar(self, x: Any) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
@@ -146,7 +172,7 @@ class QuaternionAlgebra(Invariants):
             **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
         }
         reader = syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit)
-        element: Quaternion = reader.read(text)
+        element: Quaternion = reader.read(syntax.plain_element(text))
         return element
 
     def _lift(self, name: str, function: Any) -> Any:
@@ -218,6 +244,23 @@ class QuaternionAlgebra(Invariants):
         a, t, b = map(embedding(self.ring, L), self.constants)
         return QuaternionAlgebra(L, a, b, t)
 
+    def explain_product(self) -> None:
+        """Print the function that multiplies two elements: the one formula with these constants put in.
+
+        >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
+        # Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large.
+        # b = 4, n = 7
+        def product(p, q):
+            w1, x1, y1, z1 = p
+            w2, x2, y2, z2 = q
+            w = w1*w2 - x1*x2 + b*(y1*y2 + z1*z2)
+            x = w1*x2 + x1*w2 + b*(z1*y2 - y1*z2)
+            y = w1*y2 + y1*w2 - (x1*z2 - z1*x2)
+            z = w1*z2 + z1*w2 + x1*y2 - y1*x2
+            return w % n, x % n, y % n, z % n
+        """
+        print(self.holding.explain("product"))
+
     # --- identity and text ---------------------------------------------------------------------
 
     @cached_property
@@ -228,6 +271,10 @@ class QuaternionAlgebra(Invariants):
         return self is other or (isinstance(other, QuaternionAlgebra) and self._key == other._key)
 
     def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
         return hash(self._key)
 
     def __contains__(self, x: object) -> bool:
@@ -251,12 +298,27 @@ class QuaternionAlgebra(Invariants):
         ]
         return notation.table_text(BASIS, rows, style)
 
+    def latex(self) -> str:
+        """Write the symbol of the algebra, its constants over its field, in LaTeX."""
+        F = self.ring
+        a, t, b = (F.text(c, "latex") for c in self.constants)
+        constants = [a, b] if t in ("0", "1") else [a, b, t]
+        symbol = rf"\frac{{{','.join(constants)}}}{{{F.latex_name}}}"
+        return rf"\left({symbol}\right)" if t == "0" else rf"\left[{symbol}\right)"
+
     def _repr_latex_(self) -> str:
-        return f"${self.table_text('latex')}$"
+        return f"${self.latex()}\\qquad {self.table_text('latex')}$"
 
     def __reduce__(self) -> Any:
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
+
+
+def _is_many(value: Any) -> bool:
+    """Tell whether a coordinate stands for many."""
+    if type(value) is int:
+        return False
+    return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

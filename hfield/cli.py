@@ -10,33 +10,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from importlib import import_module
-from typing import Any
+from shutil import get_terminal_size
 
 from hfield import __version__
+from hfield.commands.catalogue import command, summaries
 from hfield.commands.output import encodable
-from hfield.commands.parser import Parser, UsageError, suggest
 from hfield.errors import HFieldError, shorten
 
-COMMANDS = {
-    "verify": "decide the claims of the thesis over a panel of fields",
-    "claims": "list the claims",
-    "explain": "show one decision in full",
-    "prove": "prove or refute a statement of your own",
-    "check": "re-check certificates, independently",
-    "export": "write what is proved for all fields as theorems for Coq",
-    "info": "tell what an algebra is",
-    "order": "show an order over the integers",
-    "classes": "enumerate the ideal classes of an order",
-    "brandt": "print Brandt matrices and isogeny graphs",
-    "survey": "tell class numbers over ranges, in parallel",
-    "count": "count elements of an algebra over a finite field",
-    "four-squares": "write an integer as a sum of four squares",
-    "table": "print the multiplication table of an algebra",
-    "eval": "compute an expression exactly",
-    "repl": "an interactive session with e, i, j, k at hand",
-}
-GROUP = "hfield.commands"
 TRACEBACK = "HFIELD_TRACEBACK"  # set it to see where an error came from
 
 BAD_USAGE, INTERNAL, INTERRUPTED, BROKEN_PIPE = 2, 70, 130, 141
@@ -96,54 +76,30 @@ def _dispatch(words: list[str]) -> int:
     if words[0] == "--version":
         print(f"hfield {__version__}")
         return 0
-    name, rest = words[0], words[1:]
-    module = _load(name)
-    parser = Parser(f"hfield {name}", module.HELP)
-    module.configure(parser)
-    status: int = module.run(parser.read(rest))
+    if words[0] == "help":
+        return _dispatch([*words[1:2], "--help"])
+    module, parser = command(words[0])
+    status: int = module.run(parser.read(words[1:]))
     return status
 
 
-def _load(name: str) -> Any:
-    if name in COMMANDS:
-        return import_module(f"hfield.commands.{name.replace('-', '_')}")
-    foreign = _foreign()
-    if name in foreign:
-        return foreign[name].load()
-    if name.startswith("-"):
-        raise UsageError(
-            f"unknown option {shorten(name)!r}; expected a command first, `hfield --help` lists them"
-        )
-    hint = suggest(name, [*COMMANDS, *foreign]) or "`hfield --help` lists them"
-    raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
-
-
-def _foreign() -> dict[str, Any]:
-    """Return the entry points of other packages by the name of their command."""
-    from importlib.metadata import entry_points
-
-    return {point.name: point for point in entry_points(group=GROUP)}
-
-
-def _summary(point: Any) -> str:
-    """Say in a line what a command of another package does: its own ``SUMMARY``, if it has one."""
-    try:
-        return str(point.load().SUMMARY)
-    except Exception as error:  # one broken package does not take the help away from the others
-        missing = isinstance(error, AttributeError)
-        return f"(see `hfield {point.name} --help`)" if missing else f"(cannot be loaded: {error})"
-
-
 def _help() -> str:
+    from textwrap import fill
+
+    width = min(100, get_terminal_size((100, 24)).columns)
     lines = [
         "usage: hfield COMMAND [OPTION]…",
         "",
-        "Quaternion algebras over arbitrary fields, with statements about them decided.",
+        fill(
+            "Quaternion algebras over arbitrary fields, with statements about them decided.", width
+        ),
         "",
-        *(f"  {name:<12} {text}" for name, text in COMMANDS.items()),
-        *(f"  {name:<12} {_summary(point)}" for name, point in _foreign().items()),
+        *(
+            fill(text, width, initial_indent=f"  {name:<12} ", subsequent_indent=" " * 15)
+            for name, text in summaries().items()
+        ),
         "",
-        "`hfield COMMAND --help` tells more; `hfield --version` prints the version.",
+        fill("`hfield help COMMAND` tells more; `hfield --version` prints the version.", width),
         "Try: hfield verify",
     ]
     return "\n".join(lines)

@@ -8,6 +8,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from hfield import product, structure
 from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
+from hfield.hints import ELEMENT, Hinted
 from hfield.product import Coordinates
 
 Q = TypeVar("Q")
@@ -94,10 +95,11 @@ class SquareRoots(Generic[Q]):
         return f"SquareRoots({shown}{more})"
 
 
-class ElementFacts:
+class ElementFacts(Hinted):
     """The part of a single quaternion's methods that answer what it is. The shape is always ()."""
 
     __slots__ = ()
+    elsewhere = ELEMENT
 
     algebra: Any
     coordinates: Coordinates

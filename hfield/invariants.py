@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from hfield import structure
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError, shorten
 from hfield.factorisation import Factors, known_primes
+from hfield.hints import ALGEBRA, Hinted
 from hfield.product import Constants
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.base import Ring
@@ -35,11 +36,13 @@ class Opposite(NamedTuple):
     isomorphism: Any
 
 
-class Invariants(Parent):
+class Invariants(Hinted, Parent):
     """The part of an algebra that answers what it is.
 
     Every answer is exact. Where no procedure decides, :class:`UndecidedError` says what was tried.
     """
+
+    elsewhere = ALGEBRA
 
     def _here(self) -> tuple[Ring, Constants]:
         return self.ring, self.constants
@@ -59,6 +62,8 @@ class Invariants(Parent):
         ((1,), (1, 2i, 2j, 2k))
         """
         return tuple(self(*c) for c in structure.centre(*self._here()))
+
+    centre = center
 
     def is_commutative(self) -> bool:
         """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NoReturn, Protocol
 
+from hfield.batches import BatchMethods, raised
 from hfield.elements import ElementFacts
 from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
@@ -12,6 +13,8 @@ from hfield.notation import element_text
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring, power
 from hfield.rings.holding import Batch, Holding
+
+_blank: Any = object.__new__
 
 
 class Parent(Protocol):
@@ -29,9 +32,10 @@ class Parent(Protocol):
     def __call__(self, *coordinates: Any) -> Quaternion: ...  # noqa: D102
     def scalar(self, x: Any) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
+    def latex(self) -> str: ...  # noqa: D102
 
 
-class Quaternion(ElementFacts):
+class Quaternion(ElementFacts, BatchMethods):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
     Elements are made by calling their algebra. The four coordinates are elements of the base ring,
@@ -41,6 +45,7 @@ class Quaternion(ElementFacts):
     """
 
     # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
+    # No __setattr__ or __delattr__ of its own: they would make every new element slower.
     __slots__ = ("_algebra", "_held", "_how")
     __array_ufunc__ = None  # or numpy would distribute ``array * q`` over the array's entries
 
@@ -62,6 +67,10 @@ class Quaternion(ElementFacts):
     def algebra(self, value: object) -> NoReturn:
         _refuse_change()
 
+    @algebra.deleter
+    def algebra(self) -> NoReturn:
+        _refuse_change()
+
     @property
     def coordinates(self) -> Coordinates:
         """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or arrays of them."""
@@ -71,7 +80,8 @@ class Quaternion(ElementFacts):
     def coordinates(self, value: object) -> NoReturn:
         _refuse_change()
 
-    def __delattr__(self, name: str) -> None:
+    @coordinates.deleter
+    def coordinates(self) -> NoReturn:
         _refuse_change()
 
     # --- shape ---------------------------------------------------------------------------------
@@ -80,11 +90,6 @@ class Quaternion(ElementFacts):
     def ring(self) -> Ring:
         """The base ring."""
         return self._algebra.ring
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The shape of an array of quaternions; ``()`` for a single one."""
-        return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
 
     @property
     def is_batch(self) -> bool:
@@ -102,7 +107,9 @@ class Quaternion(ElementFacts):
         if not isinstance(how, Batch) or not how.shape(self._held):
             raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
         part = how.part(self._held, index)
-        return self._alike(part) if how.shape(part) else self._new(*how.single(part))
+        if not how.shape(part):
+            return self._new(*how.single(part))
+        return held_by(self._algebra, how, part)
 
     def __iter__(self) -> Iterator[Quaternion]:
         return (self[n] for n in range(len(self)))
@@ -138,22 +145,27 @@ class Quaternion(ElementFacts):
         return batch, p, q
 
     # --- arithmetic ----------------------------------------------------------------------------
-    # Two elements that are held alike, which is nearly all, skip every question.
+    # Two elements that are held alike, which is nearly always so, skip every question and every call.
 
     def __add__(self, other: Any) -> Quaternion:
-        if type(other) is Quaternion and other._how is self._how:
-            how, p, q = self._how, self._held, other._held
-        else:
-            how, p, q = self._join(other, "add")
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            result: Quaternion = _blank(Quaternion)
+            result._algebra = self._algebra
+            result._how = how
+            add = how.sum
+            result._held = add(self._held, other._held)
+            return result
+        how, p, q = self._join(other, "add")
         return held_by(self._algebra, how, how.sum(p, q))
 
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Quaternion:
-        if type(other) is Quaternion and other._how is self._how:
-            how, p, q = self._how, self._held, other._held
-        else:
-            how, p, q = self._join(other, "subtract")
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            return held_by(self._algebra, how, how.difference(self._held, other._held))
+        how, p, q = self._join(other, "subtract")
         return held_by(self._algebra, how, how.difference(p, q))
 
     def __rsub__(self, other: Any) -> Quaternion:
@@ -161,18 +173,24 @@ class Quaternion(ElementFacts):
         return held_by(self._algebra, how, how.difference(q, p))
 
     def __neg__(self) -> Quaternion:
-        return self._alike(self._how.negative(self._held))
+        how = self._how
+        return held_by(self._algebra, how, how.negative(self._held))
 
     def __pos__(self) -> Quaternion:
         return self
 
     def __mul__(self, other: Any) -> Quaternion:
-        if type(other) is Quaternion and other._how is self._how:
-            how, p, q = self._how, self._held, other._held
-        elif hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            result: Quaternion = _blank(Quaternion)
+            result._algebra = self._algebra
+            result._how = how
+            multiply = how.product
+            result._held = multiply(self._held, other._held)
+            return result
+        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
             return NotImplemented
-        else:
-            how, p, q = self._join(other, "multiply")
+        how, p, q = self._join(other, "multiply")
         return held_by(self._algebra, how, how.product(p, q))
 
     def __rmul__(self, other: Any) -> Quaternion:
@@ -189,8 +207,10 @@ class Quaternion(ElementFacts):
     def __pow__(self, n: int) -> Quaternion:
         if not isinstance(n, int):
             raise CoercionError(f"the exponent {n!r} is not an int; only integer powers exist")
-        one = self - self + 1 if self.is_batch else self.algebra.basis[0]
-        result: Quaternion = power(one, self if n >= 0 else self.inverse(), abs(n))
+        base: Quaternion = self if n >= 0 else self.inverse()
+        if isinstance(self._how, Batch):
+            return held_by(self._algebra, self._how, raised(self._how, base._held, abs(n)))
+        result: Quaternion = power(self._algebra.basis[0], base, abs(n))
         return result
 
     def __eq__(self, other: object) -> Any:
@@ -236,7 +256,10 @@ class Quaternion(ElementFacts):
 
     def conjugate(self) -> Quaternion:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
-        return self._alike(self._how.conjugate(self._held))
+        how = self._how
+        return held_by(self._algebra, how, how.conjugate(self._held))
+
+    conj = conjugate  # as the language calls it
 
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
@@ -261,6 +284,8 @@ class Quaternion(ElementFacts):
         where = _first(~how.units(self._held))
         q = self._new(*how.single(how.part(self._held, where)))
         raise NotInvertibleError(f"at index {where} of the array: {q._failure()}")
+
+    inv = inverse
 
     def _failure(self) -> str:
         """Say why this single quaternion has no inverse."""
@@ -309,26 +334,26 @@ class Quaternion(ElementFacts):
     def __repr__(self) -> str:
         return self.text("unicode")
 
-    def _repr_latex_(self) -> str:
-        return f"${self.text('latex')}$" if not self.is_batch else ""
+    def _repr_latex_(self) -> str | None:
+        return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
 
     def __reduce__(self) -> Any:
         state = self.ring.state
         if not self.is_batch:
             return self.algebra, tuple(map(state, self.coordinates))
-        coordinates = self.coordinates
-        if coordinates[0].dtype != object:  # numpy's and galois's arrays pickle as they are
+        try:
+            return _from_array, (self.algebra, self.to_array())
+        except CoercionError:
+            coordinates = self.coordinates
+        if coordinates[0].dtype != object:  # numpy's arrays pickle as they are
             return Quaternion, (self.algebra, coordinates)
         rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
         return _unpickled, (self.algebra, self.shape, rows)
 
 
-_blank = object.__new__
-
-
 def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
     """Return the element that ``how``, a holding of this algebra, holds as ``held``."""
-    q = _blank(Quaternion)
+    q: Quaternion = _blank(Quaternion)
     q._algebra = algebra
     q._how = how
     q._held = held
@@ -344,6 +369,12 @@ def _first(flags: Any) -> tuple[int, ...]:
     import numpy as np
 
     return tuple(map(int, np.argwhere(flags)[0]))
+
+
+def _from_array(algebra: Parent, block: Any) -> Quaternion:
+    """Make an array of quaternions again from its integers."""
+    how = algebra.array_holding
+    return held_by(algebra, how, how.from_array(block))
 
 
 def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]) -> Quaternion:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from code import InteractiveConsole
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import hfield
@@ -13,31 +13,7 @@ from hfield.notation import BASIS
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
-    from hfield.ledger.blackboard import Explanation
-    from hfield.ledger.notebook import Report
     from hfield.proving.prove import Answer
-
-
-def explain(claim: str, field: str = "QQ") -> Explanation:
-    """Decide a claim of the thesis over one field and show each step.
-
-    ``explain("centre", "GF(4)")`` takes an id such as ``C1.1.2-c`` or a name; ``universal`` is every
-    commutative ring. ``hfield claims`` in a shell lists them.
-    """
-    from hfield.ledger.blackboard import explain
-
-    return explain(claim, field)
-
-
-def verify(*claims: str, field: str | Sequence[str] = ()) -> Report:
-    """Decide claims of the thesis and show what came out, with the errata.
-
-    ``verify("associativity", "centre")`` runs over the whole panel, ``verify("centre",
-    field="GF9,QQ")`` over two fields, ``verify()`` decides everything (it takes a while).
-    """
-    from hfield.ledger.notebook import verify
-
-    return verify(claims, [field] if isinstance(field, str) else field)
 
 
 def export_session(answers: Iterable[Answer]) -> str:
@@ -55,8 +31,7 @@ def namespace(A: QuaternionAlgebra) -> dict[str, Any]:
     from fractions import Fraction
 
     names = {name: getattr(hfield, name) for name in dir(hfield)}
-    names |= {"Fraction": Fraction, "explain": explain, "verify": verify}
-    names["export_session"] = export_session
+    names |= {"Fraction": Fraction, "export_session": export_session}
     names |= {name: x for name, x in A.ring.names().items() if name not in names}
     return {**names, "A": A, "F": A.ring, **dict(zip(BASIS, A.basis, strict=True))}
 
@@ -68,7 +43,7 @@ def banner(A: QuaternionAlgebra) -> str:
 hfield {hfield.__version__}: the quaternion algebra A = {A} over F = {A.ring}; e, i, j, k{generators}
 
   (1 + i)*(j - k)**-1                  compute, exactly
-  q = A(1, 2, 0, 1); q.norm()          also q.conjugate(), q.inverse(), q.matrix(), help(q)
+  q = A(1, 2, 0, 1); norm(q)           also conj(q), inv(q), trace(q), q.matrix(), help(q)
   print(A.table_text("unicode"))       the multiplication table
   H(GF(7)).zero_norm_element()         another field: GF(9), RR, ring("QQ(sqrt(2))") …
   prove("p*q == q*p", "GF(4)")         decide a statement of your own
@@ -99,7 +74,7 @@ class _Console(InteractiveConsole):
         """Show the error that was just raised."""
         self.failed = True
         error = sys.exc_info()[1]
-        if isinstance(error, HFieldError):
+        if isinstance(error, (HFieldError, KeyboardInterrupt)):
             self.write(f"{_one_line(error)}\n")
         else:
             super().showtraceback()
@@ -110,7 +85,9 @@ class _Console(InteractiveConsole):
         super().showsyntaxerror(*args, **kwargs)
 
 
-def _one_line(error: HFieldError) -> str:
+def _one_line(error: BaseException) -> str:
+    if isinstance(error, KeyboardInterrupt):
+        return "interrupted"
     return f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
@@ -147,9 +124,11 @@ def _run_ipython(app: Any, names: dict[str, Any], greeting: str) -> int:
     session = app.instance(config=config, user_ns=names)
     session.initialize([])
 
-    def tell(shell: Any, kind: Any, error: HFieldError, trace: Any, tb_offset: Any = None) -> None:
+    def tell(
+        shell: Any, kind: Any, error: BaseException, trace: Any, tb_offset: Any = None
+    ) -> None:
         print(_one_line(error), file=sys.stderr)
 
-    session.shell.set_custom_exc((HFieldError,), tell)
+    session.shell.set_custom_exc((HFieldError, KeyboardInterrupt), tell)
     session.start()
     return 0

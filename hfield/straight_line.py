@@ -131,6 +131,40 @@ class _Symbol:
         return self.tape.write("neg", self.name) if self.negative else self.name
 
 
+class _Extended:
+    """A polynomial in s whose coefficients are symbols, low degree first."""
+
+    def __init__(self, parts: Sequence[_Symbol]) -> None:
+        self.parts = tuple(parts)
+
+    def __neg__(self) -> _Extended:
+        return _Extended([-x for x in self.parts])
+
+    def __add__(self, other: _Extended) -> _Extended:
+        short, long = sorted((self.parts, other.parts), key=len)
+        added = [x + y for x, y in zip(self.parts, other.parts, strict=False)]
+        return _Extended([*added, *long[len(short) :]])
+
+    def __sub__(self, other: _Extended) -> _Extended:
+        return self + -other
+
+    def __mul__(self, other: _Extended) -> _Extended:
+        product = [_Symbol(x.tape, ZERO) for x in (*self.parts, *other.parts)][1:]
+        for m, x in enumerate(self.parts):
+            for n, y in enumerate(other.parts):
+                product[m + n] = product[m + n] + x * y
+        return _Extended(product)
+
+    def reduced(self, relation: Sequence[_Symbol]) -> list[_Symbol]:
+        """Return the coefficients after ``sⁿ = Σ relation[k]·sᵏ`` was used from the top down."""
+        parts = list(self.parts)
+        while len(parts) > len(relation):
+            top = parts.pop()
+            for k, c in enumerate(relation, len(parts) - len(relation)):
+                parts[k] = parts[k] + c * top
+        return parts
+
+
 def _adjoint(c: Constants, q: product.Coordinates) -> tuple[Any, ...]:
     """Return the conjugate and the norm: the inverse but for the one division."""
     return (*product.conjugate(c, q), product.norm(c, q))
@@ -138,16 +172,20 @@ def _adjoint(c: Constants, q: product.Coordinates) -> tuple[Any, ...]:
 
 FORMULAS: dict[str, Callable[..., Any]] = {
     "product": product.multiply,
+    "sum": lambda _, p, q: tuple(x + y for x, y in zip(p, q, strict=True)),
+    "difference": lambda _, p, q: tuple(x - y for x, y in zip(p, q, strict=True)),
+    "negative": lambda _, p: tuple(-x for x in p),
     "conjugate": product.conjugate,
     "norm": product.norm,
     "trace": product.trace,
     "adjoint": _adjoint,
 }
+BINARY = {"product", "sum", "difference"}
 
 
 @lru_cache(maxsize=1024)
 def specialise(formula: str, constants: Constants, characteristic: int = 0) -> Program:
-    """Return the program of ``product``, ``conjugate``, ``norm``, ``trace`` or ``adjoint``.
+    """Return the program of one of ``FORMULAS``, such as ``product`` or ``norm``.
 
     Each constant is ``"0"``, ``"1"``, ``"-1"`` or the name of an input. The adjoint is the conjugate and
     the norm, five outputs: the inverse but for the division. In characteristic 2 signs vanish and x + x
@@ -158,37 +196,75 @@ def specialise(formula: str, constants: Constants, characteristic: int = 0) -> P
     """
     tape = _Tape(characteristic)
     c = Constants(*(_constant(tape, name) for name in constants))
-    sides = [FIRST, SECOND] if formula == "product" else [FIRST]
-    operands = [tuple(_Symbol(tape, name) for name in side) for side in sides]
+    operands = [[_Symbol(tape, name) for name in side] for side in _sides(formula)]
+    return _program(tape, [x.settled() for x in _outputs(formula, c, operands)])
+
+
+@lru_cache(maxsize=256)
+def specialise_extension(
+    formula: str, constants: tuple[tuple[str, ...], ...], relation: tuple[str, ...]
+) -> Program:
+    """Return the program over an extension ``R[s]`` of degree n on the coefficients of 1, s, …, sⁿ⁻¹.
+
+    ``relation`` says what sⁿ is, constants and relation by n names as :func:`specialise` takes them, and
+    :func:`parts` names the n inputs of a coordinate. Products are added up before they are reduced. There
+    are n outputs for every one of :func:`specialise`.
+
+    >>> gauss = ("-1", "0"), ("0", "0"), ("-1", "0")
+    >>> len(specialise_extension("product", gauss, ("-1", "0")).outputs)
+    8
+    """
+    tape = _Tape(0)
+    c = Constants(*(_Extended([_constant(tape, name) for name in names]) for names in constants))
+    operands = [
+        [_Extended([_Symbol(tape, part) for part in parts(name, len(relation))]) for name in side]
+        for side in _sides(formula)
+    ]
+    power = [_constant(tape, name) for name in relation]
+    values = [x.reduced(power) for x in _outputs(formula, c, operands)]
+    return _program(tape, [part.settled() for value in values for part in value])
+
+
+def parts(name: str, degree: int) -> tuple[str, ...]:
+    """Return the names of the coefficients of a coordinate or constant: ``w1_0, w1_1, …``."""
+    return (name,) if degree == 1 else tuple(f"{name}_{k}" for k in range(degree))
+
+
+def _sides(formula: str) -> list[tuple[str, ...]]:
+    return [FIRST, SECOND] if formula in BINARY else [FIRST]
+
+
+def _outputs(formula: str, c: Constants, operands: list[Any]) -> tuple[Any, ...]:
     made = FORMULAS[formula](c, *operands)
-    outputs = [x.settled() for x in (made if isinstance(made, tuple) else (made,))]
-    return _pruned(tape.steps, outputs)
+    return made if isinstance(made, tuple) else (made,)
 
 
 def _constant(tape: _Tape, name: str) -> _Symbol:
     return _Symbol(tape, ONE, True) if name == MINUS_ONE else _Symbol(tape, name)
 
 
-def _pruned(steps: list[Step], outputs: list[str]) -> Program:
+def _program(tape: _Tape, outputs: list[str]) -> Program:
     """Leave out the steps that nothing uses, as where a term was multiplied by 0 afterwards."""
-    used = set(outputs)
-    kept = []
-    for step in reversed(steps):
+    used = dict.fromkeys(outputs)
+    kept: list[Step] = []
+    for step in reversed(tape.steps):
         if step.name in used:
-            kept.append(step)
-            used.update(step.operands)
-    computed = {step.name for step in kept}
-    inputs = [n for n in (*FIRST, *SECOND, *GENERAL, ONE) if n in used - computed]
-    return Program(tuple(inputs), tuple(reversed(kept)), tuple(outputs))
+            kept.insert(0, step)
+            used.update(dict.fromkeys(step.operands))
+    computed = {ZERO, *(step.name for step in kept)}
+    inputs = sorted(n for n in used if n not in computed)
+    return Program(tuple(inputs), tuple(kept), tuple(outputs))
+
+
+def named(x: Any, name: str, is_constant: Callable[[Any, int], bool]) -> str:
+    """Return x as :func:`specialise` takes it; ``is_constant(x, n)`` tells x = n·1."""
+    return next((str(n) for n in (0, 1, -1) if is_constant(x, n)), name)
 
 
 def pattern(constants: Constants, is_constant: Callable[[Any, int], bool]) -> Constants:
     """Return the constants as :func:`specialise` takes them; ``is_constant(x, n)`` tells x = n·1."""
-    named = []
-    for x, name in zip(constants, GENERAL, strict=True):
-        known = next((n for n in (0, 1, -1) if is_constant(x, n)), None)
-        named.append(name if known is None else str(known))
-    return Constants(*named)
+    pairs = zip(constants, GENERAL, strict=True)
+    return Constants(*(named(x, name, is_constant) for x, name in pairs))
 
 
 def arithmetic_text(operation: str, operands: Sequence[str]) -> str:

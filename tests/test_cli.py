@@ -1,13 +1,16 @@
 """The command line as such: dispatch, errors of one line, options that look like expressions."""
 
 import os
+import shlex
 import subprocess
 import sys
 
 import pytest
 
 from hfield import __version__, cli
-from hfield.cli import COMMANDS, main
+from hfield.cli import main
+from hfield.commands import catalogue
+from hfield.commands.catalogue import COMMANDS
 from hfield.commands.parser import Parser, UsageError
 from hfield.errors import HFieldError
 
@@ -48,6 +51,26 @@ def test_every_command_has_help(capsys, name):
     assert (status, err) == (0, "")
     assert f"usage: hfield {name}" in out
     assert max(map(len, out.splitlines())) <= 100
+    assert run(capsys, "help", name) == (0, out, "")
+
+
+@pytest.mark.parametrize("name", catalogue.names())
+def test_every_command_has_examples_that_its_arguments_take(capsys, name):
+    module, parser = catalogue.command(name)
+    lines = [line for line in module.EXAMPLES if line.startswith("hfield ")]
+    assert lines
+    for line in lines:
+        words = shlex.split(line, comments=True)
+        assert words[:2] == ["hfield", name]
+        parser.read(words[2:] if "|" not in words else words[2 : words.index("|")])
+        assert f"  {line}" in run(capsys, name, "--help")[1].splitlines()
+
+
+@pytest.mark.parametrize("name", ["", *catalogue.names()])
+def test_help_fits_a_narrow_terminal(capsys, monkeypatch, name):
+    monkeypatch.setenv("COLUMNS", "60")
+    _, out, _ = run(capsys, "help", *([name] if name else []))
+    assert [line for line in out.partition("examples:")[0].splitlines() if len(line) > 60] == []
 
 
 @pytest.mark.parametrize(
@@ -59,7 +82,7 @@ def test_every_command_has_help(capsys, name):
         (["-x"], "expected a command first"),
         ([""], "there is no command"),
         (["eval"], "EXPR"),
-        (["eval", "i", "j"], "'j'"),
+        (["table", "j"], "'j'"),
         (["eval", "i", "--feild", "QQ"], "did you mean --field"),
         (["eval", "i", "--field=GF9", "--fromat=json"], "did you mean --format"),
         (["eval", "i", "--field", "QQ", "--algebra", "(1,1|QQ)"], "not allowed with"),
@@ -170,7 +193,7 @@ def greet(args):
 
 
 def test_commands_of_other_packages(capsys, monkeypatch):
-    monkeypatch.setattr(cli, "_foreign", lambda: {"greet": Point()})
+    monkeypatch.setattr(catalogue, "_foreign", lambda: {"greet": Point()})
     monkeypatch.setattr(sys.modules[__name__], "run", greet)
     assert main(["greet", "you"]) == 5
     assert capsys.readouterr().out == "hello you\n"
@@ -185,7 +208,7 @@ def test_the_help_tells_what_other_commands_do(capsys, monkeypatch):
         def load(self):
             raise ImportError("no such module")
 
-    monkeypatch.setattr(cli, "_foreign", lambda: {"greet": Point(), "part": Broken()})
+    monkeypatch.setattr(catalogue, "_foreign", lambda: {"greet": Point(), "part": Broken()})
     assert main(["--help"]) == 0
     out = capsys.readouterr().out
     assert "greet        (see `hfield greet --help`)" in out
@@ -196,7 +219,7 @@ def test_the_help_tells_what_other_commands_do(capsys, monkeypatch):
 
 
 def test_a_foreign_command_never_hides_one_of_ours(capsys, monkeypatch):
-    monkeypatch.setattr(cli, "_foreign", lambda: {"table": Point()})
+    monkeypatch.setattr(catalogue, "_foreign", lambda: {"table": Point()})
     assert main(["table", "--field", "GF2"]) == 0
 
 

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
-    {"hfield.errors", "hfield.product", "hfield.certificates"},
+    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints"},
     {
         "hfield.syntax",
         "hfield.executors",
@@ -21,9 +21,9 @@ FLOORS = [
     {"hfield.rings"},
     {"hfield.notation", "hfield.embedding"},
     {"hfield.structure"},
-    {"hfield.elements"},
+    {"hfield.elements", "hfield.batches"},
     {"hfield.quaternion"},
-    {"hfield.maps", "hfield.lattices"},
+    {"hfield.functions", "hfield.maps", "hfield.lattices"},
     {"hfield.invariants"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
@@ -48,7 +48,7 @@ FLOORS = [
     {"rotation.wahba", "rotation.fused", "rotation.rigid_motions", "rotation.screws"},
     {"rotation.conversions"},
     {"rotation.rotation"},
-    {"rotation.interpolation", "rotation.alignment", "rotation.motion"},
+    {"rotation.interpolation", "rotation.alignment", "rotation.angular_velocity"},
     {"rotation.rigid", "rotation.swing", "rotation.conventions", "rotation.spline"},
     {"rotation.compat"},
     {"rotation.warming"},
@@ -56,7 +56,7 @@ FLOORS = [
     {"rotation.bench"},
     {"rotation.ledger"},
     {"rotation.commands"},
-    {"anim.errors", "anim.attitude"},
+    {"anim.errors", "anim.attitude", "anim.catalogue"},
     {"anim.checks"},
     {"anim.model", "anim.film", "anim.timeline"},
     {"anim.motion", "anim.picture", "anim.output"},

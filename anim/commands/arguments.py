@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from argparse import ArgumentParser, ArgumentTypeError, _ArgumentGroup
 
+from anim.picture.styles import STYLES
 from hfield.commands.parser import add_format, processes
 
 MODELS = ("quaternions", "product", "euler", "matrix", "physics")
@@ -108,7 +109,10 @@ def _picture(group: _ArgumentGroup) -> None:
         "--p2", default="printed", metavar="printed|third|R", help="the radius of P₂"
     )
     group.add_argument(
-        "--style", default="flat", metavar="flat|classic|shaded", help="how to draw (default: flat)"
+        "--style",
+        default="flat",
+        metavar="|".join(STYLES),
+        help="; ".join(f"{name}: {STYLES.summary(name)}" for name in STYLES) + " (default: flat)",
     )
     group.add_argument(
         "--camera",

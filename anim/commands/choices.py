@@ -45,6 +45,7 @@ def clip_of(args: Namespace) -> Clip:
 
 def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
     """Return the motion that the flags describe; for a page without ``--model``, all four of the thesis."""
+    from anim.output.writing import PAGE
     from anim.pipelines import PIPELINES, kinematic
 
     if args.model == "physics":
@@ -53,7 +54,7 @@ def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
         if getattr(args, name) is not None:
             raise UsageError(f"--{name.replace('_', '-')} belongs to --model physics")
     reading = _reading(args)
-    if args.model is None and args.output.lower().endswith(".html"):
+    if args.model is None and args.output.lower().endswith(PAGE):
         return [kinematic(name, film, reading) for name in PIPELINES]
     return [kinematic(args.model or MODELS[0], film, reading)]
 

@@ -8,6 +8,7 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from anim.commands.arguments import declare
+from anim.output.formats import FORMATS
 from hfield.commands.output import Progress, note, open_output
 from hfield.commands.parser import UsageError
 
@@ -21,10 +22,14 @@ if TYPE_CHECKING:
 
 SUMMARY = "draw the spinning top: a film, pictures, or a web page in which it turns"
 HELP = (
-    "Draw the spinning top. The suffix of -o FILE says what is made: .mp4 .gif .apng .webp a film, .html a "
+    f"Draw the spinning top. The suffix of -o FILE says what is made: .{' .'.join(FORMATS)} a film, .html a "
     "web page in which it turns, a name without suffix a folder of pictures; with --sheet a .png of ten "
     "frames. --model takes one of the thesis's four ways to its motion, or physics: a heavy top that "
     "precesses, slows and falls."
+)
+EXAMPLES = (
+    "hfield render -o top.mp4",
+    "hfield render --model physics --sheet -o sheet.png",
 )
 SHEET_SIZE, FILM_SIZE = (320, 240), (640, 480)
 MOST_FRAMES_OF_A_PAGE = 100_000
@@ -45,11 +50,12 @@ def run(args: Namespace) -> int:
     if args.figures:
         return _figures(args, path)
     from anim.commands.choices import clip_of, model_of
+    from anim.output.writing import PAGE
 
     model, clip = model_of(args), clip_of(args)
     if args.sheet:
         return _sheet(args, model, clip, path)
-    if path.suffix.lower() == ".html":
+    if path.suffix.lower() == PAGE:
         return _page(args, model, clip, path)
     return _film(args, model, clip, path)
 
@@ -117,8 +123,8 @@ def time_left(seconds: float) -> str:
 
 def _sheet(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.commands.choices import look_of, motions_of
+    from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
-    from anim.output.place import file_place, refuse_early
     from anim.rendering import contact_sheet
 
     if path.suffix.lower() != ".png":
@@ -138,7 +144,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     """Write the page: the four models side by side, or the one named; for physics with curves."""
     from anim.commands.choices import camera_of, motions_of
     from anim.output import check
-    from anim.output.place import write_text
+    from anim.output.destination import write_text
     from anim.picture.look import colour
     from anim.viewer import Show, curves_of, page
 
@@ -168,7 +174,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 
 def _figures(args: Namespace, folder: Path) -> int:
     """Write the still pictures of sections 3.3 and 3.4."""
-    from anim.picture.thesis import NAMES, figures
+    from anim.picture.still_pictures import NAMES, figures
 
     there = next((name for name in NAMES if (folder / name).exists()), None)
     if there and not args.force:

@@ -5,13 +5,16 @@ from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Over, Statement
 from hfield.ledger.real import Angles
-from rotation.ledger.entries import Vector, apply, equal, product, times
+from hfield.syntax import Node, both, names, negation, number
+from hfield.syntax import equal as same
+from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal, product, times
 from rotation.ledger.matrix_functions import EULER
-from rotation.ledger.symbols import Symbol, code, coordinates
+from rotation.ledger.symbols import code, coordinates
 from rotation.ledger.symbols import equal as same_lists
 
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))  # cos x and sin x for x = 0, π/2, π, 3π/2
-OF_R = {0: ("1", "0"), 1: ("y", "s"), -1: ("y", "-s")}  # cosine and sine of 0, r and −r
+P, S, T, Y = names("p s t y")
+OF_R = {0: (ONE, ZERO), 1: (Y, S), -1: (Y, -S)}  # cosine and sine of 0, r and −r
 
 
 def leaning(axes: str) -> Angles:
@@ -23,39 +26,39 @@ def leaning(axes: str) -> Angles:
     for cos, sin in QUARTERS:
         angles = [OF_R[n] for n in (0, sin, cos)]
         tilt = times(*(rotation(a, *angle) for a, angle in zip(axes, angles, strict=True)))
-        leaned = (product(str(sin), "s"), product(str(-cos), "s"), "y")
+        leaned = (product(number(sin), S), product(number(-cos), S), Y)
         equations.append(equal(apply(tilt, UP), leaned))
     words = (
         "for x = 0, π/2, π and 3π/2 the Euler angle (0, r·sin x, r·cos x) turns (0, 0, 1) into "
         "(sin r·sin x, −sin r·cos x, cos r)"
     )
-    return Angles(Statement(" and ".join(equations), ("y**2 + s**2 == 1",), words))
+    return Angles(Statement.of(both(*equations), ("y**2 + s**2 == 1",), words))
 
 
 # The last frame. x is 32π, so that u = (r, 0, √(1 − r²)), r = 1/4, is the axis of the quaternions; the
 # Euler angle is (0, 0, 1/2), s and t being the cosine and the sine of 1/2, which is no multiple of π. The
 # spin about z comes first, and does not move the top's axis.
 AXIS = ("4*y == 1", "z**2 == 1 - y**2")
-BY_EULER = turned(("1", "0", "0"), UP, "s", "t")
+BY_EULER = turned((ONE, ZERO, ZERO), UP, S, T)
 
 
-def by_quaternions(cosine: str, sine: str) -> Vector:
+def by_quaternions(cosine: Node, sine: Node) -> Vector:
     """Return the top's axis in the last frame, if the angle about u has this cosine and sine."""
-    return turned(axis("1", "0"), UP, cosine, sine)
+    return turned(axis(ONE, ZERO), UP, cosine, sine)
 
 
 ALIKE = Over(
     "RR",
-    Statement(
-        f"{by_quaternions('0', '1')[0]} == {BY_EULER[0]}",
+    Statement.of(
+        same(by_quaternions(ZERO, ONE)[0], BY_EULER[0]),
         AXIS,
         "in the last frame both ways turn the top's axis to a place with the same x",
     ),
 )
 APART = Over(
     "RR",
-    Statement(
-        f"not ({equal(by_quaternions('p[0]', 'p[1]'), BY_EULER)})",
+    Statement.of(
+        negation(equal(by_quaternions(P[0], P[1]), BY_EULER)),
         (*AXIS, "p[0]**2 + p[1]**2 == 1", "s**2 + t**2 == 1", "t != 0"),
         "in the last frame they turn the top's axis to different places, whatever the angle about u",
     ),
@@ -66,13 +69,13 @@ CIRCLES = tuple(f"{a}[0]**2 + {a}[1]**2 == 1" for a in "pqr")
 
 def matrix_of(axes: str, *given: str) -> Statement:
     """Say that rotationMatrixZYX(ψ, φ, θ) turns by its three angles about these axes, the last first."""
-    angles, turn = [Symbol(name) for name in ("psi", "phi", "theta")], code("rotationbyMatrix")
+    angles, turn = names("psi phi theta"), code("rotationbyMatrix")
     v = stepwise = coordinates("v")
     for letter, angle in reversed(list(zip(axes, angles, strict=True))):
         stepwise = turn(code(f"{letter}axisMatrixrotation", **EULER)(angle), stepwise)
     matrix = code("rotationMatrixZYX", **EULER)(*angles)
     words = f"rotationMatrixZYX(ψ, φ, θ) turns by ψ about {axes[0]}, φ about {axes[1]}, θ about {axes[2]}"
-    return Statement(same_lists(turn(matrix, v), stepwise), given, words)
+    return Statement.of(same_lists(turn(matrix, v), stepwise), given, words)
 
 
 COMPUTED = {

@@ -1,7 +1,7 @@
 """Section 3.4.2: one quaternion for two rotations, and Theorem 7.
 
 p and q are q₁ and q₂ of the thesis, v the point. Of the functions, what they return is found by running
-those of :mod:`rotation.thesis` on symbols.
+those of :mod:`rotation.thesis` on terms.
 """
 
 from dataclasses import replace
@@ -11,37 +11,41 @@ from anim.ledger.counting import RING, takes
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from rotation.ledger.symbols import Symbol, Vector, code, coordinates, point, quaternion, scalar
+from hfield.syntax import Node, both, conj, equal, inv, names, norm, unequal
+from rotation.ledger.symbols import Vector, code, coordinates, point, quaternion, scalar
 
 BOTH = ("norm(p) != 0", "norm(q) != 0")
 FORMULA = "p*q*v*inv(q)*inv(p)"
 
+P, Q, E, Y, Z, K = names("p q e y z k")
+ELEMENT = coordinates("v")
 # A quaternion that turns about the z axis, and a point.
-SPIN, POINT = "(y + z*k)", "(v[1]*i + v[2]*j + v[3]*k)"
-SPUN = f"{SPIN}*{POINT}*inv({SPIN})"
-AS_PRINTED = f"{SPIN}*q*{POINT}*inv(q)*inv({SPIN})"
-EXCHANGED = f"q*{SPIN}*{POINT}*inv({SPIN})*inv(q)"
+SPIN, POINT = Y + Z * K, point(ELEMENT)
+AS_PRINTED = SPIN * Q * POINT * inv(Q) * inv(SPIN)
+EXCHANGED = Q * SPIN * POINT * inv(SPIN) * inv(Q)
 
 THEOREM_7 = "inv(p*q) == inv(q)*inv(p)"
-PROOF = (
-    "inv(p*q) == conj(p*q)/norm(p*q)"
-    " and conj(p*q)/norm(p*q) == conj(q)*conj(p)/(norm(q)*norm(p))"
-    " and conj(q)*conj(p)/(norm(q)*norm(p)) == inv(q)*inv(p)"
-)
 
-Parts = tuple[Symbol, Vector]
+
+def proof(conjugates: Node) -> Node:
+    """Say each step of the proof of Theorem 7, with what is put for the conjugate of the product."""
+    whole, parts = conj(P * Q) / norm(P * Q), conjugates / (norm(Q) * norm(P))
+    return both(equal(inv(P * Q), whole), equal(whole, parts), equal(parts, inv(Q) * inv(P)))
+
+
+Parts = tuple[Node, Vector]
 Q1, Q2 = ((scalar(name), coordinates(name)) for name in "pq")
-ELEMENT = coordinates("v")
 TWICE = code("rotationquaternionChaged")(
     *Q2, code("rotationquaternionChaged")(*Q1, ELEMENT)
 )  # first about z
 
 
-def first_about_z(turned: str, name: str) -> Statement:
+def first_about_z(turned: Node, name: str) -> Statement:
     """Say that a term is the point turned about the z axis, and then by q; ``name`` says which term."""
-    return Statement(
-        f"{turned} == q*({SPUN})*inv(q)",
-        (f"norm({SPIN}) != 0", "norm(q) != 0"),
+    spun = SPIN * POINT * inv(SPIN)
+    return Statement.of(
+        equal(turned, Q * spun * inv(Q)),
+        (unequal(norm(SPIN), 0), unequal(norm(Q), 0)),
         f"{name} is x turned first about the z axis, by q1, and then by q2",
     )
 
@@ -50,15 +54,15 @@ def once(first: Parts, second: Parts, name: str) -> Statement:
     """Say that turning twice is turning once by the product; ``name`` says which product."""
     product = code("multiQuaternion")(*second, *first)
     turned = code("rotationquaternionChaged")(*product, ELEMENT)
-    return Statement(
-        f"{point(TWICE)} == {point(turned)}",
+    return Statement.of(
+        equal(point(TWICE), point(turned)),
         words=f"turning by q1 and then by q2 is rotationquaternionChaged({name}, x)",
     )
 
 
 PRODUCT = code("multiQuaternion")(*Q1, *Q2)
-INVERSE = Statement(
-    f"{quaternion(*PRODUCT)}*{quaternion(*code('conjugateQuaternion')(*PRODUCT))} == e",
+INVERSE = Statement.of(
+    equal(quaternion(*PRODUCT) * quaternion(*code("conjugateQuaternion")(*PRODUCT)), E),
     ("norm(p) == 1", "norm(q) == 1"),
     "if |q1| = |q2| = 1, conjugateQuaternion of the product is its inverse",
 )
@@ -127,8 +131,8 @@ COMPUTED = {
     ),
     "C3.4.2-c": Propositions(as_printed=Statement(THEOREM_7, BOTH), spoilt=Statement(THEOREM_7)),
     "C3.4.2-d": Propositions(
-        as_printed=Statement(PROOF, BOTH),
-        spoilt=Statement(PROOF.replace("conj(q)*conj(p)", "conj(p)*conj(q)"), BOTH),
+        as_printed=Statement.of(proof(conj(Q) * conj(P)), BOTH),
+        spoilt=Statement.of(proof(conj(P) * conj(Q)), BOTH),
     ),
     "C3.4.2-e": Propositions(as_printed=once(Q1, Q2, "q2·q1"), spoilt=once(Q2, Q1, "q1·q2")),
     "C3.4.2-f": Propositions(

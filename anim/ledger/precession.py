@@ -9,76 +9,80 @@ from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Over, Statement
+from hfield.ledger.propositions import Every, Over, Statement, written
 from hfield.ledger.real import Angles
-from rotation.ledger.entries import Vector, apply, both, equal
-from rotation.ledger.order import Less, between
-from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, rodrigues
-from rotation.ledger.symbols import Symbol, code, read_as
+from hfield.syntax import Node, both, conj, names, norm, number
+from hfield.syntax import equal as same
+from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal
+from rotation.ledger.inequalities import Less, between
+from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, S, T, rodrigues
+from rotation.ledger.symbols import code, quaternion, read_as
 from rotation.ledger.symbols import equal as same_lists
 
 ON_CIRCLE = "p[0]**2 + p[1]**2 == 1"
 ROOT = "z**2 == 1 - y**2"
-U = axis("p[0]", "p[1]")
-LEANING = turned(U, UP, "0", "1")  # by π/2
-AT_FIRST = turned(axis("1", "0"), UP, "0", "1")
+P, K, Y, Z, ANGLE = names("p k y z angle")
+U = axis(P[0], P[1])
+LEANING = turned(U, UP, ZERO, ONE)  # by π/2
+AT_FIRST = turned(axis(ONE, ZERO), UP, ZERO, ONE)
 
 
-def tilted_without_spin(own: str) -> Angles:
+def tilted_without_spin(own: Node) -> Angles:
     """Say that 1 + u, the rotation by π/2 about u, is a turn by ``own`` and then a tilt.
 
     ``own`` is about the top's own axis, k, and the same for every x. A tilt is about a horizontal axis:
     the product of 1 + u and the conjugate of ``own`` has nothing over k.
     """
-    x, y, z = U
-    attitude = f"(1 + {x}*i + {y}*j + {z}*k)"
-    tilt = f"({attitude}*conj{own})"
+    attitude = quaternion(1, U)
+    tilt = attitude * conj(own)
     return Angles(
-        Statement(
-            f"{tilt}[3] == 0 and {tilt}*{own} == norm{own}*{attitude}",
+        Statement.of(
+            both(same(tilt[3], 0), same(tilt * own, norm(own) * attitude)),
             words="for every x the rotation by π/2 about u is the turn of the top about its own axis by "
             "1 + √(1−r²)·k, the same for all x, and then a tilt about a horizontal axis",
         )
     )
 
 
-def precession(cosine: str, sine: str) -> Angles:
+def precession(cosine: Node, sine: Node) -> Angles:
     """Say that the top's axis for the angle x is that for 0, turned about the vertical.
 
     By x if the cosine and sine are those of x.
     """
     return Angles(
-        Statement(equal(LEANING, apply(rotation("z", cosine, sine), AT_FIRST)), (ON_CIRCLE, ROOT))
+        Statement.of(
+            equal(LEANING, apply(rotation("z", cosine, sine), AT_FIRST)), (ON_CIRCLE, ROOT)
+        )
     )
 
 
-def height(of_apex: str) -> Every:
+def height(of_apex: Node) -> Every:
     """Say how high the end of the unit vector on the top's axis is, and that it is upright for r = 0."""
-    upright = Statement(equal(LEANING, UP), ("y == 0", "z == 1"))
-    return Every((Statement(f"{LEANING[2]} == {of_apex}", (ROOT,)), upright))
+    upright = Statement.of(equal(LEANING, UP), ("y == 0", "z == 1"))
+    return Every((Statement.of(same(LEANING[2], of_apex), (ROOT,)), upright))
 
 
-# spin3d on symbols: s and t are the cosine and sine of half an angle.
-SPUN = code("rotationquaternion", **HALF)(Symbol("angle"), [0, 0, 1], Q)
+# spin3d on terms: s and t are the cosine and sine of half an angle.
+SPUN = code("rotationquaternion", **HALF)(ANGLE, [0, 0, 1], Q)
 DOUBLE = {
-    "cos": read_as({"angle": "(s**2 - t**2)"}),
-    "sin": read_as({"angle": "(2*s*t)"}),
+    "cos": read_as({"angle": "s**2 - t**2"}),
+    "sin": read_as({"angle": "2*s*t"}),
 }
 
 
 def spin_about(letter: str) -> Every:
     """Say that ``speed`` and ``angle`` are the angles about one of the axes x, y, z and ``axis_rotation``."""
-    matrix = code(f"{letter}axisMatrixrotation", **DOUBLE)(Symbol("angle"))
+    matrix = code(f"{letter}axisMatrixrotation", **DOUBLE)(ANGLE)
     spins = same_lists(SPUN, code("rotationbyMatrix")(matrix, Q))
     return Every(
         (
-            Statement(
+            Statement.of(
                 spins,
                 (CIRCLE,),
                 f"rotationquaternion(speed, [0, 0, 1], x) turns x about the {letter} axis by speed",
             ),
-            Statement(
-                f"{TURNED} == {rodrigues('s**2 - t**2', '2*s*t')}",
+            Statement.of(
+                same(TURNED, rodrigues(S**2 - T**2, 2 * S * T)),
                 (CIRCLE, UNIT),
                 "rotationquaternion(angle, u, x) turns x about u by angle if |u| = 1",
             ),
@@ -117,21 +121,23 @@ def drawn(falling: bool) -> Computed:
     )
 
 
-def spin(frame: str) -> str:
+def spin(frame: Node) -> Node:
     """Return the angle of the spin in a frame, in units of π: from 16 to 1/8 in 499 equal steps."""
-    return f"(16 - ({frame})*(16 - 1/8)/499)"
+    return 16 - frame * (16 - number(1) / 8) / 499
 
 
-def turn(frame: str) -> str:
+def turn(frame: Node) -> Node:
     """Return by how much the spin's angle is smaller one frame later."""
-    return f"({spin(frame)} - {spin(f'{frame} + 1')})"
+    return spin(frame) - spin(frame + 1)
 
 
 FIRST_TURN, LAST_TURN = "the turn from frame 0 to 1", "the turn from frame 498 to 499"
-SLOWER = Less(turn("498"), turn("0"), f"{LAST_TURN} < {FIRST_TURN}")
-LARGER = Less(spin("499"), spin("0"), "the angle in frame 499 < the angle in frame 0")
-CONSTANT = Statement(
-    f"{turn('s')} == {turn('0')}", (), "the turn from each frame to the next is the same"
+SLOWER = Less(written(turn(number(498))), written(turn(ZERO)), f"{LAST_TURN} < {FIRST_TURN}")
+LARGER = Less(
+    written(spin(number(499))), written(spin(ZERO)), "the angle in frame 499 < the angle in frame 0"
+)
+CONSTANT = Statement.of(
+    same(turn(S), turn(ZERO)), (), "the turn from each frame to the next is the same"
 )
 
 
@@ -144,21 +150,19 @@ def azimuth_steps(parts: int) -> Over:
 
 def unit(vector: Vector) -> Angles:
     """Say that an axis has length 1."""
-    squares = " + ".join(f"({x})**2" for x in vector)
-    return Angles(Statement(f"{squares} == 1", (ON_CIRCLE, ROOT)))
+    x, y, z = vector
+    return Angles(Statement.of(same(x**2 + y**2 + z**2, 1), (ON_CIRCLE, ROOT)))
 
 
-FILM = both("500*20 == 10*1000", "1000/20 == 50")
+FILM = "500*20 == 10*1000 and 1000/20 == 50"
 
 COMPUTED = {
-    "C3.4.1-a": Propositions(as_printed=unit(U), spoilt=unit((U[0], U[1], "y"))),
-    "C3.4.1-b": Propositions(
-        as_printed=precession("p[0]", "p[1]"), spoilt=precession("p[0]", "-p[1]")
-    ),
+    "C3.4.1-a": Propositions(as_printed=unit(U), spoilt=unit((U[0], U[1], Y))),
+    "C3.4.1-b": Propositions(as_printed=precession(P[0], P[1]), spoilt=precession(P[0], -P[1])),
     "C3.4.1-c": Propositions(
-        as_printed=tilted_without_spin("(1 + z*k)"), spoilt=tilted_without_spin("(1 - z*k)")
+        as_printed=tilted_without_spin(1 + Z * K), spoilt=tilted_without_spin(1 - Z * K)
     ),
-    "C3.4.1-d": Propositions(as_printed=height("1 - y**2"), spoilt=height("1 + y**2")),
+    "C3.4.1-d": Propositions(as_printed=height(1 - Y**2), spoilt=height(1 + Y**2)),
     "C3.4.1-e": Propositions(
         as_printed=listed(("speed", "angle", "axis_rotation", "time"), 4, "the list of variables"),
         spoilt=listed(("speed", "axis_rotation", "time"), 4, "the list of variables"),

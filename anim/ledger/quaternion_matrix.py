@@ -1,14 +1,16 @@
 """Section 3.4.4: the matrix of a unit quaternion, and the function that makes it.
 
-q = a + bi + cj + dk, and v a point. The function is run on symbols.
+q = a + bi + cj + dk, and v a point. The function is run on terms.
 """
 
 from anim.ledger.counting import takes
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
+from hfield.syntax import Node, both, conj, equal, names, norm, unequal
 from rotation.ledger.entries import Matrix, matrix, orthogonal, transpose
-from rotation.ledger.symbols import Symbol, code, coordinates, point, read_as
+from rotation.ledger.symbols import code, coordinates, point, read_as
 
+QUATERNION, ANY, S, T, Y, ANGLE = names("q p s t y angle")
 LETTERS = {ord(letter): f"q[{n}]" for n, letter in enumerate("abcd")}
 
 
@@ -32,15 +34,17 @@ def turns(m: Matrix, sixth: str) -> Statement:
 
     ``sixth`` names its sixth entry.
     """
-    columns = zip("ijk", transpose(m), strict=True)
-    turned = [f"({x})*i + ({y})*j + ({z})*k == q*{b}*conj(q)" for b, (x, y, z) in columns]
+    columns = zip(names("i j k"), transpose(m), strict=True)
+    turned = [
+        equal(point(column), QUATERNION * unit * conj(QUATERNION)) for unit, column in columns
+    ]
     words = f"if |q| = 1, the matrix with {sixth} takes every point x to q·x·q̄"
-    return Statement(" and ".join(turned), UNIT, words)
+    return Statement.of(both(*turned), UNIT, words)
 
 
 def is_orthogonal(m: Matrix, sixth: str) -> Statement:
     """Say that a matrix of the unit quaternion q is orthogonal; ``sixth`` names its sixth entry."""
-    return Statement(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
+    return Statement.of(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
 
 
 EQUAL = ("q[1] == q[0]", "q[2] == q[0]", "q[3] == q[0]")
@@ -60,38 +64,35 @@ P, V = coordinates("p"), coordinates("v")
 READ = {
     "cos": read_as({"0.5*angle": "s"}),
     "sin": read_as({"0.5*angle": "t"}),
-    "sqrt": lambda square: Symbol("y"),
+    "sqrt": lambda square: Y,
 }
-MATRIX = code("rotationMatrixFromQuaternion", **READ)(Symbol("angle"), P)
+MATRIX = code("rotationMatrixFromQuaternion", **READ)(ANGLE, P)
 TURNED = point(code("rotationbyMatrix")(MATRIX, V))
 CIRCLE = "s**2 + t**2 == 1"
-LENGTH = (f"y**2 == norm({point(P)})", "y != 0")
+LENGTH = (equal(Y**2, norm(point(P))), unequal(Y, 0))
 
 
-def made_of(quaternion: str, words: str, *given: str) -> Statement:
+def made_of(h: Node, words: str, *given: str) -> Statement:
     """Say that the function's matrix turns points as a quaternion does."""
-    h = f"({quaternion})"
-    return Statement(f"{TURNED} == {h}*{point(V)}*conj{h}", (*LENGTH, *given), words)
+    return Statement.of(equal(TURNED, h * point(V) * conj(h)), (*LENGTH, *given), words)
 
 
 NORMALISED = made_of(
-    f"s + (t/y)*{point(P)}",
+    S + T / Y * point(P),
     "rotationMatrixFromQuaternion(angle, p)·x = h·x·h̄ for h = cos(angle/2) + sin(angle/2)·p/|p|",
     CIRCLE,
 )
-UNNORMALISED = made_of(
-    f"s + t*{point(P)}", "the same for h = cos(angle/2) + sin(angle/2)·p", CIRCLE
-)
+UNNORMALISED = made_of(S + T * point(P), "the same for h = cos(angle/2) + sin(angle/2)·p", CIRCLE)
 
 # The scalar part of the product in the place of the angle. For the scalar part 0 the cosine of half the
 # "angle" 0 is s = 1, the sine t = 0.
 AS_ANGLE = made_of(
-    "p",
+    ANY,
     "rotationMatrixFromQuaternion(Sc p, Vec p)·x = p·x·p̄ for |p| = 1 and Sc p = 0",
     *("norm(p) == 1", "p[0] == 0", "s == 1", "t == 0"),
 )
 OF_ANGLE = made_of(
-    "p",
+    ANY,
     "rotationMatrixFromQuaternion(angle, Vec p)·x = p·x·p̄ for |p| = 1, Vec p ≠ 0 and "
     "cos(angle/2) = Sc p, sin(angle/2) = |Vec p|",
     *("norm(p) == 1", "s == p[0]", "t == y"),

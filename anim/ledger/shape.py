@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from anim.ledger.counting import model_has
-from hfield.certificates.theorems import CIRCLE
+from hfield.certificates.glossary import CIRCLE, NO_MEANING
 from hfield.ledger.claim import Proposition
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
@@ -59,7 +59,7 @@ class Dividing:
     def decide(self, field: Ring | None) -> Decision:
         """Decide it where the numbers exist."""
         if field is not None and field.characteristic in self.primes:
-            return Decision(NOT_APPLICABLE, "no meaning here", steps=(self.reason,))
+            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(self.reason,))
         return self.proposition.decide(field)
 
 

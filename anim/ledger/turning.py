@@ -1,6 +1,9 @@
 """Turning vectors whose entries are terms, by angles of which the cosine and the sine are terms."""
 
+from hfield.syntax import Node, names
 from rotation.ledger.entries import (
+    ONE,
+    ZERO,
     Matrix,
     Vector,
     cross,
@@ -13,21 +16,22 @@ from rotation.ledger.entries import (
     scaled,
 )
 
-UP: Vector = ("0", "0", "1")
+UP: Vector = (ZERO, ZERO, ONE)
 
 
-def axis(cosine: str, sine: str) -> Vector:
+def axis(cosine: Node, sine: Node) -> Vector:
     """Return the axis (r·cos x, r·sin x, √(1 − r²)) of section 3.4.1, with y for r and z for the root."""
-    return (product(cosine, "y"), product(sine, "y"), "z")
+    y, z = names("y z")
+    return product(cosine, y), product(sine, y), z
 
 
-def turned(about: Vector, v: Vector, cosine: str, sine: str) -> Vector:
+def turned(about: Vector, v: Vector, cosine: Node, sine: Node) -> Vector:
     """Return ``v`` turned about a vector of length 1: Rodrigues' formula."""
-    along = scaled(product(difference("1", cosine), dot(about, v)), about)
+    along = scaled(product(difference(ONE, cosine), dot(about, v)), about)
     return plus(plus(scaled(cosine, v), scaled(sine, cross(about, v))), along)
 
 
-def rotation(letter: str, cosine: str, sine: str) -> Matrix:
+def rotation(letter: str, cosine: Node, sine: Node) -> Matrix:
     """Return the matrix of the rotation about an axis of space, x, y or z."""
     rows = [list(row) for row in identity(3)]
     a, b = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[letter]

@@ -1,6 +1,6 @@
 """Films as files, by suffix: video, moving pictures, folders of pictures. Whole or not at all."""
 
-from anim.output.formats import Film, check, open_film
-from anim.output.sheet import sheet
+import lazy_loader
 
-__all__ = ["Film", "check", "open_film", "sheet"]
+# The public names are said once, in the stub beside this file, and imported on first use.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -7,32 +7,23 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterator
+from abc import abstractmethod
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from fractions import Fraction
 from pathlib import Path
 from shutil import which
 from tempfile import TemporaryFile
-from typing import IO, TYPE_CHECKING
+from typing import IO
 
 import numpy as np
 
 from anim.errors import AnimationError
-
-if TYPE_CHECKING:
-    from anim.output.formats import Film, Frame, Samples, Write
+from anim.output.format import Film, Format, Frame, Samples, Write
 
 PIPE_BYTES = 1 << 20
 SECONDS_TO_END = 600  # for what ffmpeg still has to do after the last frame
-# Tagged and converted as BT.709, so that players show the colours that were drawn.
-BT709 = ("-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709")
-# Averaging chroma over each block of four keeps the most of what 4:2:0 can hold of sharp bands.
-TO_BT709 = "scale=out_color_matrix=bt709:out_range=tv:flags=area+accurate_rnd+full_chroma_inp+full_chroma_int"
-
-# The bands' edges are of strong colours, and lose more by coarse chroma than by anything else. In small
-# pictures four pixels are too large for one chroma: they keep all of it (4:4:4).
-FINER_CHROMA = -6
-LARGE = 640 * 480
+SLOWEST_FPS = 0.01  # a gif shows a picture for eleven minutes at most
 
 
 def ffmpeg() -> str:
@@ -49,54 +40,54 @@ def ffmpeg() -> str:
     )
 
 
-@contextmanager
-def open_encoder(path: Path, film: Film, samples: Samples | None) -> Iterator[Write]:
-    """Yield a function that sends a frame to ffmpeg, which writes ``path`` in the format of its suffix."""
-    width, height = film.size
-    rate = Fraction(film.fps).limit_denominator(100_000)
-    command = [ffmpeg(), "-y", "-nostdin", "-loglevel", "error", "-progress", "pipe:2"]
-    command += ["-stats_period", "30", "-f", "rawvideo", "-pix_fmt", "rgb24"]
-    command += ["-s", f"{width}x{height}", "-r", str(rate), "-i", "pipe:0"]
-    palette = path.with_suffix(".palette.png")
-    with TemporaryFile() as said:
-        try:
-            if path.suffix.lower() == ".gif":
-                from anim.output.palette import write_palette
+class Encoded(Format):
+    """A format that ffmpeg writes."""
 
-                write_palette(palette, samples() if samples else ())
-                command += ["-f", "image2", "-pattern_type", "none", "-i", str(palette)]
-            command += [*_format(path.suffix.lower(), film), str(path)]
+    counts_frames = True
+    """Whether the encoder tells how many frames it took; else it counts the whole film as one packet."""
+
+    def check(self, film: Film) -> None:
+        """Refuse a film that is too slow, and any without ffmpeg."""
+        if film.fps < SLOWEST_FPS:
+            raise AnimationError(
+                f"{film.fps:g} frames a second are too few for .{self.name}; expected {SLOWEST_FPS:g} or more"
+            )
+        ffmpeg()
+
+    @abstractmethod
+    def options(self, film: Film) -> list[str]:
+        """Return ffmpeg's options; the format by name too, whatever else the file's name says."""
+
+    @contextmanager
+    def open(self, path: Path, film: Film, samples: Samples | None) -> Iterator[Write]:
+        """Yield a function that sends a frame to ffmpeg."""
+        with self.encoder(path, film, ()) as write:
+            yield write
+
+    @contextmanager
+    def encoder(self, path: Path, film: Film, more_input: Sequence[str]) -> Iterator[Write]:
+        """Run ffmpeg on the frames, and on what ``more_input`` names in its words."""
+        width, height = film.size
+        rate = Fraction(film.fps).limit_denominator(100_000)
+        command = [ffmpeg(), "-y", "-nostdin", "-loglevel", "error", "-progress", "pipe:2"]
+        command += ["-stats_period", "30", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+        command += ["-s", f"{width}x{height}", "-r", str(rate), "-i", "pipe:0"]
+        command += [*more_input, *self.options(film), str(path)]
+        with TemporaryFile() as said:
             process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said
             )
             with _ended(process):
                 _widen(process)
-                yield from _feed(process, film, said, path.suffix.lower() == ".webp")
-        finally:
-            palette.unlink(missing_ok=True)
-
-
-def _format(suffix: str, film: Film) -> list[str]:
-    """Return ffmpeg's options for a suffix; the format by name too, whatever else the file's name says."""
-    if suffix == ".mp4":
-        coded = ["-c:v", "libx264", "-crf", str(film.crf), "-preset", film.preset]
-        coded += ["-x264-params", f"chroma-qp-offset={FINER_CHROMA}", "-vf", TO_BT709, *BT709]
-        chroma = "yuv420p" if film.size[0] * film.size[1] >= LARGE else "yuv444p"
-        return [*coded, "-pix_fmt", chroma, "-movflags", "+faststart", "-f", "mp4"]
-    if suffix == ".gif":
-        dithered = "[0][1]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
-        return ["-lavfi", dithered, "-f", "gif"]
-    if suffix == ".apng":
-        return ["-f", "apng", "-pred", "mixed", "-plays", "0"]
-    return ["-c:v", "libwebp_anim", "-quality", "85", "-loop", "0", "-f", "webp"]
+                yield from _feed(process, film, said, self.counts_frames)
 
 
 def _feed(
-    process: subprocess.Popen[bytes], film: Film, said: IO[bytes], whole: bool
+    process: subprocess.Popen[bytes], film: Film, said: IO[bytes], counts_frames: bool
 ) -> Iterator[Write]:
     """Yield the function that sends frames; then wait for the end, and see that all frames arrived.
 
-    ``whole`` says that the encoder counts its one packet, and not the frames.
+    Where the encoder does not count frames, it counts one packet.
     """
     stream = process.stdin
     assert stream is not None
@@ -120,7 +111,7 @@ def _feed(
         raise _failed(said)
     said.seek(0)
     counts = re.findall(rb"^frame=\s*(\d+)", said.read(), re.MULTILINE)
-    arrived = sent if whole else int(counts[-1]) if counts else 0
+    arrived = sent if not counts_frames else int(counts[-1]) if counts else 0
     if arrived != sent or sent != film.frames:
         raise AnimationError(
             f"the encoder took {arrived} of {film.frames} frames ({sent} were drawn): "

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from anim.output.formats import Frame
+    from anim.output.format import Frame
 
 SAMPLES = 8
 MOST_COLUMNS = 2_000_000  # pixels looked at

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from anim.errors import AnimationError
 
 if TYPE_CHECKING:
-    from anim.output.formats import Film, Frame, Write
+    from anim.output.format import Film, Frame, Write
 
 COMPRESSION = 3  # of 9: more takes three times as long for a tenth of the size
 

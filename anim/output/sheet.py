@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from anim.output.formats import Frame
+    from anim.output.format import Frame
 
 COLUMNS = 5
 PICTURES = 10

@@ -6,12 +6,10 @@ from typing import Any
 
 from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
+from anim.picture.styles import STYLES
 from rotation.figures.backend import import_matplotlib
 
 RGB = tuple[int, int, int]
-
-STYLES = ("flat", "classic", "shaded")
-"""flat: even colours; classic: matplotlib's three-dimensional axes, as in the thesis; shaded: lit cones."""
 
 NEAREST = 6.0
 """A camera nearer to its target than this could be inside the turning top."""
@@ -79,11 +77,11 @@ class Camera:
 class Look:
     """All that decides a picture besides the model and its attitude. Immutable, hashable, picklable.
 
-    ``size`` is (width, height) in pixels, ``style`` one of :data:`STYLES`. ``background`` is a colour
-    that matplotlib knows ("white", "#f5f2ea") or None for the style's own; ``colours`` replaces the
-    model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the ground. ``quality``
-    is 1 (jagged edges) to 4; shaded pictures take quality² samples a pixel. ``tilt`` is the greatest
-    angle in degrees between the axis and the vertical at which the whole top is to stay in frame.
+    ``size`` is (width, height) in pixels, ``style`` a name in :data:`~anim.picture.styles.STYLES`.
+    ``background`` is a colour that matplotlib knows ("white", "#f5f2ea") or None for the style's own;
+    ``colours`` replaces the model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the
+    ground. ``quality`` is 1 (jagged edges) to 4; shaded pictures take quality² samples a pixel. ``tilt``
+    is the greatest angle in degrees between the axis and the vertical at which the whole top stays in frame.
     Raises :class:`~anim.errors.AnimationError`.
     """
 

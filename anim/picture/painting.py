@@ -1,7 +1,5 @@
 """One painter for all styles: background, shadow, the trace behind, the top, the trace before it."""
 
-from typing import Protocol
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -9,32 +7,19 @@ from anim.errors import AnimationError
 from anim.model import Model
 from anim.picture import light
 from anim.picture.canvas import Canvas
-from anim.picture.classic import axes_and_view
-from anim.picture.flat import FlatBody, tinted
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
-from anim.picture.projection import View, reached, view
-from anim.picture.shaded import ShadedBody
+from anim.picture.projection import reached
 from anim.picture.solid import pieces
+from anim.picture.styles import STYLES
 from anim.picture.trace import near_and_far
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
-WHITE: RGB = (255, 255, 255)
-PAPER: RGB = (246, 243, 236)
-WALL_TOP: RGB = (244, 243, 240)
-WALL_FOOT: RGB = (206, 205, 202)
 TRACE: RGB = (214, 57, 72)
 SHADE: RGB = (0, 0, 0)
 SHADE_OPACITY = 0.2
-
-
-class Body(Protocol):
-    """What draws the top itself."""
-
-    def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
 
 
 class Painter:
@@ -46,11 +31,12 @@ class Painter:
 
     def __init__(self, model: Model, look: Look) -> None:
         self.model, self.look = model, look
-        self.view, background = _scene(model, look)
+        style = STYLES[look.style]
+        self.view, background = style.scene(model, look)
         self._mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt)))
         self._parts = pieces(self._mesh)
         self._light = light.direction(look.camera)
-        self._body = _body(self._mesh, look, self._light)
+        self._body = style.body(self._mesh, _colours(model, look), self._light, look.quality)
         self._canvas = Canvas(background, smooth=look.quality > 1)
         self._pen = max(1.0, min(look.size) / 320)
 
@@ -91,37 +77,12 @@ def painter(model: Model, look: Look | None = None) -> Painter:
     return Painter(model, Look() if look is None else look)
 
 
-def _scene(model: Model, look: Look) -> tuple[View, Pixels]:
-    """Return the projection and the picture without the top."""
-    paper = WHITE if look.style == "classic" else PAPER
-    if look.background is not None:
-        paper = colour("background", look.background)
-    if look.style == "classic":
-        return axes_and_view(model, look, paper)
-    seen = view(look.camera, look.size, model, look.tilt)
-    if look.style == "shaded" and look.background is None:
-        return seen, _wall(look)
-    width, height = look.size
-    return seen, np.full((height, width, 3), paper, dtype=np.uint8)
-
-
-def _body(mesh: Mesh, look: Look, sun: Floats) -> Body:
-    """Return what draws the top in the look's style."""
-    colours = mesh.model.palette
-    if look.colours is not None:
-        first, second = (colour("a colour of the top", c) for c in look.colours)
-        colours = (first, second)
-    if look.style == "shaded":
-        return ShadedBody(mesh, colours, sun, look.quality)
-    return FlatBody(mesh, [colours] * 3 if look.style == "classic" else tinted(colours))
-
-
-def _wall(look: Look) -> Pixels:
-    """Return a wall a little brighter at its top."""
-    width, height = look.size
-    down = np.linspace(0, 1, height)[:, None, None]
-    rows = np.round(np.array(WALL_TOP) + down * np.subtract(WALL_FOOT, WALL_TOP)).astype(np.uint8)
-    return np.repeat(rows, width, axis=1)
+def _colours(model: Model, look: Look) -> tuple[RGB, RGB]:
+    """Return the two colours of the top."""
+    if look.colours is None:
+        return model.palette
+    first, second = (colour("a colour of the top", c) for c in look.colours)
+    return first, second
 
 
 def _rotation(matrix: ArrayLike) -> Floats:

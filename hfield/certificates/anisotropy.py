@@ -86,7 +86,7 @@ def constants_of(algebra: str, field: str) -> tuple[Ring, Constants]:
     evaluator = Evaluator(RingScalars(ring), setting.constants, constants)
     if evaluator.conditions:
         reject("the structure constants are not defined")
-    a, t, b = (evaluator.term(tree)[0] for tree in setting.constants)
+    a, t, b = evaluator.constants
     return ring, (a, t, b)
 
 

@@ -5,9 +5,8 @@ docs/certificates.md describes the format.
 """
 
 from dataclasses import dataclass
-from typing import Any
 
-from hfield.certificates.finding import FIELD
+from hfield.certificates.glossary import CERTIFIED, FIELD, KEYS, REFUTED, SCHEMA, THEOREMS
 from hfield.certificates.json_text import read_json
 from hfield.certificates.pin import Pin
 from hfield.certificates.rejection import (
@@ -20,13 +19,9 @@ from hfield.certificates.rejection import (
     texts,
 )
 from hfield.certificates.statement import read_setting
-from hfield.certificates.theorems import is_theorem
 from hfield.certificates.vocabulary.logic import establish_any, meaning
 from hfield.certificates.work import bounded
 
-SCHEMA = "hfield-cert/1"
-KEYS = "schema statement algebra field verdict method assumes evidence"
-VERDICTS = ("proved", "refuted", "vacuous")
 MAX_ASSUMES = 20
 
 
@@ -49,12 +44,12 @@ class Established:
     @property
     def theorems(self) -> tuple[str, ...]:
         """What is cited of the theorems that are listed."""
-        return tuple(text for text in self.assumes if is_theorem(text))
+        return tuple(text for text in self.assumes if text in THEOREMS)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
         """What is cited and is no theorem that is listed."""
-        return tuple(text for text in self.assumes if not is_theorem(text))
+        return tuple(text for text in self.assumes if text not in THEOREMS)
 
     @property
     def where(self) -> str:
@@ -62,7 +57,7 @@ class Established:
         if self.field is not None:
             return f"over {one_line(self.field)}"
         if self.scope == FIELD:
-            return "as a statement on all fields" if self.verdict == "refuted" else "as it stands"
+            return "as a statement on all fields" if self.verdict == REFUTED else "as it stands"
         return f"over all {self.scope}"
 
     def lines(self) -> list[str]:
@@ -100,26 +95,21 @@ def check(data: object, pin: Pin | None = None) -> Established:
 
 
 def _check(data: object, pin: Pin | None) -> Established:
-    c = an_object(data, KEYS, "a certificate")
+    c = an_object(data, " ".join(KEYS), "a certificate")
     if c["schema"] != SCHEMA:
         reject(f"the schema must be {SCHEMA!r}")
     statement, algebra = a_text(c["statement"], "statement"), a_text(c["algebra"], "algebra")
     field = None if c["field"] is None else a_text(c["field"], "field")
-    if c["verdict"] not in VERDICTS:
-        reject(f"the verdict must be one of {', '.join(VERDICTS)}")
+    if c["verdict"] not in CERTIFIED:
+        reject(f"the verdict must be one of {', '.join(CERTIFIED)}")
     if not statement.strip():
         reject("the statement is empty")
     setting = read_setting(algebra, field)
     if pin is not None:
         pin.check(statement, algebra, field)
     found = establish_any(statement, setting, c["verdict"], c["evidence"])
-    methods = a_text(c["method"], "method", 400).split("; ")
-    for method in methods:
-        if method not in found.methods:
-            reject(
-                f"the method {shown(method)!r} is not that of the evidence: "
-                + " or ".join(sorted(found.methods))
-            )
+    if c["method"] != found.method:
+        reject(f"the method {shown(c['method'])!r} is not that of the evidence: {found.method}")
     assumes = texts(c["assumes"], "assumes")
     if (
         len(assumes) > MAX_ASSUMES
@@ -133,17 +123,6 @@ def _check(data: object, pin: Pin | None) -> Established:
     return Established(
         statement, algebra, field, c["verdict"], found.scope, tuple(assumes), found.vacuous
     )
-
-
-def cited(data: dict[str, Any]) -> list[str]:
-    """Return what the evidence of a certificate cites, whatever ``assumes`` says.
-
-    Raises :class:`Rejected` when the evidence does not show the verdict.
-    """
-    with bounded():
-        setting = read_setting(data["algebra"], data["field"])
-        found = establish_any(data["statement"], setting, data["verdict"], data["evidence"])
-    return list(found.cites)
 
 
 __all__ = ["Established", "Pin", "Rejected", "check", "check_text", "meaning"]

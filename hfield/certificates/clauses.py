@@ -1,4 +1,4 @@
-"""From a statement to clauses: "if all of Z are 0, then all of some tuple in G are", over ℤ.
+"""From a statement to clauses: "if all of Z are 0, then all of some set in G are", over ℤ.
 
 Terms with division become fractions whose denominators are products of known factors; these
 factors are the conditions under which the term is defined. Formulas are nested tuples:
@@ -38,10 +38,10 @@ def freeze(f: Poly) -> Frozen:
 
 @dataclass(frozen=True)
 class Clause:
-    """``zeros`` and the tuples of ``goals`` are polynomials over ℤ."""
+    """``zeros`` and the sets in ``goals`` are polynomials over ℤ."""
 
-    zeros: tuple[Frozen, ...]
-    goals: tuple[tuple[Frozen, ...], ...]
+    zeros: frozenset[Frozen]
+    goals: frozenset[frozenset[Frozen]]
 
 
 @dataclass(frozen=True)
@@ -164,20 +164,17 @@ def _literal(tops: list[Poly], zero: bool) -> Formula:
 
 def expand(statement: Statement, setting: Setting) -> Expansion:
     """Return the clauses of a statement without quantifiers."""
-    variables: list[Tree] = []
+    coordinates: dict[Tree, list[Tree]] = {}
     for name, sort in statement.unknowns:
         tree: Tree = ("name", name)
-        variables += [tree] if sort == "s" else [("index", tree, n) for n in range(4)]
-    names = Names((*variables, *statement.constants))
-    scalars = Fractions()
+        coordinates[tree] = [tree] if sort == "s" else [("index", tree, n) for n in range(4)]
+    variables = [v for own in coordinates.values() for v in own]
+    coordinates |= {tree: [tree] for tree in statement.constants}
+    names, scalars = Names((*variables, *statement.constants)), Fractions()
     values: dict[Tree, Any] = {}
-    for name, sort in statement.unknowns:
-        tree = ("name", name)
-        own = [tree] if sort == "s" else [("index", tree, n) for n in range(4)]
+    for tree, own in coordinates.items():
         found = [scalars.polynomial(names.variable(v)) for v in own]
-        values[tree] = found[0] if sort == "s" else Quaternion(found)
-    for tree in statement.constants:
-        values[tree] = scalars.polynomial(names.variable(tree))
+        values[tree] = Quaternion(found) if len(found) == 4 else found[0]
     evaluator = Evaluator(scalars, setting.constants, values)
     formula = evaluator.truth(statement.matrix)
     # The algebra exists only where its structure constants are defined.
@@ -194,27 +191,20 @@ def _conjunction(f: Formula) -> list[frozenset[Formula]]:
     charge(20)
     if kind in ("zero", "nonzero"):
         return [frozenset([f])]
-    if kind == "and":
-        out = [c for part in parts for c in _conjunction(part)]
-    else:
-        out = [frozenset()]
-        for part in parts:
-            right = _conjunction(part)
-            if len(out) * len(right) > MAX_CLAUSES:
-                reject("the statement has too many clauses")
-            charge(20 * len(out) * len(right))
-            out = [a | b for a in out for b in right]
-    out = [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
-    if len(out) > MAX_CLAUSES:
-        reject("the statement has too many clauses")
-    return out
+    out: list[frozenset[Formula]] = [] if kind == "and" else [frozenset()]
+    for part in parts:
+        right = _conjunction(part)
+        size = len(out) + len(right) if kind == "and" else len(out) * len(right)
+        charge(20 * size)
+        if size > MAX_CLAUSES:
+            reject("the statement has too many clauses")
+        out = [*out, *right] if kind == "and" else [a | b for a in out for b in right]
+    return [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
 
 
 def _clause(literals: frozenset[Formula]) -> Clause:
-    zeros = [f for kind, fs in literals if kind == "nonzero" for f in fs]
-    goals = [tuple(sorted(fs, key=sorted)) for kind, fs in literals if kind == "zero"]
-    order = sorted(set(zeros), key=sorted)
-    return Clause(tuple(order), tuple(sorted(goals, key=lambda g: [sorted(f) for f in g])))
+    zeros = frozenset(f for kind, fs in literals if kind == "nonzero" for f in fs)
+    return Clause(zeros, frozenset(fs for kind, fs in literals if kind == "zero"))
 
 
 def without_factors(f: Poly, known: list[Poly]) -> Poly:

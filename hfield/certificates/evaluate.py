@@ -59,15 +59,11 @@ class Evaluator:
     def __init__(
         self, scalars: Scalars, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Any]
     ):
-        self.s, self.values = scalars, values
-        self.conditions: Conditions = ()
-        found = []
-        for tree in constants:
-            value, conditions = self.term(tree)
-            found.append(value)
-            self.conditions += conditions
-        a, t, b = found
-        s = self.s
+        s = self.s = scalars
+        self.values = values
+        self.needed: Conditions = ()  # by the terms evaluated last
+        self.constants = a, t, b = [self.value(tree) for tree in constants]
+        self.conditions: Conditions = self.needed  # under which the algebra exists
         one, minus_one = s.one, s.neg(s.one)
         ab, tb = s.mul(a, b), s.mul(t, b)
         # TABLE[m][n] lists (place, coefficient) of the product of basis elements m and n.
@@ -106,62 +102,52 @@ class Evaluator:
 
     def norm(self, q: Quaternion) -> Any:
         """Return the coefficient of e in q·conj(q), which is all there is of it."""
-        bar, s = self.conjugate(q), self.s
-        out = s.zero
-        for m, u in enumerate(q):
-            for n, v in enumerate(bar):
-                for place, c in self.table[m][n]:
-                    if place == 0 and c != s.zero:
-                        out = s.add(out, s.mul(c, s.mul(u, v)))
-        return out
+        return self.product(q, self.conjugate(q))[0]
 
-    def term(self, tree: Tree) -> tuple[Any, Conditions]:
-        """Return the value of a term, and what must be a unit for it to be defined."""
+    def value(self, tree: Tree) -> Any:
+        """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
         kind, s = tree[0], self.s
         charge(10)
         if kind == "num":
-            return s.number(tree[1])
+            return self._defined(s.number(tree[1]))
         if kind in ("name", "call") and tree in self.values:
-            return self.values[tree], ()
+            return self.values[tree]
         if kind == "name":
-            return self._name(tree[1]), ()
+            return self._name(tree[1])
+        if kind == "call":
+            return self._call(tree[1], *map(self.value, tree[2]))
+        x = self.value(tree[1])
         if kind == "neg":
-            x, d = self.term(tree[1])
-            return (Quaternion([s.neg(u) for u in x]) if isinstance(x, Quaternion) else s.neg(x)), d
-        if kind in ("+", "-", "*", "/"):
-            x, dx = self.term(tree[1])
-            y, dy = self.term(tree[2])
-            if kind == "/":
-                y, own = s.reciprocal(y)
-                return self._times(x, y), dx + dy + own
-            return (self._times(x, y) if kind == "*" else self._plus(x, y, kind)), dx + dy
+            return Quaternion(map(s.neg, x)) if isinstance(x, Quaternion) else s.neg(x)
+        if kind in ("+", "-"):
+            return self._plus(x, self.value(tree[2]), kind)
+        if kind in ("*", "/"):
+            y = self.value(tree[2])
+            return self._times(x, y if kind == "*" else self._defined(s.reciprocal(y)))
         if kind == "pow":
-            x, d = self.term(tree[1])
             if abs(tree[2]) > MAX_EXPONENT:
                 reject("an exponent is too large")
-            if tree[2] < 0:
-                x, own = self._inverse(x)
-                d += own
-            return self._power(x, abs(tree[2])), d
+            return self._power(x if tree[2] >= 0 else self._inverse(x), abs(tree[2]))
         if kind == "index":
-            x, d = self.term(tree[1])
-            return self.quaternion(x)[tree[2]], d
-        if kind == "call":
-            return self._call(tree[1], tree[2])
+            return self.quaternion(x)[tree[2]]
         reject("a term cannot be evaluated")
+
+    def _defined(self, found: tuple[Any, Conditions]) -> Any:
+        self.needed += found[1]
+        return found[0]
 
     def truth(self, tree: Tree) -> Any:
         """Return the truth of a statement without quantifiers."""
         kind, s = tree[0], self.s
         if kind in ("==", "!="):
-            x, dx = self.term(tree[1])
-            y, dy = self.term(tree[2])
+            self.needed = ()
+            x, y = self.value(tree[1]), self.value(tree[2])
             if isinstance(x, Quaternion) or isinstance(y, Quaternion):
                 pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
                 differences = [s.add(u, s.neg(v)) for u, v in pairs]
             else:
                 differences = [s.add(x, s.neg(y))]
-            return s.compare(differences, dx + dy, kind == "==")
+            return s.compare(differences, self.needed, kind == "==")
         if kind == "not":
             return s.deny(self.truth(tree[1]))
         if kind not in ("and", "or", "=>", "<=>"):
@@ -205,34 +191,29 @@ class Evaluator:
                 x = self._times(x, x)
         return out
 
-    def _inverse(self, x: Any) -> tuple[Any, Conditions]:
+    def _inverse(self, x: Any) -> Any:
         if not isinstance(x, Quaternion):
-            return self.s.reciprocal(x)
-        factor, conditions = self.s.reciprocal(self.norm(x))
-        return self._times(self.conjugate(x), factor), conditions
+            return self._defined(self.s.reciprocal(x))
+        return self._times(self.conjugate(x), self._defined(self.s.reciprocal(self.norm(x))))
 
-    def _call(self, function: str, arguments: tuple[Tree, ...]) -> tuple[Any, Conditions]:
-        x, d = self.term(arguments[0])
-        x = self.quaternion(x)
+    def _call(self, function: str, *arguments: Any) -> Any:
+        x, s = self.quaternion(arguments[0]), self.s
         if function == "inv":
-            x, own = self._inverse(x)
-            return x, d + own
+            return self._inverse(x)
         if function == "comm":
-            y, dy = self.term(arguments[1])
-            y = self.quaternion(y)
-            return self._plus(self.product(x, y), self.product(y, x), "-"), d + dy
-        s = self.s
+            y = self.quaternion(arguments[1])
+            return self._plus(self.product(x, y), self.product(y, x), "-")
         if function == "trace":
-            return s.add(s.add(x[0], x[0]), s.mul(self.t, x[1])), d
+            return s.add(s.add(x[0], x[0]), s.mul(self.t, x[1]))
         if function == "vector":
-            return Quaternion((s.zero, *x[1:])), d
+            return Quaternion((s.zero, *x[1:]))
         if function == "conj":
-            return self.conjugate(x), d
+            return self.conjugate(x)
         if function == "norm":
-            return self.norm(x), d
+            return self.norm(x)
         if function != "scalar":
             reject(f"there is no function {function!r}")
-        return x[0], d
+        return x[0]
 
 
 class RingScalars:

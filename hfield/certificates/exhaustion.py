@@ -1,5 +1,6 @@
 """Trying all cases over a finite ring: directly where they are few, else clause by clause."""
 
+from functools import cache, partial
 from itertools import product
 from typing import Any
 
@@ -42,20 +43,16 @@ def width(unknowns: tuple[tuple[str, str], ...]) -> int:
 
 def check_all(statement: Statement, setting: Setting, cases: int) -> None:
     """Check a statement without quantifiers for all values of its unknowns."""
-    ring = _finite(setting)
-    assert ring.order is not None
-    total, by_clauses = (
-        ring.order ** width(statement.unknowns),
-        ring.is_field or not statement.divides,
-    )
-    tree = None
+    ring, order = _finite(setting)
+    total, by_clauses = order ** width(statement.unknowns), ring.is_field or not statement.divides
     if by_clauses and (total > FEW or cases != total):
         tree = _Tree(expand(statement, setting), ring)
-    if cases != total and (tree is None or cases != ring.order ** len(tree.used)):
-        reject("the number of cases is wrong")
-    if tree is not None and total > FEW:
+        if cases not in (total, order ** len(tree.used)):
+            reject("the number of cases is wrong")
         tree.check()
         return
+    if cases != total:
+        reject("the number of cases is wrong")
     truths = {
         truth_at(ring, setting, statement, values) for values in places(ring, statement.unknowns)
     }
@@ -67,9 +64,8 @@ def check_all(statement: Statement, setting: Setting, cases: int) -> None:
 
 def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
     """Check that for all values given there are values of what ``exists`` binds."""
-    ring = _finite(setting)
-    assert ring.order is not None
-    if cases != ring.order ** width(statement.given):
+    ring, order = _finite(setting)
+    if cases != order ** width(statement.given):
         reject("the number of cases is wrong")
     bound = tuple((name, sort) for name, sort in statement.unknowns if name in statement.exists)
     defined = False
@@ -85,13 +81,13 @@ def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
         reject("the structure constants of the algebra are defined nowhere")
 
 
-def _finite(setting: Setting) -> Ring:
+def _finite(setting: Setting) -> tuple[Ring, int]:
     ring = setting.field
     if ring is None or ring.order is None:
         reject("all cases can be tried over a finite ring only")
     if ring.order > MAX_ORDER:
         reject("the ring has too many elements to try them all")
-    return ring
+    return ring, ring.order
 
 
 def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Any:
@@ -115,14 +111,12 @@ class _Tree:
         self.cases: list[Case] = []
         used: set[int] = set()
         for clause in expansion.clauses:
-            polynomials = [*clause.zeros, *(g for goal in clause.goals for g in goal)]
-            for f in polynomials:
+            for f in clause.zeros.union(*clause.goals):
                 used |= {v for v in variables(dict(f)) if v < expansion.unknowns}
             zeros = [place.coefficients(dict(f), True) for f in clause.zeros]
             goals = [[place.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
             self.cases.append((zeros, goals))
-        self.used = sorted(used)
-        self.powers: dict[tuple[Any, int], Any] = {}
+        self.used, self.power = sorted(used), cache(ring.power)
 
     def check(self) -> None:
         """Try everything."""
@@ -133,14 +127,11 @@ class _Tree:
             return
         if depth == len(self.used):
             reject("the statement is false in one of the cases")
-        variable = self.used[depth]
+        put = partial(self._put, self.used[depth])
         for value in self.elements:
             rest = []
             for zeros, goals in cases:
-                case = (
-                    [self._put(f, variable, value) for f in zeros],
-                    [[self._put(f, variable, value) for f in goal] for goal in goals],
-                )
+                case = [put(value, f) for f in zeros], [[put(value, f) for f in g] for g in goals]
                 if not self._settled(case):
                     rest.append(case)
             self._try(depth + 1, rest)
@@ -150,19 +141,14 @@ class _Tree:
         zeros, goals = case
         return any(set(z) == {ONE} for z in zeros) or any(not any(goal) for goal in goals)
 
-    def _put(self, f: Coefficients, variable: int, value: Any) -> Coefficients:
+    def _put(self, variable: int, value: Any, f: Coefficients) -> Coefficients:
         ring = self.ring
         charge(len(f) + 1)
         out: Coefficients = {}
         for m, c in f.items():
             e = dict(m).get(variable, 0)
             if e:
-                c = ring.mul(c, self._power(value, e))
+                c = ring.mul(c, self.power(value, e))
                 m = tuple(pair for pair in m if pair[0] != variable)
             out[m] = ring.add(out[m], c) if m in out else c
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
-
-    def _power(self, value: Any, e: int) -> Any:
-        if (value, e) not in self.powers:
-            self.powers[value, e] = self.ring.power(value, e)
-        return self.powers[value, e]

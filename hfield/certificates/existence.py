@@ -4,8 +4,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from hfield.certificates.finding import FIELD, FIELDS, Finding, together
-from hfield.certificates.language import Tree, parse, substitute, walk
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import FIELD, FIELDS, WITNESS
+from hfield.certificates.language import Tree, parse, substitute
 from hfield.certificates.rejection import (
     a_list,
     a_text,
@@ -26,7 +27,7 @@ def terms(prove: Prove, statement: Statement, setting: Setting, evidence: object
     """Show existence by terms: the statement with them put in is true for all values given."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
-    return prove(instance, setting, data["proof"]).within(_reach(setting)).also_by("witness")
+    return prove(instance, setting, data["proof"]).within(_reach(setting)).by(WITNESS)
 
 
 def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -49,7 +50,7 @@ def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object
     for h in reversed(statement.hypotheses):
         cover = ("=>", h, cover)
     findings.append(prove(cover, setting, data["cover"]))
-    return together(findings).within(_reach(setting)).also_by("witness", "linear algebra")
+    return together(findings).within(_reach(setting)).by(WITNESS)
 
 
 def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:
@@ -63,10 +64,10 @@ def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:
     chosen: dict[str, Tree] = {}
     for name in statement.exists:
         tree = parse(a_text(data[name], f"the term for {name}"))
-        sort, unknowns = sort_of(tree, setting)
+        sort, unknowns, divides = sort_of(tree, setting)
         if not unknowns <= given or (sort == "q" and sorts[name] == "s"):
             reject(f"the term for {name} does not fit")
-        if _may_be_undefined(tree) and not _is_monotone(statement.conclusion):
+        if divides and not _is_monotone(statement.conclusion):
             reject(f"the term for {name} may be undefined")
         chosen[name] = tree
     return substitute(statement.matrix, chosen)
@@ -74,16 +75,6 @@ def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:
 
 def _reach(setting: Setting) -> str:
     return FIELDS if setting.field is None else FIELD
-
-
-def _may_be_undefined(tree: Tree) -> bool:
-    return any(
-        node[0] == "/"
-        or (node[0] == "pow" and node[2] < 0)
-        or (node[0] == "call" and node[1] == "inv")
-        or (node[0] == "num" and not isinstance(node[1], int))
-        for node in walk(tree)
-    )
 
 
 def _is_monotone(tree: Tree) -> bool:

@@ -1,21 +1,22 @@
-"""What evidence shows: how far it reaches, by which methods, what it cites, which parts are vacuous."""
+"""What evidence shows: how far it reaches, by which method, what it cites, which parts are vacuous."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-FIELD, FIELDS, RINGS = "field", "fields", "commutative rings"
-WIDTH = {FIELD: 0, FIELDS: 1, RINGS: 2}
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
+
+WIDTH = {FIELD: 0, FIELDS: 1, COMMUTATIVE_RINGS: 2}
 
 
 @dataclass(frozen=True)
 class Finding:
     """``scope``: over the field named (or as it stands), over all fields, over all commutative rings.
 
-    ``methods`` are the names that the certificate may call its method by.
+    ``method`` is the name that the certificate has to give: what shows it has one name.
     """
 
     scope: str
-    methods: frozenset[str]
+    method: str
     cites: tuple[str, ...] = ()
     vacuous: tuple[str, ...] = ()
 
@@ -23,26 +24,21 @@ class Finding:
         """Return the same with no wider a scope than this."""
         return replace(self, scope=min(self.scope, scope, key=WIDTH.__getitem__))
 
-    def also_by(self, *methods: str) -> "Finding":
-        """Return the same, which these methods come to as well."""
-        return replace(self, methods=self.methods | set(methods))
+    def by(self, method: str) -> "Finding":
+        """Return the same, by a method of another name."""
+        return replace(self, method=method)
 
     def citing(self, *theorems: str) -> "Finding":
         """Return the same, citing more."""
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
 
-def finding(scope: str, *methods: str) -> Finding:
-    """Return what a single piece of evidence shows."""
-    return Finding(scope, frozenset(methods))
-
-
 def together(findings: Iterable[Finding]) -> Finding:
-    """Return what several findings show that are all needed: the narrowest of their scopes."""
+    """Return what several findings show that are all needed: the narrowest scope, and each method once."""
     every = list(findings)
     return Finding(
-        min((f.scope for f in every), key=WIDTH.__getitem__, default=RINGS),
-        frozenset().union(*(f.methods for f in every)),
+        min((f.scope for f in every), key=WIDTH.__getitem__, default=COMMUTATIVE_RINGS),
+        "; ".join(dict.fromkeys(f.method for f in every)),
         tuple(dict.fromkeys(text for f in every for text in f.cites)),
         tuple(dict.fromkeys(text for f in every for text in f.vacuous)),
     )

@@ -4,12 +4,13 @@ from itertools import product
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
-from hfield.certificates.context import Context
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
 from hfield.certificates.items import Item
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import is_constant
 from hfield.certificates.rejection import a_list, reject
+from hfield.certificates.rules import Rules
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
@@ -19,15 +20,16 @@ MAX_CHOICES = 512
 
 def check_implication(expansion: Expansion, setting: Setting, data: Any) -> Finding:
     """Check the items, and that they cover the clauses."""
-    context = Context(expansion, setting, data["facts"])
-    items = [Item(raw, context) for raw in a_list(data["items"], "items")]
     ring = setting.field
+    place = Place(expansion, ring)
+    rules = Rules(expansion, setting, place, data["facts"])
+    items = [Item(raw, expansion.names, place, rules) for raw in a_list(data["items"], "items")]
     if ring is None:
-        return finding(_everywhere(expansion, items), "implication")
+        return Finding(_everywhere(expansion, items), IMPLICATION)
     if not ring.is_field and (expansion.factors or not ring.is_domain):
         items = [item for item in items if item.is_direct and item.denominators <= {1, -1}]
-    _cover(expansion, Place(expansion, ring), items)
-    return finding(FIELD, "implication").citing(*context.rules.cites)
+    _cover(expansion, place, items)
+    return Finding(FIELD, IMPLICATION).citing(*rules.cites)
 
 
 def _everywhere(expansion: Expansion, items: list[Item]) -> str:
@@ -35,32 +37,21 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
     general = [item for item in items if item.p == 0]
     _cover(expansion, Place(expansion, None), general)
     divided = {abs(d) for item in general for d in item.denominators}
+    charge(100 * len(divided) + sum(d.bit_length() for d in divided))
     primes = {item.p for item in items if item.p}
+    primes |= {p for d in divided for p in range(2, 1000) if d % p == 0 and is_prime(p)}
     for p in primes:
-        own = [
-            item
-            for item in items
-            if item.p == p or (not item.p and all(d % p for d in item.denominators))
-        ]
-        _cover(expansion, Place(expansion, None, p), own)
+        there = [item for item in general if all(d % p for d in item.denominators)]
+        there += [item for item in items if item.p == p]
+        _cover(expansion, Place(expansion, None, p), there)
     for d in divided:
-        for p in (*primes, *_plain_primes(expansion, d, primes, general)):
+        for p in primes:
             while d % p == 0:
                 d //= p
         if d != 1:
             reject("a proof over all fields divides by a number that may be 0")
     direct = all(item.is_direct for item in items) and divided <= {1}
-    return RINGS if direct else FIELDS
-
-
-def _plain_primes(expansion: Expansion, d: int, primes: set[int], general: list[Item]) -> list[int]:
-    """Return small primes that divide d and in whose characteristic no item of its own is needed."""
-    found = []
-    for p in (n for n in range(2, 1000) if d % n == 0 and n not in primes and is_prime(n)):
-        own = [item for item in general if all(m % p for m in item.denominators)]
-        _cover(expansion, Place(expansion, None, p), own)
-        found.append(p)
-    return found
+    return COMMUTATIVE_RINGS if direct else FIELDS
 
 
 def _cover(expansion: Expansion, place: Place, items: list[Item]) -> None:
@@ -72,7 +63,7 @@ def _cover(expansion: Expansion, place: Place, items: list[Item]) -> None:
 def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item]) -> bool:
     """Tell whether verified items prove the clause."""
     # Where a factor of the denominators is 0, the clause is true: so it may be divided by.
-    single = {goal[0] for goal in clause.goals if len(goal) == 1}
+    single = {f for goal in clause.goals if len(goal) == 1 for f in goal}
     known = [f for f in expansion.factors if freeze(f) in single]
 
     def same(f: Any) -> Any:

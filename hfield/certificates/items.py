@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from typing import Any
 
-from hfield.certificates.context import Context
+from hfield.certificates.clauses import freeze
+from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import (
     Names,
     Poly,
@@ -14,7 +15,7 @@ from hfield.certificates.polynomials import (
     power,
 )
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
-from hfield.certificates.rules import FORMS
+from hfield.certificates.rules import FORMS, Rules
 from hfield.certificates.scalars.finite import is_prime
 
 MAX_DEPTH = 8
@@ -23,22 +24,21 @@ MAX_DEPTH = 8
 class Item:
     """One entry of ``items`` that has been verified: zeros imply ``member``, or exclude ``nonzero``."""
 
-    def __init__(self, data: object, context: Context) -> None:
-        names = context.names
+    def __init__(self, data: object, names: Names, place: Place, rules: Rules) -> None:
         direct = isinstance(data, dict) and "member" in data
         own = "member cofactors denominator" if direct else "nonzero steps"
         item = an_object(data, f"characteristic zero relations {own}", "an item")
         self.p = an_integer(item["characteristic"], "a characteristic", 0)
         if self.p and not is_prime(self.p):
             reject(f"the characteristic {self.p} is no prime")
-        if context.ring is not None and self.p not in (0, context.ring.characteristic):
+        if place.ring is not None and self.p not in (0, place.p):
             reject("an item is about another characteristic than the field has")
-        self.context, self.denominators = context, set[int]()
-        self.uses_field = False
+        self.modulus = self.p or place.p  # in which characteristic its equations are
+        self.rules, self.denominators = rules, set[int]()
         self.zero = [names.read(z, "a polynomial of 'zero'") for z in texts(item["zero"], "zero")]
         relations = [names.read(z, "a relation") for z in texts(item["relations"], "relations")]
         for relation in relations:
-            if not context.vanishes_by_constants(relation):
+            if not (place.is_constant(relation) and place.vanishes(relation)):
                 reject("a relation does not hold in the field")
         self.uses_field = bool(relations)
         self.member: Poly | None = None
@@ -55,7 +55,7 @@ class Item:
         for n, g in enumerate(found, 1):
             inverse = multiply(more.variable(("name", f"T{n}")), g)
             known.append(add(constant(1), inverse, -1))
-            if context.is_nonzero_constant(g):
+            if place.is_constant(g) and place.is_nonzero(freeze(g)):
                 self.uses_field = True
             else:
                 self.nonzero.append(g)
@@ -75,8 +75,7 @@ class Item:
         self._divided_by(denominator)
 
     def _divided_by(self, denominator: int) -> None:
-        p = self.p or self.context.characteristic
-        if (denominator % p if p else denominator) == 0:
+        if (denominator % self.modulus if self.modulus else denominator) == 0:
             reject("a denominator is 0 in the field")
         self.denominators.add(denominator)
 
@@ -108,14 +107,13 @@ class Item:
                 self._cases(step, known, names, depth)
             elif kind == "no root":
                 f = names.read(a_text(step["polynomial"], "polynomial"), "a polynomial")
-                self.context.rules.need_no_root(f)
+                self.rules.need_no_root(f)
                 self._verify(step, known, names, f)
             else:
                 terms = [names.read(t, "a term") for t in texts(step["terms"], "terms", 1)]
-                form = self.context.rules.form(kind, step, terms, names)
+                form = self.rules.form(kind, step, terms, names)
                 self._divided_by(an_integer(step["denominator"], "a denominator"))
-                p = self.p or self.context.characteristic
-                if not _proportional(self._sum(step, known, names), form, p):
+                if not _proportional(self._sum(step, known, names), form, self.modulus):
                     reject(f"a sum of cofactors is not the form of the step {kind!r}")
                 known = [*known, *terms]
 

@@ -11,7 +11,18 @@ from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Quaternion
 from hfield.certificates.exhaustion import check_all, check_exists, truth_at
 from hfield.certificates.existence import cases, none_exists, place, terms
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import (
+    COMMUTATIVE_RINGS,
+    COUNTEREXAMPLE,
+    EXHAUSTION,
+    FIELD,
+    FIELDS,
+    FLOATS_EXACT,
+    IDENTITY,
+    MULTILINEAR,
+    WITNESS,
+)
 from hfield.certificates.implication import check_implication
 from hfield.certificates.language import Tree
 from hfield.certificates.multilinear import check_multilinear
@@ -31,9 +42,6 @@ from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree
 from hfield.certificates.transfer import fractions, reduction
 from hfield.certificates.values import read_values
-
-# All that may come upon a counterexample: it is the evidence, however it was found.
-REFUTING = ("counterexample", "witness", "identity", "exhaustion")
 
 
 def establish(statement: Statement, setting: Setting, verdict: str, evidence: object) -> Finding:
@@ -59,7 +67,7 @@ def _identity(statement: Statement, setting: Setting, evidence: object) -> Findi
     over = _place(statement, setting)
     if not all(map(over.is_trivial, over.expansion.clauses)):
         reject("the statement does not hold by expanding")
-    return finding(RINGS, "identity").within(_reach(statement, setting))
+    return Finding(COMMUTATIVE_RINGS, IDENTITY).within(_reach(statement, setting))
 
 
 def _implication(statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -82,20 +90,20 @@ def _reach(statement: Statement, setting: Setting) -> str:
     """Return the widest scope that a statement has by its form."""
     if setting.field is not None:
         return FIELD
-    return FIELDS if statement.divides or statement.compares_unequal else RINGS
+    return FIELDS if statement.divides or statement.compares_unequal else COMMUTATIVE_RINGS
 
 
 def _exhaustion(statement: Statement, setting: Setting, evidence: object) -> Finding:
     data = an_object(evidence, "kind cases", "the evidence")
     check = check_exists if statement.exists else check_all
     check(statement, setting, an_integer(data["cases"], "cases", 1))
-    return finding(FIELD, "exhaustion")
+    return Finding(FIELD, EXHAUSTION)
 
 
 def _multilinear(statement: Statement, setting: Setting, evidence: object) -> Finding:
     data = an_object(evidence, "kind unknowns tuples", "the evidence")
     check_multilinear(statement, setting, data)
-    return finding(RINGS, "multilinear").within(_reach(statement, setting))
+    return Finding(COMMUTATIVE_RINGS, MULTILINEAR).within(_reach(statement, setting))
 
 
 def _counterexample(statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -103,8 +111,31 @@ def _counterexample(statement: Statement, setting: Setting, evidence: object) ->
     if truth_at(ring, setting, statement, values) is not False:
         reject("the statement is true for the values of the witness, or the algebra not defined")
     if not ring.is_exact:
-        return finding(FIELD, "floats, exact on small integers")
-    return finding(FIELD, *REFUTING)
+        return Finding(FIELD, FLOATS_EXACT)
+    return Finding(FIELD, _refuted(statement.matrix, ring.order is None))
+
+
+def _refuted(tree: Tree, infinite: bool) -> str:
+    """Name the method of a refutation by what is refuted: an identity, or that equations have no solution."""
+    if _is_identity(tree, True, infinite):
+        return IDENTITY
+    return WITNESS if _is_identity(tree, False, infinite) else COUNTEREXAMPLE
+
+
+def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
+    """Tell whether what is said (or denied) is an identity: equations, joined by "and".
+
+    Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
+    """
+    kind = tree[0]
+    if kind in ("==", "!="):
+        return bool((kind == "==") == said)
+    if kind == "not":
+        return _is_identity(tree[1], not said, infinite)
+    if kind == "<=>" or not (infinite or (kind == "and") == said):
+        return False
+    left = _is_identity(tree[1], said != (kind == "=>"), infinite)
+    return left and _is_identity(tree[2], said, infinite)
 
 
 def _example(statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -113,7 +144,7 @@ def _example(statement: Statement, setting: Setting, evidence: object) -> Findin
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not True:
         reject("the statement is false for the values of the witness, or the algebra not defined")
-    return finding(FIELD, "witness")
+    return Finding(FIELD, WITNESS)
 
 
 def _witness(

@@ -29,9 +29,14 @@ def parse(text: str) -> Tree:
     if len(text) > MAX_LENGTH:
         reject(f"a text of {len(text)} characters; at most {MAX_LENGTH} are read")
     parser = _Parser(text)
-    tree = parser.infix(0, 0)[0]
+    tree = parser.infix(0)
     if parser.word:
         parser.fail("the expression goes on where it should have ended")
+    level, height = [tree], 0
+    while level:
+        level, height = [x for node in level for x in children(node)], height + 1
+        if height > MAX_HEIGHT:
+            reject(f"{shown(text)!r} is more than {MAX_HEIGHT} operations high")
     return tree
 
 
@@ -66,10 +71,10 @@ def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
 
 
 class _Parser:
-    """Precedence climbing; every method returns a tree and its height."""
+    """Precedence climbing."""
 
     def __init__(self, text: str) -> None:
-        self.text, self.at = text, 0
+        self.text, self.at, self.depth = text, 0, 0
         self.words: list[tuple[str, str]] = []
         clean = text.translate({0x2212: "-", 0xB7: "*", 0xD7: "*"})
         position, end = 0, len(clean.rstrip())
@@ -108,31 +113,26 @@ class _Parser:
         if not self.next(word):
             self.fail(f"expected {word!r}")
 
-    def build(self, height: int, *tree: Any) -> tuple[Tree, int]:
-        """Return the tree, one higher than the highest in it."""
-        if height >= MAX_HEIGHT:
-            self.fail(f"it is more than {MAX_HEIGHT} operations high")
-        return tree, height + 1
-
-    def infix(self, strength: int, depth: int) -> tuple[Tree, int]:
+    def infix(self, strength: int) -> Tree:
         """Read operands joined by operators that bind more tightly than ``strength``."""
-        if depth > MAX_DEPTH:
+        if self.depth > MAX_DEPTH:
             self.fail(f"it is more than {MAX_DEPTH} levels deep")
-        left, height = self.prefix(strength, depth)
+        self.depth += 1
+        left = self.prefix(strength)
         while BINDS.get(self.word, 0) > strength:
             operator = self.next(*BINDS)
             binds = BINDS[operator]
-            right, other = self.infix(binds - (operator == "=>"), depth + 1)
-            left, height = self.build(max(height, other), operator, left, right)
+            left = operator, left, self.infix(binds - (operator == "=>"))
             if BINDS.get(self.word) == binds and (binds == COMPARE or operator == "<=>"):
                 self.fail(f"{operator!r} does not chain")
-        return left, height
+        self.depth -= 1
+        return left
 
-    def prefix(self, strength: int, depth: int) -> tuple[Tree, int]:
+    def prefix(self, strength: int) -> Tree:
         """Read what may stand in front of an operand, and the operand."""
         word = self.next("exists", "not", "-", "+")
         if not word:
-            return self.power(depth)
+            return self.power()
         if word == "exists":
             if strength:
                 self.fail("'exists' stands in front")
@@ -140,15 +140,13 @@ class _Parser:
             while self.next(","):
                 names.append(self.name())
             self.need(":")
-            body, height = self.infix(0, depth + 1)
-            return self.build(height, "exists", tuple(names), body)
+            return "exists", tuple(names), self.infix(0)
         if word == "not":
             if strength >= COMPARE:
                 self.fail("'not' needs parentheses here")
-            body, height = self.infix(NOT, depth + 1)
-            return self.build(height, "not", body)
-        body, height = self.infix(SIGN, depth + 1)
-        return (body, height) if word == "+" else self.build(height, "neg", body)
+            return "not", self.infix(NOT)
+        body = self.infix(SIGN)
+        return body if word == "+" else ("neg", body)
 
     def name(self) -> str:
         """Read a name."""
@@ -156,9 +154,9 @@ class _Parser:
             self.fail("expected a name")
         return self.next(self.word)
 
-    def power(self, depth: int) -> tuple[Tree, int]:
+    def power(self) -> Tree:
         """Read an atom, its coordinate, its exponent."""
-        tree, height = self.atom(depth)
+        tree = self.atom()
         if self.next("["):
             place = self.next("0", "1", "2", "3")
             if not place:
@@ -166,7 +164,7 @@ class _Parser:
             self.need("]")
             if tree[0] == "index":
                 self.fail("a coordinate has no coordinates of its own")
-            tree, height = self.build(height, "index", tree, int(place))
+            tree = "index", tree, int(place)
         if self.next("**", "^"):
             opened = self.next("(")
             sign = -1 if self.next("-") else 1
@@ -175,10 +173,10 @@ class _Parser:
             exponent = sign * self.integer(self.next(self.word))
             if opened:
                 self.need(")")
-            tree, height = self.build(height, "pow", tree, exponent)
+            tree = "pow", tree, exponent
         if self.word in ("**", "^", "["):
             self.fail("powers and coordinates do not chain")
-        return tree, height
+        return tree
 
     def integer(self, digits: str) -> int:
         """Return the number, unless it has too many digits."""
@@ -186,28 +184,27 @@ class _Parser:
             self.fail(f"a number has more than {MAX_DIGITS} digits")
         return int(digits)
 
-    def atom(self, depth: int) -> tuple[Tree, int]:
+    def atom(self) -> Tree:
         """Read a number, a name, a call or a parenthesis."""
         if self.kind == "number":
             word = self.next(self.word)
             if word.isdigit():
-                return ("num", self.integer(word)), 1
+                return "num", self.integer(word)
             digits, _, exponent = word.lower().partition("e")
             if len(digits) > MAX_DIGITS or len(exponent) > 4:
                 self.fail("a number is too large")
-            return ("num", Fraction(word)), 1
+            return "num", Fraction(word)
         if self.kind == "name" and self.word not in WORDS:
             name = self.name()
             if not self.next("("):
-                return ("name", name), 1
-            arguments = [self.infix(0, depth + 1)]
+                return "name", name
+            arguments = [self.infix(0)]
             while self.next(","):
-                arguments.append(self.infix(0, depth + 1))
+                arguments.append(self.infix(0))
             self.need(")")
-            trees = tuple(tree for tree, _ in arguments)
-            return self.build(max(height for _, height in arguments), "call", name, trees)
+            return "call", name, tuple(arguments)
         if self.next("("):
-            inside = self.infix(0, depth + 1)
+            inside = self.infix(0)
             self.need(")")
             return inside
         self.fail("expected a number, a name or a parenthesis")

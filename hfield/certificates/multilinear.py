@@ -46,7 +46,7 @@ def check_multilinear(statement: Statement, setting: Setting, data: Any) -> None
         }
         evaluator = evaluator_at(ring, setting, statement, values)
         for side in tree[1:]:
-            value, _ = evaluator.term(side)  # nothing divides, so it is defined
+            value = evaluator.value(side)  # nothing divides, so it is defined
             pairs = zip(evaluator.quaternion(value), listed[word], strict=True)
             if evaluator.conditions or not all(ring.equal(u, v) for u, v in pairs):
                 reject(f"the sides at {word} are not what the list says")

@@ -4,9 +4,18 @@ from math import gcd
 from typing import Any
 
 from hfield.certificates.clauses import Clause, Expansion, Frozen
-from hfield.certificates.polynomials import ONE, Monomial, Poly, constant, modulo, multiply
+from hfield.certificates.polynomials import (
+    ONE,
+    Monomial,
+    Poly,
+    constant,
+    modulo,
+    multiply,
+    variables,
+)
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.work import charge
 
 
 class Place:
@@ -70,8 +79,13 @@ class Place:
             return False
         return self.ring is not None or bool(self.p) or found[ONE] in (1, -1)
 
+    def is_constant(self, f: Poly) -> bool:
+        """Tell whether f is a polynomial in the constants of a field that is named."""
+        return self.ring is not None and variables(f) <= self._values.keys()
+
     def same(self, f: Poly) -> Frozen:
         """Return what f has in common with its multiples by units: coefficients made monic."""
+        charge(5 + len(f))
         f = modulo(f, self.p)
         if not f:
             return frozenset()

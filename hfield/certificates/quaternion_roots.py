@@ -4,11 +4,11 @@ Terms are sums of monomials a₀·q·a₁·q⋯q·aₙ. Where a single one has t
 the polynomial has a root (Eilenberg and Niven).
 """
 
-from hfield.certificates.finding import FIELD, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import FIELD, QUATERNION_ROOT, WITNESS
 from hfield.certificates.language import Tree, walk
 from hfield.certificates.rejection import an_object, reject
 from hfield.certificates.statement import HAMILTON, Setting, Statement
-from hfield.certificates.theorems import QUATERNION_ROOT
 
 MAX_DEGREE = 1_000
 Top = tuple[int, bool]  # at most this degree; whether exactly, by a single monomial that is not 0
@@ -28,7 +28,7 @@ def quaternion_root(statement: Statement, setting: Setting, evidence: object) ->
     degree, single = _sum(_top(left, statement.exists[0]), _top(right, statement.exists[0]))
     if not 1 <= degree <= MAX_DEGREE or not single:
         reject("no single monomial has the highest degree, which is positive")
-    return finding(FIELD, "witness").citing(QUATERNION_ROOT)
+    return Finding(FIELD, WITNESS).citing(QUATERNION_ROOT)
 
 
 def _top(tree: Tree, name: str) -> Top:

@@ -4,13 +4,20 @@ from dataclasses import replace
 from typing import Any
 
 from hfield.certificates.clauses import expand
-from hfield.certificates.finding import FIELD, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import (
+    COMPLEX_ROOT,
+    FIELD,
+    ODD_DEGREE,
+    REAL_ROOTS,
+    SIGN_CHANGE,
+    WITNESS,
+)
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import Poly, is_constant
 from hfield.certificates.rejection import an_object, reject, shown, texts
 from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.statement import Setting, Statement
-from hfield.certificates.theorems import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.certificates.work import charge
 
 MAX_DEGREE = 1_000
@@ -26,14 +33,14 @@ def real_root(statement: Statement, setting: Setting, evidence: object) -> Findi
     if by == "odd degree":
         if max(c) % 2 == 0 or not is_constant(lead):
             reject("the degree is not odd, or the leading coefficient no number")
-        return finding(FIELD, "witness").citing(ODD_DEGREE)
+        return Finding(FIELD, WITNESS).citing(ODD_DEGREE)
     if by == "square":
         sign = 1 if is_constant(lead) and lead[()] > 0 else -1
         rest = {m: -sign * n for m, n in c.get(0, {}).items()}  # lead·s² = ± rest
         squares = all(n > 0 and all(e % 2 == 0 for _, e in m) for m, n in rest.items())
         if not set(c) <= {0, 2} or not is_constant(lead) or not squares:
             reject("the equation does not say that a square is a sum of squares")
-        return finding(FIELD, "witness").citing(REAL_ROOTS)
+        return Finding(FIELD, WITNESS).citing(REAL_ROOTS)
     if by == "sign change":
         ends = [QQ.read(text) for text in texts(data["between"], "between", 2)]
         if len(ends) != 2 or not all(set(f) <= {()} for f in c.values()):
@@ -44,7 +51,7 @@ def real_root(statement: Statement, setting: Setting, evidence: object) -> Findi
                 values[n] = QQ.add(values[n], QQ.mul(QQ.number(f[()]), QQ.power(x, k)))
         if values[0] * values[1] > 0:
             reject("the sign does not change")
-        return finding(FIELD, "witness").citing(SIGN_CHANGE)
+        return Finding(FIELD, WITNESS).citing(SIGN_CHANGE)
     reject(f"there is no reason {shown(by)!r} for a real root")
 
 
@@ -54,7 +61,7 @@ def complex_root(statement: Statement, setting: Setting, evidence: object) -> Fi
     c = _coefficients(statement, setting, "CC")
     if not is_constant(c[max(c)]):
         reject("the leading coefficient is no number other than 0")
-    return finding(FIELD, "witness").citing(COMPLEX_ROOT)
+    return Finding(FIELD, WITNESS).citing(COMPLEX_ROOT)
 
 
 def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int, Poly]:
@@ -77,7 +84,7 @@ def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int
         or len(expansion.clauses[0].goals) != 1
     ):
         reject("the equation is no equation between polynomials")
-    left = [f for f in expansion.clauses[0].goals[0] if not place.vanishes(f)]
+    left = [f for goal in expansion.clauses[0].goals for f in goal if not place.vanishes(f)]
     if len(left) != 1:
         reject("more than one coordinate of the equation does not vanish")
     s = expansion.names.place["name", statement.exists[0]]

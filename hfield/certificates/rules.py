@@ -54,9 +54,8 @@ class Rules:
             elif form == "squares" and self.squares is None:
                 self._squares(fact, setting.field)
             elif form == "roots" and not self.roots:
-                by = an_object(fact, "form by", "a fact")["by"]
-                if by not in ("factors", "squares"):
-                    reject("the fact 'roots' is by 'factors' or by 'squares'")
+                if an_object(fact, "form by", "a fact")["by"] != setting.field.roots_by:
+                    reject(f"roots in {setting.field.name} are told by {setting.field.roots_by}")
                 self.roots = True
             else:
                 reject("a fact is of no known form, or stands there twice")
@@ -76,7 +75,7 @@ class Rules:
         here = Evaluator(RingScalars(ring), setting.constants, known)
         if here.conditions or setting.letters:
             reject("the structure constants of a fact are not known")
-        a, t, b = (here.term(tree)[0] for tree in setting.constants)
+        a, t, b = here.constants
         reason = {key: value for key, value in fact.items() if key not in ("form", "algebra")}
         self.cites |= dict.fromkeys(anisotropic(ring, (a, t, b), reason, setting.algebra))
         general = self.expansion.evaluator

@@ -131,10 +131,10 @@ def read_tree(tree: Tree, setting: Setting) -> Statement:
     return _Reader(setting).read(tree)
 
 
-def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str]]:
-    """Return the sort of a term, ``q`` or ``s``, and the unknowns in it."""
+def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str], bool]:
+    """Return the sort of a term, ``q`` or ``s``, the unknowns in it, and whether it may be undefined."""
     reader = _Reader(setting)
-    return reader.term(tree), frozenset(reader.unknowns)
+    return reader.term(tree), frozenset(reader.unknowns), reader.divides
 
 
 class _Reader:

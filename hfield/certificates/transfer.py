@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from hfield.certificates.clauses import expand
 from hfield.certificates.existence import Prove
-from hfield.certificates.finding import FIELD, Finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import FIELD
 from hfield.certificates.rejection import a_text, an_integer, an_object, reject
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import Setting, Statement

@@ -9,8 +9,9 @@ from pathlib import Path
 from hfield.certificates.check import Established, Pin, check_text
 from hfield.certificates.json_text import MAX_BYTES
 from hfield.certificates.rejection import Rejected, one_line
+from hfield.commands.many import LINES, Lines, add_inputs, check_given, texts
 from hfield.commands.output import open_output
-from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.commands.parser import UsageError, add_output
 from hfield.commands.second_judge import FLAG_HELP, Verdict, coq_verdicts, exit_status
 from hfield.errors import HFieldError, shorten
 
@@ -20,6 +21,15 @@ HELP = (
     "--claim or --statement a certificate of anything else is rejected; a statement without --field is "
     "one about all fields. Exit status: 0 all accepted, 1 some rejected, 3 some accepted under an "
     "assumption only that --allow-assumptions does not allow, 2 bad usage or a file that cannot be read."
+)
+EXAMPLES = (
+    "hfield check anisotropic.json",
+    "hfield check --statement 'norm(q) == 0 => q == 0' --field Q anisotropic.json",
+    "hfield check *.json --coq",
+)
+COLUMNS = (
+    *("file", "accepted", "statement", "algebra", "field", "verdict", "scope"),
+    *("theorems", "assumptions", "vacuous", "reason"),
 )
 UNIVERSAL = ("universal", "-")
 ASSUMING = 3  # the exit status where an assumption is left
@@ -31,7 +41,7 @@ class UnreadableError(HFieldError, OSError):
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("files", nargs="+", metavar="FILE", help="certificates, hfield-cert/1")
+    add_inputs(parser, "FILE", "certificates, hfield-cert/1", "plain", "json")
     parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
     parser.add_argument("--statement", metavar="S", help="they must be of this statement")
     parser.add_argument(
@@ -49,19 +59,23 @@ def configure(parser: ArgumentParser) -> None:
         help="exit with 0 also where a certificate assumes what it does not prove",
     )
     parser.add_argument("--coq", action="store_true", help=FLAG_HELP)
-    add_format(parser, "plain", "json")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
     """Check every file, report, and return the exit status."""
     pin = _pin(args)
-    outcomes = [(name, _check(name, pin)) for name in args.files]
+    check_given(args)
+    outcomes = [(name, _check(name, pin)) for name in texts(args)]
     accepted = [name for name, outcome in outcomes if isinstance(outcome, Established)]
     coq = coq_verdicts(accepted) if args.coq else {}
     with open_output(args.output) as out:
-        if args.format == "json":
-            results = [_json(name, outcome, coq.get(name)) for name, outcome in outcomes]
+        results = [_json(name, outcome, coq.get(name)) for name, outcome in outcomes]
+        if args.format in LINES:
+            lines = Lines(out, args.format, COLUMNS)
+            for result in results:
+                lines.write(result)
+        elif args.format == "json":
             out.write_json({"schema": "hfield-check/1", "results": results})
         else:
             out.write(
@@ -143,9 +157,11 @@ def _pin(args: Namespace) -> Pin | None:
 
     setting = read_setting(None if everywhere else args.field, args.algebra)
     name = None if setting.field is None else setting.field.name
-    statement = args.statement
+    from hfield.syntax import plain
+
+    statement = plain(args.statement)
     if args.given:
-        statement = " => ".join(f"({text})" for text in (*args.given, statement))
+        statement = " => ".join(f"({plain(text)})" for text in (*args.given, statement))
     try:
         return Pin((statement,), name, setting.algebra).readable()
     except Rejected as error:

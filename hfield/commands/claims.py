@@ -7,19 +7,27 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import open_output
+from hfield.commands.output import note, open_output
 from hfield.commands.parser import add_format, add_output
+from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.ledger.claim import Claim
     from hfield.ledger.matrix import Style
 
 HELP = "List the claims of the thesis: id, name, kind, statement. Headline claims carry a star."
+EXAMPLES = (
+    "hfield claims --search centre",
+    "hfield claims --section 1.3.1",
+)
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("--section", metavar="S", help="only those of a section, such as 1.3.1")
+    parser.add_argument(
+        "--search", metavar="WORD", help="only those in whose name, kind, words or note it stands"
+    )
     add_format(parser, "table", "json", "markdown")
     add_output(parser)
 
@@ -30,6 +38,10 @@ def run(args: Namespace) -> int:
     from hfield.ledger.selection import in_section
 
     chosen = in_section(args.section, claims()) if args.section is not None else claims()
+    if args.search is not None:
+        chosen = [claim for claim in chosen if _speaks_of(claim, args.search)]
+        if not chosen:
+            note(f"no claim speaks of {shorten(args.search)!r}; `hfield claims` lists them all")
     with open_output(args.output) as out:
         if args.format == "json":
             out.write_json({"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]})
@@ -38,6 +50,11 @@ def run(args: Namespace) -> int:
         else:
             out.write(_table(chosen, out.style()))
     return 0
+
+
+def _speaks_of(claim: Claim, word: str) -> bool:
+    texts = (claim.id, claim.name, claim.kind, claim.statement, claim.printed, claim.note)
+    return word.casefold() in " ".join(text or "" for text in texts).casefold()
 
 
 def _json(claim: Claim) -> dict[str, object]:
@@ -57,7 +74,9 @@ def _markdown(chosen: Sequence[Claim]) -> str:
 
 
 def _table(chosen: Sequence[Claim], style: Style) -> str:
-    ids, names, kinds = (max(len(getattr(c, a)) for c in chosen) for a in ("id", "name", "kind"))
+    ids, names, kinds = (
+        max((len(getattr(c, a)) for c in chosen), default=0) for a in ("id", "name", "kind")
+    )
     lines, section = [], ""
     for claim in chosen:
         if claim.section != section:
@@ -66,8 +85,9 @@ def _table(chosen: Sequence[Claim], style: Style) -> str:
         star = "*" if claim.headline else " "
         start = f"{star} {claim.id:<{ids}}  {claim.name:<{names}}  {claim.kind:<{kinds}}  "
         if len(start) > style.width - 25:  # too narrow for four columns: the statement goes below
-            lines.append(start.rstrip())
             start = " " * (ids + 4)
+            title = f"{star} {claim.id:<{ids}}  {claim.name}  ({claim.kind})"
+            lines += textwrap.wrap(title, style.width, subsequent_indent=start)
             lines += textwrap.wrap(
                 claim.statement, style.width, initial_indent=start, subsequent_indent=start
             )

@@ -5,17 +5,19 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.output import open_output
+from hfield.commands.output import Sink, note, open_output
 from hfield.commands.parser import UsageError, add_format, add_output
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
+    from hfield.lattices.certified import Claim
 
 HELP = (
     "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ, compare with "
     "Eichler's class number formula and with the mass, and tell the types and the units."
 )
+EXAMPLES = ("hfield classes '(-1,-11|QQ)' --level 3",)
 SHOWN = 40
 
 
@@ -23,8 +25,22 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_where(parser)
     parser.add_argument("--formula", action="store_true", help="enumerate nothing")
+    add_certificate(parser)
     add_format(parser, "plain", "json", "latex")
     add_output(parser)
+
+
+def add_certificate(parser: ArgumentParser) -> None:
+    """Declare the file for a certificate."""
+    parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+
+
+def write_certificate(file: Sink, claim: Claim) -> None:
+    """Write a certificate, or tell why there is none."""
+    if claim.certificate is None:
+        note(f"no certificate is written: {claim.why_no_certificate}")
+    else:
+        file.write_json(claim.certificate)
 
 
 def add_where(parser: ArgumentParser) -> None:
@@ -64,11 +80,17 @@ def level_of(text: str) -> int:
 
 def run(args: Namespace) -> int:
     """Count, enumerate unless told not to, and print."""
+    if args.formula and args.certificate is not None:
+        raise UsageError(
+            "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
+        )
     A, level = algebra_of(args.algebra), level_of(args.level)
-    with open_output(args.output) as out:
+    with open_output(args.output) as out, open_output(args.certificate) as file:
         O = A.eichler_order(level)
         number, mass = A.class_number(level), O.mass()
         C = None if args.formula else O.class_set()
+        if C is not None and args.certificate is not None:
+            write_certificate(file, C.claim)
         if args.format == "json":
             head = {
                 "schema": "hfield-classes/1",

@@ -3,35 +3,60 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
 
-from hfield.commands.output import open_output
-from hfield.commands.parser import add_algebra, add_format, add_output, algebra_of
+from hfield.commands.many import add_inputs, answer_all
+from hfield.commands.output import Sink
+from hfield.commands.parser import add_algebra, add_output, algebra_of
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
 
 HELP = (
     "Compute an expression such as '(1+i)*(j-k)**-1': the basis e i j k, the generator of the field, "
     "and conj norm trace inv scalar vector comm."
 )
+EXAMPLES = (
+    "hfield eval '(1+i)*(j-k)**-1' --field GF7",
+    "hfield eval 'norm(1+2*i)' 'inv(1+i)' --format jsonl",
+)
+
+
+COLUMNS = ("expression", "algebra", "field", "value", "coordinates", "error")
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("expression", metavar="EXPR", help="the expression, in quotes")
+    what = "the expression, in quotes"
+    add_inputs(parser, "EXPR", what, "plain", "unicode", "latex", "json")
     add_algebra(parser)
-    add_format(parser, "plain", "unicode", "latex", "json")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
     """Compute and print."""
-    A = algebra_of(args)
-    with open_output(args.output) as out:
-        value = A.parse(args.expression)
-        if args.format == "json":
-            head = {"schema": "hfield-eval/1", "expression": args.expression, "algebra": A.name}
-            coordinates = [A.ring.text(x) for x in value.coordinates]
-            out.write_json(
-                {**head, "field": A.ring.name, "value": value.text(), "coordinates": coordinates}
-            )
+    return answer_all(args, partial(_compute, algebra_of(args), args.format), COLUMNS, apart=False)
+
+
+def _compute(
+    A: QuaternionAlgebra, style: str, text: str
+) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+    value = A.parse(text)
+    data: dict[str, object] = {
+        "schema": "hfield-eval/1",
+        "expression": text,
+        "algebra": A.name,
+        "field": A.ring.name,
+        "value": value.text(),
+        "coordinates": [A.ring.text(x) for x in value.coordinates],
+    }
+
+    def show(out: Sink) -> None:
+        if style == "json":
+            out.write_json(data)
         else:
-            out.write(value.text(args.format))
-    return 0
+            out.write(value.text(style))
+
+    return 0, data, show

@@ -1,33 +1,56 @@
-"""``hfield explain``: one decision in full, as on a blackboard."""
+"""``hfield explain``: decisions in full, as on a blackboard."""
 
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from functools import partial
 
-from hfield.commands.output import open_output
-from hfield.commands.parser import add_format, add_output
+from hfield.commands.many import add_inputs, answer_all, check_given, texts
+from hfield.commands.output import Sink
+from hfield.commands.parser import add_output
 
-HELP = "Show one decision in full: the statement, how it was read, each step or the witness."
+HELP = "Show a decision in full: the statement, how it was read, each step or the witness."
+EXAMPLES = (
+    "hfield explain theorem-3 --field GF9",
+    "hfield explain C1.2-a",
+    "hfield explain 1.3.1 --format jsonl",
+)
+COLUMNS = ("id", "name", "field", "statement", "as_printed", "as_corrected", "error")
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("claim", metavar="CLAIM", help="id or name, such as C1.2-a or centre")
+    what = "id, name or number, such as C1.2-a, centre, 'definition 2', or 1.3.1 for a section"
+    add_inputs(parser, "CLAIM", what, "plain", "json", "latex")
     parser.add_argument("--field", metavar="F", help="the field, or `universal` (default: QQ)")
-    add_format(parser, "plain", "json", "latex")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
-    """Decide one claim over one field and tell how."""
+    """Decide claims over one field and tell how."""
+    from hfield.ledger.registry import find_all
+
+    check_given(args)
+    args.inputs = [claim.id for text in texts(args) for claim in find_all(text)]
+    args.source = None
+    return answer_all(args, partial(_explain, args.field, args.format), COLUMNS)
+
+
+def _explain(
+    field: str | None, style: str, claim: str
+) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.ledger.blackboard import explain
 
-    with open_output(args.output) as out:
-        explanation = explain(args.claim, args.field)
-        if args.format == "json":
-            out.write_json(explanation.to_json())
-        elif args.format == "latex":
+    explanation = explain(claim, field)
+    data = explanation.to_json()
+
+    def show(out: Sink) -> None:
+        if style == "json":
+            out.write_json(data)
+        elif style == "latex":
             out.write(explanation.latex())
         else:
             out.write(explanation.text(out.style()))
-    return 0 if explanation.row.settled else 1
+
+    return (0 if explanation.row.settled else 1), data, show

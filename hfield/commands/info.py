@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from functools import partial
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import open_output
-from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.commands.many import add_inputs, answer_all
+from hfield.commands.output import Sink
+from hfield.commands.parser import UsageError, add_output
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -17,44 +20,58 @@ HELP = (
     "Show what is known of an algebra: its table, centre, radical, whether it is a division algebra or "
     "split (with the isomorphism or the reason), where it ramifies, a maximal order, or counts."
 )
+EXAMPLES = (
+    "hfield info '(-1,-3|QQ)'",
+    "hfield info 'H(GF(9))' '[1,t|GF(4)(t))'",
+    "hfield info --from algebras.txt --format jsonl",
+)
+COLUMNS = (
+    *("algebra", "field", "commutative", "central_simple", "division", "reason"),
+    *("ramified_places", "discriminant", "undecided", "error"),
+)
 LABEL = 16  # the width of the first column
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument(
-        "algebra", metavar="ALGEBRA", help="such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
-    )
+    what = "such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
+    add_inputs(parser, "ALGEBRA", what, "plain", "json")
     parser.add_argument(
         "--factors",
         metavar="P,…",
         help="primes of a and b (or of their norms) that you know, separated by commas",
     )
-    add_format(parser, "plain", "json")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
-    """Ask everything, and print the page."""
+    """Ask everything, and print the pages."""
+    from hfield.factorisation import known_primes
+
+    with known_primes(_primes(args.factors), "--factors"):
+        return answer_all(args, partial(_describe, args.format), COLUMNS)
+
+
+def _describe(style: str, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.algebra import QuaternionAlgebra
     from hfield.commands.count import count_lines, counts
     from hfield.description import describe
-    from hfield.factorisation import known_primes
 
-    A = QuaternionAlgebra.from_text(args.algebra)
-    with open_output(args.output) as out, known_primes(_primes(args.factors), "--factors"):
-        description = describe(A)
-        counted = counts(A, quick=True) if A.ring.order is not None else None
-        if args.format == "json":
-            data = description.to_json()
-            out.write_json({**data, "counts": counted and counted.to_json()})
-        else:
-            width = out.style().width
-            lines = page(description, width)
-            if counted is not None:
-                lines += ["", "Counts", *count_lines(counted)]
-            out.write("\n".join(lines))
-    return 0
+    A = QuaternionAlgebra.from_text(text)
+    description = describe(A)
+    counted = counts(A, quick=True) if A.ring.order is not None else None
+    data = {**description.to_json(), "counts": counted and counted.to_json()}
+
+    def show(out: Sink) -> None:
+        if style == "json":
+            out.write_json(data)
+            return
+        lines = page(description, out.style().width)
+        if counted is not None:
+            lines += ["", "Counts", *count_lines(counted)]
+        out.write("\n".join(lines))
+
+    return 0, data, show
 
 
 def _primes(text: str | None) -> list[int] | None:
@@ -70,8 +87,7 @@ def _primes(text: str | None) -> list[int] | None:
 def page(d: Description, width: int) -> list[str]:
     """Lay out the page in lines of at most ``width`` characters, tables apart."""
     A = d.algebra
-    name = shorten(A.name, width)
-    lines = [name, "─" * len(name), ""]
+    lines = [*_title(A.name, A.ring.in_words(), width), ""]
     lines += [f"  {',   '.join(shorten(relation, width // 2) for relation in d.relations)}", ""]
     table = [f" {line}" for line in A.table_text("unicode").splitlines()]
     if max(map(len, table)) > width:
@@ -83,6 +99,13 @@ def page(d: Description, width: int) -> list[str]:
             for label, text in rows:
                 lines += row(label, text, width)
     return lines
+
+
+def _title(name: str, ring: str, width: int) -> list[str]:
+    """Lay out the first line, which says what the base ring is, in words, and a rule under it."""
+    words = shorten(f"over {ring}", width - 20)
+    title = f"{shorten(name, width - len(words) - 2)}  {words}"
+    return [title, "─" * len(title)]
 
 
 def row(label: str, text: str, width: int) -> list[str]:

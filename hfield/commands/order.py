@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.classes import algebra_of, level_of
+from hfield.commands.classes import add_certificate, algebra_of, level_of, write_certificate
 from hfield.commands.output import open_output
 from hfield.commands.parser import UsageError, add_format, add_output
 
@@ -16,6 +16,7 @@ HELP = (
     "Show an order over ZZ in an algebra over QQ: its basis, discriminant, units, conductor, class number. "
     "By default a maximal order; --level gives an Eichler order, --generators the ring that they generate."
 )
+EXAMPLES = ("hfield order '(-1,-11|QQ)' --level 3",)
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -31,6 +32,7 @@ def configure(parser: ArgumentParser) -> None:
     group.add_argument(
         "--extremal", action="store_true", help="the p-extremal order where KLPT starts"
     )
+    add_certificate(parser)
     add_format(parser, "plain", "json", "latex")
     add_output(parser)
 
@@ -47,7 +49,9 @@ def run(args: Namespace) -> int:
         O = A.extremal_order()
     else:
         O = A.eichler_order(level_of(args.level or "1"))
-    with open_output(args.output) as out:
+    with open_output(args.output) as out, open_output(args.certificate) as file:
+        if args.certificate is not None:
+            write_certificate(file, O.claim)
         if args.format == "json":
             out.write_json(to_json(O))
         elif args.format == "latex":

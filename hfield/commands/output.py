@@ -58,7 +58,8 @@ class Sink:
 
         terminal = self.stream.isatty()
         colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
-        width = min(100, get_terminal_size((100, 24)).columns) if terminal else 100
+        asked = terminal or os.environ.get("COLUMNS")  # a pipe or a file has a width if it is said
+        width = min(100, get_terminal_size((100, 24)).columns) if asked else 100
         return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
 
 

@@ -7,6 +7,8 @@ import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from shutil import get_terminal_size
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from hfield.commands.output import encodable
@@ -15,6 +17,7 @@ from hfield.errors import HFieldError, shorten
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
 
+_OPTION = re.compile(r"\[[^][]*(\[[^][]*\][^][]*)*\]")
 _LONG_OPTION = re.compile(r"--[A-Za-z][\w-]*(=.*)?", re.DOTALL)
 MOST_PROCESSES = 1024
 
@@ -37,12 +40,27 @@ class Parser(ArgumentParser):
     long one, so that misspelt options are still found.
     """
 
-    def __init__(self, prog: str, description: str) -> None:
+    def __init__(self, prog: str, description: str, examples: Sequence[str] = ()) -> None:
         super().__init__(prog=prog, description=description, allow_abbrev=False)
+        self.examples = examples
 
     def error(self, message: str) -> NoReturn:
         """Raise the message, in place of printing the usage and leaving."""
         raise UsageError(f"{message}; `{self.prog} --help` shows the usage")
+
+    def format_usage(self) -> str:
+        """Return the usage, each option whole on its line, however narrow the terminal is."""
+        text = " ".join(super().format_usage().split())
+        whole = _OPTION.sub(lambda found: found[0].replace(" ", "\0"), text)
+        width = min(100, get_terminal_size((100, 24)).columns)
+        lines = wrap(whole, width, subsequent_indent=" " * 8, break_on_hyphens=False)
+        return "\n".join(lines).replace("\0", " ") + "\n"
+
+    def format_help(self) -> str:
+        """Return the help, with examples below."""
+        _, _, text = super().format_help().partition("\n\n")
+        below = ["", "examples:", *(f"  {line}" for line in self.examples)] if self.examples else []
+        return "\n".join([self.format_usage(), text.rstrip("\n"), *below, ""])
 
     def print_help(self, file: Any = None) -> None:
         """Print the help in an encoding that the terminal has."""

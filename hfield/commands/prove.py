@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Callable
+from functools import partial
 
-from hfield.commands.output import note, open_output
-from hfield.commands.parser import add_format, add_output
+from hfield.commands.many import add_inputs, answer_all
+from hfield.commands.output import Sink, note, open_output
+from hfield.commands.parser import UsageError, add_output
 from hfield.errors import shorten
 
 HELP = (
@@ -13,12 +16,28 @@ HELP = (
     "'norm(q) != 0 => q*inv(q) == e'. Without a field it is about all of them. Exit status: 0 proved "
     "or vacuous, 1 refuted, 3 undecided, 2 bad usage."
 )
+EXAMPLES = (
+    "hfield prove 'p*q == q*p' --field GF4",
+    "hfield prove 'norm(q) == 0 => q == 0' --field 'QQ(sqrt(-7))' --certificate anisotropic.json",
+    "hfield prove --from statements.txt --format csv",
+)
+COLUMNS = (
+    "statement",
+    "algebra",
+    "field",
+    "verdict",
+    "scope",
+    "method",
+    "witness",
+    "assumes",
+    "error",
+)
 MOST_SECONDS = 86_400.0
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("statement", metavar="STATEMENT", help="the statement, in quotes")
+    add_inputs(parser, "STATEMENT", "the statement, in quotes", "plain", "json", "latex")
     parser.add_argument("--field", metavar="F", help="the field, such as GF(9) or QQ(sqrt(2))")
     parser.add_argument(
         "--algebra", metavar="A", help="the algebra, such as '(-1,-3|QQ)' or '(a,b|F)' (default: H)"
@@ -30,31 +49,43 @@ def configure(parser: ArgumentParser) -> None:
         "--timeout", type=_seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
-    add_format(parser, "plain", "json", "latex")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
-    """Decide the statement, show the decision, return the exit status."""
+    """Decide the statements, show the decisions, return the exit status."""
+    if args.certificate is not None and (len(args.inputs) != 1 or args.source is not None):
+        raise UsageError("--certificate FILE takes one certificate: give one statement")
+    return answer_all(args, partial(_decide, args), COLUMNS)
+
+
+def _decide(
+    args: Namespace, statement: str
+) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.ledger.blackboard import decision_latex, decision_text
     from hfield.proving.prove import prove
 
-    with open_output(args.output) as out, open_output(args.certificate) as file:
-        answer = prove(args.statement, args.field, args.given, args.algebra, args.timeout)
+    with open_output(args.certificate) as file:
+        answer = prove(statement, args.field, args.given, args.algebra, args.timeout)
         certificate = answer.certificate if args.certificate is not None else None
         if certificate is not None:
             file.write_json(certificate)
         elif args.certificate is not None:
             note(f"no certificate is written: {answer.why_no_certificate}")
+    data = answer.to_json(None if certificate is None else args.certificate)
+    if not args.given:
+        data = {**data, "statement": statement}
+
+    def show(out: Sink) -> None:
         if args.format == "json":
-            data = answer.to_json(None if certificate is None else args.certificate)
-            out.write_json(data if args.given else {**data, "statement": args.statement})
+            out.write_json(data)
         elif args.format == "latex":
             out.write(decision_latex(answer.text, answer.decision, answer.field))
         else:
             where = (answer.setting.algebra, answer.field)
             out.write(decision_text(answer.text, answer.decision, *where, out.style()))
-    return answer.exit_status
+
+    return answer.exit_status, data, show
 
 
 def _seconds(text: str) -> float:

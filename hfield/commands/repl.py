@@ -10,6 +10,10 @@ HELP = (
     "An interactive session (IPython where it is installed) with H, GF, QQ, prove, explain and "
     "e, i, j, k of the chosen algebra. Lines piped in are run without prompts."
 )
+EXAMPLES = (
+    "hfield repl --field GF9",
+    "echo 'print(i*j)' | hfield repl",
+)
 
 
 def configure(parser: ArgumentParser) -> None:

@@ -15,6 +15,7 @@ HELP = (
     "Tell class numbers, masses, type numbers and units for all Eichler orders with a discriminant and a "
     "level in given ranges. Rows are written as they are found; a run that was killed goes on where it was."
 )
+EXAMPLES = ("hfield survey 2..100 --levels 1..5 -o rows.jsonl",)
 MOST = 5000
 
 

@@ -8,6 +8,7 @@ from hfield.commands.output import open_output
 from hfield.commands.parser import add_algebra, add_format, add_output, algebra_of
 
 HELP = "Print the products of the basis e, i, j, k: row times column."
+EXAMPLES = ("hfield table --field GF9 --format unicode",)
 
 
 def configure(parser: ArgumentParser) -> None:

@@ -19,6 +19,11 @@ HELP = (
     "ledger, which anyone may write (docs/ledgers.md). Exit status: 0 all decided, 1 some row is "
     "undecided or contradicts another, 2 bad usage."
 )
+EXAMPLES = (
+    "hfield verify",
+    "hfield verify --section 1.3.1 --field QQ,GF9",
+    "hfield verify sheet.toml --jobs 2 --format markdown",
+)
 
 
 def configure(parser: ArgumentParser) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.certificates.glossary import CERTIFIED, KEYS, SCHEMA
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.sentences import Proved
 from hfield.coq.wholes import judge
@@ -12,7 +13,6 @@ from hfield.notation import split_algebra
 from hfield.proving.statements.setting import UNNAMED, read_setting
 
 MAX_PROOF = 3_000_000
-KEYS = {"schema", "statement", "algebra", "field", "verdict", "method", "assumes", "evidence"}
 
 
 @dataclass(frozen=True)
@@ -43,9 +43,9 @@ def theorem(name: str, data: object, words: str = "") -> Theorem:
     Raises NotCoveredError for what has no translation, :class:`MismatchError` for evidence that cannot
     be about the statement, and :class:`TooLargeError`.
     """
-    if not isinstance(data, Mapping) or set(data) != KEYS or data["schema"] != "hfield-cert/1":
-        raise MismatchError("this is no certificate hfield-cert/1")
-    if data["verdict"] not in ("proved", "refuted", "vacuous"):
+    if not isinstance(data, Mapping) or set(data) != set(KEYS) or data["schema"] != SCHEMA:
+        raise MismatchError(f"this is no certificate {SCHEMA}")
+    if data["verdict"] not in CERTIFIED:
         raise MismatchError(f"there is no verdict {shorten(str(data['verdict']))!r}")
     try:
         proved = _proved(name, data)

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from hfield.quaternion import Quaternion
+
+if TYPE_CHECKING:
+    from hfield.lattices.certified import Claim
+    from hfield.lattices.lattice import Lattice
 
 
 @dataclass(frozen=True)
@@ -21,6 +26,36 @@ class Answer:
     element: Quaternion | None = None
     theorem: str | None = None
     evidence: dict[str, Any] = field(default_factory=dict, compare=False)
+    lattices: tuple[Lattice, ...] = field(default=(), compare=False, repr=False)
+    """The two that were compared, and that which was run through, if any."""
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none where a theorem decided and the element is missing, nor where the checker would have to
+        do too much; :attr:`why_no_certificate` says which.
+        """
+        claim = self._claim
+        return None if claim is None else claim.certificate
+
+    @property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        claim = self._claim
+        if claim is None:
+            return (
+                "the element is missing"
+                if self.holds
+                else "nothing was found that tells them apart"
+            )
+        return claim.why_no_certificate
+
+    @cached_property
+    def _claim(self) -> Claim | None:
+        from hfield.lattices import certified
+
+        return certified.of_answer(self)
 
     def __bool__(self) -> bool:
         """Tell whether it holds."""

@@ -1,12 +1,14 @@
-"""Brandt matrices: by neighbours at primes and the relations of the Hecke algebra, or by theta series."""
+"""Brandt matrices: by ideals of prime power norm, the relations of the Hecke algebra, or theta series."""
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
 from hfield.factorisation import factorise
+from hfield.lattices.subideals import MOST, number_maximal
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import ClassSet
@@ -18,12 +20,16 @@ def brandt_matrix(classes: ClassSet, n: int) -> Matrix:
     """Return the Brandt matrix of n.
 
     At a prime it is made by neighbours; ``B(pᵏ⁺¹) = B(p)·B(pᵏ) − p·B(pᵏ⁻¹)`` off the discriminant (Voight,
-    41.2), without the last term where the algebra ramifies; theta series answer at the other primes.
+    41.2), without the last term where the algebra ramifies. At a prime of the level all ideals of norm pᵉ are
+    listed where they are few, and theta series answer otherwise, and for orders of any other kind.
     """
     factors = []
     for p, e in factorise(n).items():
-        if e > 1 and classes.order.level % p == 0:
-            factors.append(fmpz_mat(by_theta_series(classes, p**e)))
+        if classes.order.level % p == 0:
+            if _few(classes, p, e):
+                factors.append(_matrix(classes.power_neighbours(p, e)))
+            else:
+                factors.append(fmpz_mat(by_theta_series(classes, p**e)))
         else:
             factors.append(_prime_power(classes, p, e))
     if not factors:
@@ -34,14 +40,26 @@ def brandt_matrix(classes: ClassSet, n: int) -> Matrix:
     return [[int(x) for x in row] for row in product.tolist()]
 
 
+def _few(classes: ClassSet, p: int, e: int) -> bool:
+    """Tell whether it is quicker to list the ideals of norm pᵉ than to look between all pairs of classes."""
+    if classes.order.eichler_symbol(p) != 1:
+        return False
+    h, number = len(classes), number_maximal(p, e)
+    # a theta series takes as long as some five intersections or classes looked up
+    return number**2 <= MOST and number**2 + 6 * h * number <= 5 * h * h
+
+
 def _identity(classes: ClassSet) -> fmpz_mat:
     h = range(len(classes))
     return fmpz_mat([[int(i == j) for j in h] for i in h])
 
 
+def _matrix(rows: list[Counter[int]]) -> fmpz_mat:
+    return fmpz_mat([[row[j] for j in range(len(rows))] for row in rows])
+
+
 def _prime_power(classes: ClassSet, p: int, e: int) -> fmpz_mat:
-    h = range(len(classes))
-    step = fmpz_mat([[row[j] for j in h] for row in classes.neighbours(p)])
+    step = _matrix(classes.neighbours(p))
     if e == 1:
         return step
     before, current = _identity(classes), step

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import count
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
@@ -26,9 +26,12 @@ from hfield.lattices.answers import rows_json
 from hfield.lattices.class_number import mass
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.order import Order, positive
-from hfield.lattices.subideals import of_prime_norm, right_subideals
+from hfield.lattices.order import Order, positive, prime
+from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
 from hfield.lattices.twosided import generators
+
+if TYPE_CHECKING:
+    from hfield.lattices.certified import Claim
 
 Key = tuple[int, ...]
 MOST_CLASSES = 200_000
@@ -215,22 +218,29 @@ class ClassSet:
     # --- Brandt matrices -----------------------------------------------------------------------------
 
     def neighbours(self, p: int) -> list[Counter[int]]:
-        """Return for each class how many right ideals of relative norm p in it belong to which class."""
+        """Return for each class how many right ideals of relative norm p in it belong to which class.
+
+        Raises :class:`LatticeError` for what is no prime.
+        """
+        p = prime(p)
         if p not in self._rows:
-            order = self.order
-            if order._discriminant % p:
+            if self.order._discriminant % p:
                 self._rows[p] = [
                     Counter(self._keys[key] for key, _ in self._neighbours(lattice, p))
                     for lattice in self._lattices
                 ]
             else:
-                self._rows[p] = [
-                    Counter(
-                        self._index(J) for J in of_prime_norm(Ideal.of(L, "right", order), order, p)
-                    )
-                    for L in self._lattices
-                ]
+                self._rows[p] = self.power_neighbours(p, 1)
         return self._rows[p]
+
+    def power_neighbours(self, p: int, e: int) -> list[Counter[int]]:
+        """Return for each class how many right ideals of relative norm pᵉ in it belong to which class.
+
+        In an ideal of a norm prime to p they are its intersections with those in the order.
+        """
+        local = of_prime_power_norm(self.order, p, e)
+        around = (prime_to(lattice, p) for lattice in self._lattices)
+        return [Counter(self._index(J & K) for K in local) for J in around]
 
     def brandt_matrix(self, n: int) -> list[list[int]]:
         """Return the Brandt matrix: entry (i, j) counts the ideals of class j of relative norm n in I_i.
@@ -263,6 +273,21 @@ class ClassSet:
         for i, row in enumerate(self.neighbours(p)):
             for j in sorted(row):
                 yield i, j, {"weight": row[j]}
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none for more classes than the checker reads; ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+        from hfield.lattices import certified
+
+        return certified.of_class_set(self)
 
     @property
     def evidence(self) -> dict[str, Any]:

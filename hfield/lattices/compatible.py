@@ -8,8 +8,8 @@ and no Hermite form of sixteen rows is needed.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz, fmpz_mat
@@ -19,6 +19,8 @@ from hfield.lattices import hermite
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal
 
+PAIRS = list(combinations(range(4), 2))
+
 
 def product(first: Ideal, second: Ideal) -> tuple[int, Any] | None:
     """Return ``first·second`` in Hermite form, or None where this way does not do.
@@ -26,26 +28,23 @@ def product(first: Ideal, second: Ideal) -> tuple[int, Any] | None:
     ``first`` is a right ideal and ``second`` a left ideal of the same order.
     """
     r = first._regular
-    n, fraction = divmod(int(second._content[0]), r.scale * second._den**2)
-    if fraction or n == 1 or not second._invertible:
-        return None
-    if not hermite.contains(second._den, second._matrix, 1, (n, 0, 0, 0)):  # it is not integral
+    n = _index_root(second)
+    # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere
+    if n is None or not hermite.contains(second._den, second._matrix, 1, (int(n), 0, 0, 0)):
         return None
     alpha = _generator(second, n)
     if alpha is None:
         return None
-    image = first._matrix * r.right_matrix(alpha)
-    scale, modulus = fmpz(r.scale * second._den), fmpz(n)
+    image = (first._matrix * r.right_matrix(alpha)).entries()
+    scale = fmpz(r.scale * second._den)
     triangle = first._matrix.entries()
-    entries = image.entries()
     rows = (
-        _coordinates([x // scale for x in entries[m : m + 4]], triangle, modulus)
-        for m in (0, 4, 8, 12)
+        _coordinates([x // scale for x in image[m : m + 4]], triangle, n) for m in (0, 4, 8, 12)
     )
-    steps = _echelon(rows, modulus)
+    steps = _echelon(rows, n)
     if steps is None:
         return None
-    return hermite.hermite(first._den, fmpz_mat(steps) * first._matrix)
+    return hermite.hermite(first._den, fmpz_mat(4, 4, steps) * first._matrix)
 
 
 def _coordinates(row: list[Any], triangle: list[Any], n: Any) -> list[Any]:
@@ -60,34 +59,53 @@ def _coordinates(row: list[Any], triangle: list[Any], n: Any) -> list[Any]:
     return found
 
 
-def _generator(ideal: Ideal, n: int) -> tuple[int, ...] | None:
+def _index_root(ideal: Ideal) -> Any:
+    """Return n > 1 with [O : J] = n², or None; the norm of J, if J is locally principal."""
+    order = ideal.order
+    volume = hermite.volume(ideal._matrix) * order._den**4
+    index, rest = divmod(volume, hermite.volume(order._matrix) * ideal._den**4)
+    n = index.isqrt()
+    return n if n > 1 and not rest and n * n == index else None
+
+
+def _generator(ideal: Ideal, n: Any) -> tuple[Any, ...] | None:
     """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
-    content, entries = ideal._content
-    for m in range(4):
-        if math.gcd(int(entries[5 * m]) // (2 * int(content)), n) == 1:
-            return tuple(int(ideal._matrix[m, k]) for k in range(4))
+    r, entries = ideal._regular, ideal._matrix.entries()
+    unit = r.scale * ideal._den**2 * n
+    for m in (0, 4, 8, 12):
+        row = entries[m : m + 4]
+        norm, rest = divmod(r.norm(row), unit)
+        if not rest and norm.gcd(n) == 1:
+            return tuple(row)
     return None
 
 
-def _echelon(rows: Iterator[list[Any]], n: Any) -> list[list[Any]] | None:
-    """Return two of the rows, reduced, with n·ℤ⁴ as a triangular basis of index n².
+def _echelon(rows: Iterator[list[Any]], n: Any) -> list[Any] | None:
+    """Return the entries of a basis of the row space and n·ℤ⁴, of index n²: two rows, and twice n.
 
-    The product lies above and has this index, so the other rows add nothing. None where a pivot is no unit.
+    The product lies above and has this index, so two rows with a minor that is a unit modulo n span it.
+    None where there is none.
     """
-    basis = [[n * (i == j) for j in range(4)] for i in range(4)]
-    done = -1
-    for found in rows:
-        row = found
-        if done >= 0 and (f := row[done]):
-            row = [(x - f * y) % n for x, y in zip(row, basis[done], strict=True)]
-        column = next((m for m in range(4) if row[m]), None)
-        if column is None:
-            continue
-        if row[column].gcd(n) != 1:
-            return None
-        inverse = pow(row[column], -1, n)  # flint's integers invert ten times faster
-        basis[column] = [x * inverse % n for x in row]
-        if done >= 0:
-            return basis
-        done = column
+    before: list[list[Any]] = []
+    for second in rows:
+        for first in before:
+            for p, q in PAIRS:
+                minor = (first[p] * second[q] - first[q] * second[p]) % n
+                if minor and minor.gcd(n) == 1:
+                    return _reduced(first, second, p, q, pow(minor, -1, n), n)
+        before.append(second)
     return None
+
+
+def _reduced(first: list[Any], second: list[Any], p: int, q: int, u: Any, n: Any) -> list[Any]:
+    """Make columns p and q of two rows those of the identity; u is the inverse of their minor."""
+    a, b, c, d = first[p] * u % n, first[q] * u % n, second[p] * u % n, second[q] * u % n
+    found = [0] * 16
+    for m in range(4):
+        if m in (p, q):
+            found[5 * m] = 1
+        else:
+            x, y = first[m], second[m]
+            found[4 * p + m], found[4 * q + m] = (d * x - b * y) % n, (a * y - c * x) % n
+            found[5 * m] = n
+    return found

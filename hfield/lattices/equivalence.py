@@ -9,6 +9,7 @@ approximation decides, and the element is looked for among short vectors of a fo
 from __future__ import annotations
 
 import math
+import random
 from fractions import Fraction
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -24,8 +25,11 @@ if TYPE_CHECKING:
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
 
-TRIED = 20_000
-"""Vectors tried for an element of given norm in an indefinite algebra."""
+TRIED = 100_000
+"""Vectors tried for an element of given norm in an indefinite algebra, and as many once more."""
+PLACES = 25
+FAR = 10**4
+"""So many other places from which short vectors are looked for, and how far away."""
 
 
 def equivalence(first: Ideal, second: Ideal) -> Answer:
@@ -48,21 +52,26 @@ def equivalence(first: Ideal, second: Ideal) -> Answer:
         "second": rows_json(second),
         "between": rows_json(bridge),
     }
+    lattices = (first, second, bridge)
     if size is None:
-        return Answer(False, "the index of one in the other is no square", evidence=evidence)
+        reason = "the index of one in the other is no square"
+        return Answer(False, reason, evidence=evidence, lattices=lattices)
     evidence["norm"] = str(size)
     found, reason = element_of_norm(bridge, size)
     if found is not None:
         evidence["element"] = element_json(found)
-        return Answer(True, "the element is multiplied out", found, evidence=evidence)
+        reason = "the element is multiplied out"
+        return Answer(True, reason, found, evidence=evidence, lattices=lattices)
     if first._regular.definite:
-        return Answer(False, reason, evidence=evidence)
+        return Answer(False, reason, evidence=evidence, lattices=lattices)
     if not (first.is_invertible() and second.is_invertible() and one_class(first.order)):
         raise UndecidedError(
             f"whether these ideals of an indefinite algebra are equivalent is not decided: {reason}, and "
             "strong approximation decides for invertible ideals of orders with Eichler symbols 1 and −1"
         )
-    return Answer(True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence)
+    return Answer(
+        True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence, lattices
+    )
 
 
 def one_class(order: Order) -> bool:
@@ -96,22 +105,45 @@ def element_of_norm(lattice: Lattice, size: Fraction) -> tuple[Quaternion | None
 
 
 def _indefinite(lattice: Lattice, m: int) -> tuple[Quaternion | None, str]:
-    """Try short vectors of the majorant for the value ±m."""
+    """Try short vectors of the majorant for the value ±m, and short ones as they are seen from elsewhere.
+
+    The elements c of L are those of L·ȳ divided by ȳ, for any y; and what is long seen from 1 may be short
+    seen from y.
+    """
+    found = _among_short(lattice, m, TRIED)
+    if found is not None:
+        return found, ""
+    rng = random.Random(m)
+    for _ in range(PLACES):
+        row = [rng.randint(-FAR, FAR) for _ in range(4)]
+        y = sum((c * q for c, q in zip(row, lattice.basis, strict=True)), lattice.algebra(0))
+        if y.norm() == 0:
+            continue
+        found = _among_short(lattice * y.conjugate(), m, TRIED // PLACES)
+        if found is not None:
+            return found * y / y.norm(), ""
+    tried = f"{TRIED} short ones, nor among as many seen from {PLACES} other places"
+    return None, f"no element of norm ±{m * lattice._norm} is among {tried}"
+
+
+def _among_short(lattice: Lattice, m: int, most: int) -> Quaternion | None:
+    """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
     rows, gram = lattice._reduced
     entries = [int(x) for x in (rows * lattice._regular.majorant * rows.transpose()).entries()]
     size = [entries[n : n + 4] for n in (0, 4, 8, 12)]
-    bound, tried = max(size[n][n] for n in range(4)), 0
     lines = hermite.tuples(rows)
-    while tried < TRIED:
+    bound, tried = max(size[n][n] for n in range(4)), 0
+    while tried < most:
         vectors = enumeration.short_vectors(size, bound)
         tried = 0
-        for tried, (x, _) in enumerate(islice(vectors, TRIED), 1):  # noqa: B007
+        for tried, (x, _) in enumerate(islice(vectors, most), 1):  # noqa: B007
             value = sum(x[i] * x[j] * gram[i][j] for i in range(4) for j in range(4)) // 2
             if abs(value) == m:
-                row = [sum(x[i] * lines[i][n] for i in range(4)) for n in range(4)]
-                return lattice._element(row), ""
+                return lattice._element(
+                    [sum(x[i] * lines[i][n] for i in range(4)) for n in range(4)]
+                )
         bound *= 2
-    return None, f"no element of norm ±{m * lattice._norm} is among {TRIED} short ones"
+    return None
 
 
 def root(x: Fraction) -> Fraction | None:

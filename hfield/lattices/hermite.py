@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
-from flint import fmpz_mat
+from flint import fmpz, fmpz_mat
 
 Rows = tuple[tuple[int, int, int, int], ...]
 
@@ -22,24 +22,20 @@ def hermite(den: int, matrix: Any) -> tuple[int, Any] | None:
 
     None when the rank is below 4.
     """
-    if matrix.nrows() < 4:
+    n = matrix.nrows()
+    if n < 4:
         return None
     h = matrix.hnf()
-    a, b, c, d = h[0, 0], h[1, 1], h[2, 2], h[3, 3]
-    if not (a and b and c and d):
+    top = h.entries() if n == 4 else [h[i, j] for i in range(4) for j in range(4)]
+    if not (top[0] and top[5] and top[10] and top[15]):
         return None
-    top = [a, h[0, 1], h[0, 2], h[0, 3], 0, b, h[1, 2], h[1, 3], 0, 0, c, h[2, 3], 0, 0, 0, d]
-    if den != 1:
-        g = den
-        for x in top:
-            if x:
-                g = math.gcd(g, int(x))
-                if g == 1:
-                    break
-        if g != 1:
-            den //= g
-            top = [x // g if x else 0 for x in top]
-    return den, fmpz_mat(4, 4, top)
+    g = fmpz(den)
+    for x in top:
+        if g == 1:
+            return den, h if n == 4 else fmpz_mat(4, 4, top)
+        if x:
+            g = g.gcd(x)
+    return den // int(g), fmpz_mat(4, 4, [x // g for x in top])
 
 
 def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]]]:
@@ -49,9 +45,14 @@ def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]
     return den, [[x.numerator * (den // x.denominator) for x in row] for row in rows]
 
 
+def volume(matrix: Any) -> Any:
+    """Return the determinant of a triangular matrix, the product of the diagonal, as flint's integer."""
+    return matrix[0, 0] * matrix[1, 1] * matrix[2, 2] * matrix[3, 3]
+
+
 def determinant(matrix: Any) -> int:
-    """Return the determinant of a triangular matrix, the product of the diagonal."""
-    return int(matrix[0, 0] * matrix[1, 1] * matrix[2, 2] * matrix[3, 3])
+    """Return the determinant of a triangular matrix."""
+    return int(volume(matrix))
 
 
 def inverse(matrix: Any) -> tuple[Any, int]:
@@ -83,17 +84,19 @@ def contains(den: int, matrix: Any, row_den: int, row: Sequence[int]) -> bool:
     """Tell whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
     rest = []
     for x in row:
-        q, r = divmod(x * den, row_den)
+        q, r = divmod(x * den, row_den) if x else (0, 0)
         if r:
             return False
         rest.append(q)
     for n in range(4):
-        c, r = divmod(rest[n], int(matrix[n, n]))
+        if not rest[n]:
+            continue
+        c, r = divmod(rest[n], matrix[n, n])
         if r:
             return False
         if c:
             for m in range(n + 1, 4):
-                rest[m] -= c * int(matrix[n, m])
+                rest[m] -= c * matrix[n, m]
     return True
 
 

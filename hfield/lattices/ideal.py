@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
@@ -17,6 +17,9 @@ from hfield.lattices.lattice import Lattice, element_row, listed
 from hfield.lattices.order import Order
 from hfield.lattices.order import prime as checked_prime
 from hfield.quaternion import Parent, Quaternion
+
+if TYPE_CHECKING:
+    from hfield.lattices.certified import Claim
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
@@ -229,6 +232,21 @@ class Ideal(Lattice):
                 "these are ideals of different orders: two ideals are compared over one order"
             )
         return other
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none for an ideal that is not invertible; ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+        from hfield.lattices import certified
+
+        return certified.of_ideal(self)
 
     @property
     def evidence(self) -> dict[str, Any]:

@@ -2,8 +2,8 @@
 
 Isomorphisms of orders are conjugations, hence isometries of the trace-0 parts of ``ℤ + 2O``; conversely such
 an isometry, times −1 if it turns the orientation, is a conjugation that maps one order onto the other
-(Voight, *Quaternion Algebras*, chapter 22). So in a definite algebra three short vectors of one lattice
-are sent to vectors of the other with the same inner products, in all ways, whatever the orders are.
+(Voight, *Quaternion Algebras*, chapter 22). So in a definite algebra all reduced bases of
+one lattice are compared with one of the other, whatever the orders are.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.factorisation import factorise
-from hfield.lattices import enumeration, hermite
+from hfield.lattices import hermite, ternary
 from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
 from hfield.lattices.equivalence import element_of_norm, root
 from hfield.lattices.ideal import Ideal
@@ -39,23 +39,28 @@ def isomorphism(first: Order, second: Order) -> Answer:
         "second": rows_json(second),
     }
 
+    lattices = (first, second)
+
     def yes(x: Any, reason: str) -> Answer:
         evidence["element"] = element_json(x)
-        return Answer(True, reason, x, evidence=evidence)
+        return Answer(True, reason, x, evidence=evidence, lattices=lattices)
+
+    def no(reason: str) -> Answer:
+        return Answer(False, reason, evidence=evidence, lattices=lattices)
 
     if first == second:
         return yes(first.algebra(1), "they are equal")
     if first._discriminant != second._discriminant:
         reason = f"their discriminants are {first._discriminant} and {second._discriminant}"
-        return Answer(False, reason, evidence=evidence)
+        return no(reason)
     if first._regular.definite:
         row, reason = _conjugator(first, second)
         if row is None:
-            return Answer(False, reason, evidence=evidence)
+            return no(reason)
         x = first._element(row, 1)
         return yes(x, "the element conjugates one into the other")
     if first.conductor() != second.conductor():
-        return Answer(False, "their conductors differ", evidence=evidence)
+        return no("their conductors differ")
     first, second = first.gorenstein_closure(), second.gorenstein_closure()
     if not (first.is_eichler() and second.is_eichler()):
         raise UndecidedError(
@@ -66,41 +71,30 @@ def isomorphism(first: Order, second: Order) -> Answer:
     found, reason = element_of_norm(bridge, bridge._norm)
     if found is not None:
         return yes(found.inverse(), "the element conjugates one into the other")
-    return Answer(True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence)
+    return Answer(
+        True, f"{reason}, but there is one", None, STRONG_APPROXIMATION, evidence, lattices
+    )
 
 
 def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     """Return a primitive row x with ``x·first = second·x``, or None and why."""
     den, rows, gram = first._reduced_ternary
     other_den, other_rows, other_gram = second._reduced_ternary
-    order = sorted(range(3), key=lambda n: gram[n][n])
-    lengths = [gram[n][n] for n in order]
-    images: dict[int, list[tuple[int, ...]]] = {n: [] for n in lengths}
-    for v, value in enumeration.short_vectors(other_gram, lengths[-1]):
-        if value in images:
-            images[value] += [v, tuple(-x for x in v)]
-    for n in lengths:
-        if not images[n]:
-            return None, f"the trace-0 part of ℤ + 2O has elements of norm {n // 2} in one only"
-
-    def pair(u: tuple[int, ...], v: tuple[int, ...]) -> int:
-        return sum(u[i] * v[j] * other_gram[i][j] for i in range(3) for j in range(3))
-
-    a, b, c = order
-    for u in images[lengths[0]]:
-        for v in images[lengths[1]]:
-            if pair(u, v) != gram[a][b]:
-                continue
-            for w in images[lengths[2]]:
-                if pair(u, w) == gram[a][c] and pair(v, w) == gram[b][c]:
-                    targets = fmpz_mat([list(u), list(v), list(w)]) * other_rows
-                    sources = fmpz_mat([[int(rows[n, m]) for m in range(4)] for n in order])
-                    return _conjugating(first, sources * other_den, targets * den), ""
-    tried = len(images[lengths[0]]) * len(images[lengths[1]]) * len(images[lengths[2]])
-    return None, (
-        f"none of the {tried} ways to send three short elements of the trace-0 part of ℤ + 2O to elements of "
-        "the same norms keeps the inner products"
-    )
+    steps, form = next(ternary.reduced_bases(gram))
+    images = list(ternary.reduced_bases(other_gram))
+    least, other_least = form[0] // 2, images[0][1][0] // 2
+    if least != other_least:
+        return None, (
+            f"the least norm in the trace-0 part of ℤ + 2O is {least} for one and {other_least} for the other"
+        )
+    found = next((image for image, own in images if own == form), None)
+    if found is None:
+        return None, (
+            f"none of the {len(images)} bases of the trace-0 part of ℤ + 2O that are reduced after Korkine "
+            "and Zolotarev has the inner products that one has for the other order"
+        )
+    sources, targets = fmpz_mat(steps) * rows, fmpz_mat(found) * other_rows
+    return _conjugating(first, sources * other_den, targets * den), ""
 
 
 def _conjugating(order: Order, sources: Any, targets: Any) -> list[int]:

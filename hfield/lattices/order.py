@@ -25,6 +25,7 @@ from hfield.rings.rational import rational
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
+    from hfield.lattices.certified import Claim
     from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.quadratic_orders import Embeddings
@@ -180,6 +181,21 @@ class Order(Lattice):
         rows = self.hnf[1]
         v = list(x)
         return [sum(v[m] * rows[m][n] for m in range(4)) for n in range(4)]
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none where the checker would have to do too much; ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+        from hfield.lattices import certified
+
+        return certified.of_order(self)
 
     @property
     def evidence(self) -> dict[str, Any]:

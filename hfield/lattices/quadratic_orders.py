@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz, fmpz_mat
 
@@ -20,6 +21,9 @@ from hfield.lattices import enumeration, hermite
 from hfield.lattices.order import Order
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
+
+if TYPE_CHECKING:
+    from hfield.lattices.certified import Claim
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,18 @@ class Embeddings:
     def element(self) -> Quaternion | None:
         """One of them, or None."""
         return self.elements[0] if self.elements else None
+
+    @property
+    def certificate(self) -> dict[str, Any] | None:
+        """The certificate that there is one, or none; None where the checker cannot follow."""
+        return self.claim.certificate
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+        from hfield.lattices import certified
+
+        return certified.of_embeddings(self)
 
     def __len__(self) -> int:
         return len(self.elements)

@@ -8,6 +8,7 @@ elements are matrices that act on such rows from the right. They are found with 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -17,8 +18,9 @@ from flint import fmpz_mat
 from hfield.errors import RingError
 from hfield.lattices.hermite import integral
 from hfield.product import Constants, conjugate, multiply, trace
+from hfield.rings.rational_places import INFINITE
 from hfield.structure.forms import discriminant
-from hfield.structure.rationals.hilbert_rationals import INFINITE, ramified_places_q
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 
 UNITS: list[Any] = [tuple(Fraction(int(m == n)) for n in range(4)) for m in range(4)]
@@ -49,6 +51,12 @@ class Regular:
             [[int(x * s) for m in range(4) for x in left[m][n]] for n in range(4)]
         )
         self.form = fmpz_mat([[int(x * s) for x in row] for row in form])
+        self._squares = [
+            (m, n, self.form[m, n] // (2 if m == n else 1))
+            for m in range(4)
+            for n in range(m, 4)
+            if self.form[m, n]
+        ]
         bar = [conjugate(c, u) for u in UNITS]
         self.conjugate_scale = d = math.lcm(*(x.denominator for q in bar for x in q))
         self.conjugation = fmpz_mat([[int(x * d) for x in q] for q in bar])
@@ -88,6 +96,10 @@ class Regular:
         return sum(
             (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
         )
+
+    def norm(self, row: Sequence[Any]) -> Any:
+        """Return the norm of a row of flint integers, ``scale`` times too large."""
+        return sum(c * row[m] * row[n] for m, n, c in self._squares)
 
     def gram(self, rows: Any) -> Any:
         """Return the matrix of ``tr(x·conj(y))`` on the rows, ``scale`` times too large."""

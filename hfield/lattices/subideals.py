@@ -10,6 +10,7 @@ import random
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import product
+from operator import add
 from typing import Any
 
 from flint import fmpz_mat
@@ -103,47 +104,74 @@ def ideals_of_norm(order: Order, n: int, side: str) -> list[Ideal]:
     Raises :class:`LatticeError` at a prime where the order is neither maximal nor an Eichler order, and
     :class:`TooLargeError` for more than 10⁵.
     """
-    whole = Ideal.of(order, "right", order)
-    layer: dict[Any, Ideal] = {whole.hnf: whole}
+    layer: dict[Any, Lattice] = {order.hnf: order}
     for p, e in sorted(factorise(n).items()):
-        if len(layer) * (p + 1) ** e > MOST:
+        if len(layer) * number_maximal(p, e) > MOST:
             raise TooLargeError(f"there are too many ideals of norm {n} to list them")
-        for _ in range(e):
-            layer = {J.hnf: J for K in layer.values() for J in of_prime_norm(K, order, p)}
-    found = [layer[key] for key in sorted(layer)]
+        local = of_prime_power_norm(order, p, e)
+        both = (J & K for J in layer.values() for K in local)
+        layer = {J.hnf: J for J in both}
+    found = [Ideal.of(layer[key], "right", order) for key in sorted(layer)]
     return found if side == "right" else [J.conjugate() for J in found]
 
 
-def of_prime_norm(ideal: Ideal, order: Order, p: int) -> Iterator[Ideal]:
-    """Yield the invertible right ideals of an order in a right ideal, of relative norm p."""
+def of_prime_power_norm(order: Order, p: int, e: int) -> list[Lattice]:
+    """Return the invertible right ideals of an order of norm pᵉ, as lattices."""
+    if order._discriminant % p == 0 and order._regular.discriminant % p:
+        return _at_the_level(order, p, e)
+    layer: dict[Any, Lattice] = {order.hnf: order}
+    for _ in range(e):
+        layer = {J.hnf: J for K in layer.values() for J in of_prime_norm(K, order, p)}
+    return list(layer.values())
+
+
+def number_maximal(p: int, e: int) -> int:
+    """Return how many right ideals of norm pᵉ the ring M₂(ℤₚ) has."""
+    return int((p ** (e + 1) - 1) // (p - 1))
+
+
+def of_prime_norm(ideal: Lattice, order: Order, p: int) -> Iterator[Lattice]:
+    """Yield the right ideals of relative norm p in a right ideal; the order is maximal at p."""
     if order._discriminant % p:
         for den, matrix in right_subideals(ideal, order, p):
-            yield Ideal(order.algebra, den, matrix, "right", order)
-    elif order._regular.discriminant % p == 0:
+            yield Lattice(order.algebra, den, matrix)
+    else:
         from hfield.lattices.twosided import two_sided_prime
 
-        yield Ideal.of(ideal._product(two_sided_prime(order, p)), "right", order)
-    else:
-        yield from _at_the_level(ideal, order, p)
+        yield ideal._product(two_sided_prime(order, p))
 
 
-def _at_the_level(ideal: Ideal, order: Order, p: int) -> Iterator[Ideal]:
-    """Yield those at a prime of the level: intersections of ideals of the two maximal orders at the ends."""
-    e = factorise(order.level)[p]
+def _at_the_level(order: Order, p: int, e: int) -> list[Lattice]:
+    """Return those at a prime of the level: intersections of ideals of the two maximal orders at the ends.
+
+    Locally such an ideal is x·O = x·O₁ ∩ x·O₂, O being O₁ ∩ O₂. Not all are products of ideals of norm p.
+    """
     if order.eichler_symbol(p) != 1:
         raise LatticeError(
             f"the order is no Eichler order at {p}: its ideals of norm {p} are not listed"
         )
-    ends = endpoints(order, p, e)
-    parts = []
-    for end in ends:
-        larger = ideal._product(end)
-        parts.append([Lattice(order.algebra, *x) for x in right_subideals(larger, end, p)])
-    for first in parts[0]:
-        for second in parts[1]:
-            both = first & second
-            if ideal._volume_ratio(both) == p * p and both._norm == p * ideal._norm:
-                yield Ideal.of(both, "right", order)
+    ends = endpoints(order, p, factorise(order.level)[p])
+    if number_maximal(p, e) ** 2 > MOST:
+        raise TooLargeError(f"there are too many pairs of ideals of norm {p}^{e} to try them")
+    first, second = (of_prime_power_norm(end, p, e) for end in ends)
+    q = p**e
+    # x·O has the index q² in O and the norm q, and x·O₁ ∩ x′·O₂ has both only where x·O₂ = x′·O₂
+    pairs = (x & y for x in first for y in second)
+    return [both for both in pairs if order._volume_ratio(both) == q * q and both._norm == q]
+
+
+def prime_to(ideal: Lattice, p: int) -> Lattice:
+    """Return a right ideal of integral norm prime to p in the class of a right ideal: ``conj(x)·I/N(I)``."""
+    rows, gram = ideal._reduced
+    pairs = [(m, n) for m in range(4) for n in range(m, 4)]
+    # the norm over that of the ideal is primitive, so one of these has a value prime to p
+    for m, n in sorted(pairs, key=lambda x: x[0] != x[1]):
+        value = gram[m][m] // 2 if m == n else (gram[m][m] + gram[n][n]) // 2 + gram[m][n]
+        if value % p:
+            lines = hermite.tuples(rows)
+            x = lines[m] if m == n else tuple(map(add, lines[m], lines[n]))
+            return ideal.__rmul__(ideal._element(x).conjugate())._scaled(1 / ideal._norm)
+    raise AssertionError("the values of a primitive form have no common divisor")
 
 
 def random_ideal(order: Order, n: int, side: str, rng: random.Random) -> Ideal:

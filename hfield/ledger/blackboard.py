@@ -90,7 +90,10 @@ class Explanation:
 
 
 def explain(claim: str, field: str | None = None) -> Explanation:
-    """Decide a claim, given by its id or name, over one field (a text; QQ by default).
+    """Decide a claim, given by its id or name, over one field (a text; QQ by default), and show each step.
+
+    >>> explain("centre", "GF(4)").row.as_printed.verdict
+    'proved'
 
     Raises :class:`hfield.errors.HFieldError` for a claim or field that does not exist.
     """

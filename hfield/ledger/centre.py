@@ -7,6 +7,7 @@ from itertools import combinations
 from typing import Any
 
 from hfield import structure
+from hfield.certificates.glossary import LINEAR_ALGEBRA, PROVED, REFUTED, SMITH_FORM
 from hfield.factorisation import factorise
 from hfield.ledger.facts import hamilton, texts
 from hfield.notation import element_text
@@ -44,8 +45,8 @@ class Centre:
         )
         witness = None if right else {f"c{n}": texts(field, q) for n, q in enumerate(basis, 1)}
         return Decision(
-            "proved" if right else "refuted",
-            "linear algebra",
+            PROVED if right else REFUTED,
+            LINEAR_ALGEBRA,
             witness=witness,
             steps=steps,
             evidence=_minor(_equations()) if right else None,
@@ -69,8 +70,8 @@ class Centre:
         right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
         witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}
         return Decision(
-            "proved" if right else "refuted",
-            "Smith form",
+            PROVED if right else REFUTED,
+            SMITH_FORM,
             witness=witness,
             steps=steps,
             scope="fields",

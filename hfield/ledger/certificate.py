@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from hfield.atomic import whole_file
-from hfield.certificates.check import cited
+from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
-from hfield.proving.decision import PROVED, REFUTED, VACUOUS, Decision
+from hfield.proving.decision import Decision
 
 
 def certificate(
@@ -20,28 +20,17 @@ def certificate(
 ) -> dict[str, Any] | None:
     """Return the certificate ``hfield-cert/1`` of a decision, None where there is none to give.
 
-    What it assumes is what the checker finds cited in the evidence; a certificate that the checker
-    would reject is not given.
+    One that the checker would reject, for what it cites too, is not given.
     """
-    if proposition is None or decision is None or decision.evidence is None:
-        return None
-    if decision.verdict not in (PROVED, REFUTED, VACUOUS):
+    if proposition is None or decision is None:
         return None
     named = None if field in (UNIVERSAL, NO_FIELD) else field
-    data: dict[str, Any] = {
-        "schema": "hfield-cert/1",
-        "statement": proposition.statement,
-        "algebra": f"(-1,-1|{named or 'F'})",
-        "field": named,
-        "verdict": decision.verdict,
-        "method": decision.method,
-        "assumes": [],
-        "evidence": dict(decision.evidence),
-    }
-    try:
-        data["assumes"] = cited(data)
-    except Rejected:
-        return None
+    data = decision.certificate(proposition.statement, f"(-1,-1|{named or 'F'})", named)
+    if data is not None:
+        try:
+            check(data)
+        except Rejected:
+            return None
     return data
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
+from hfield.certificates.glossary import NOT_APPLICABLE, NOT_CHECKABLE
 from hfield.proving.decision import Decision
 
 if TYPE_CHECKING:
@@ -119,9 +120,7 @@ def decide(claim: Claim, field: str) -> Row:
     from hfield.rings import ring
 
     if claim.as_printed is None:
-        return Row(
-            claim, field, Decision("not-applicable", "not checkable", steps=(claim.note,)), None
-        )
+        return Row(claim, field, Decision(NOT_APPLICABLE, NOT_CHECKABLE, steps=(claim.note,)), None)
     base = None if field in (UNIVERSAL, NO_FIELD) else ring(field)
     printed = claim.as_printed.decide(base)
     if printed.verdict != "refuted" or claim.corrected is None:

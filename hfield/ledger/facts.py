@@ -7,6 +7,20 @@ from functools import lru_cache
 from typing import Any
 
 from hfield import structure
+from hfield.certificates.glossary import (
+    ANISOTROPIC_NORM,
+    LEVEL,
+    NO_MEANING,
+    NO_ORDER,
+    NOT_APPLICABLE,
+    ORDERING,
+    PROVED,
+    REFUTED,
+    SUM_OF_SQUARES,
+    UNDECIDED,
+    WITNESS,
+    ZERO_NORM,
+)
 from hfield.ledger.propositions import search_panel
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, norm
@@ -28,8 +42,8 @@ def texts(F: Ring, q: Coordinates) -> list[str]:
 
 def _no_single_field() -> Decision:
     return Decision(
-        "not-applicable",
-        "no meaning here",
+        NOT_APPLICABLE,
+        NO_MEANING,
         steps=("This speaks of one field, not of all at once.",),
     )
 
@@ -59,24 +73,22 @@ class LevelAbove:
             return _no_single_field()
         level = field.level
         if level.value is None:
-            return Decision("undecided", "level", tried=(level.reason,))
+            return Decision(UNDECIDED, LEVEL, tried=(level.reason,))
         if level.value > self.bound or level.value == INFINITY:
             return Decision(
-                "proved", "level", steps=(f"The level is {level}.",), evidence={"kind": "level"}
+                PROVED, LEVEL, steps=(f"The level is {level}.",), evidence={"kind": "level"}
             )
         roots = field.minus_one_as_squares()
         total = field.zero
         for x in roots:
             total = total + x * x
         if not field.equal(total, field(-1)):
-            return Decision("undecided", "level", tried=(f"squares adding up to −1 in {field}",))
+            return Decision(UNDECIDED, LEVEL, tried=(f"squares adding up to −1 in {field}",))
         shown = " + ".join(f"({field.text(x)})²" for x in roots)
         witness = {f"x{n}": [field.text(x)] for n, x in enumerate(roots, 1)}
         evidence = {"kind": "squares", "values": [field.text(x) for x in roots]}
         steps = (f"−1 = {shown}",)
-        return Decision(
-            "refuted", "sum of squares", witness=witness, steps=steps, evidence=evidence
-        )
+        return Decision(REFUTED, SUM_OF_SQUARES, witness=witness, steps=steps, evidence=evidence)
 
 
 @dataclass(frozen=True)
@@ -94,15 +106,15 @@ class Division:
         if found.element is None:
             data = structure.norm_evidence(f"(-1,-1|{field.name})", field, hamilton(field), found)
             if data is None:
-                return Decision("undecided", "anisotropic norm", tried=(found.reason,))
+                return Decision(UNDECIDED, ANISOTROPIC_NORM, tried=(found.reason,))
             evidence: dict[str, Any] = {"kind": "anisotropic", **data}
             steps = (f"N(q) = 0 only for q = 0: {found.reason}",)
-            return Decision("proved", "anisotropic norm", steps=steps, evidence=evidence)
+            return Decision(PROVED, ANISOTROPIC_NORM, steps=steps, evidence=evidence)
         q = found.element
         step = f"q = {element_text(field, q, 'unicode', 'e')} ≠ 0 has N(q) = 0."
         return Decision(
-            "refuted",
-            "zero norm",
+            REFUTED,
+            ZERO_NORM,
             witness={"q": texts(field, q)},
             steps=(step, *_counted(field)),
             evidence={"kind": "zero norm", "value": texts(field, q)},
@@ -145,13 +157,13 @@ class PositiveNorm:
         one = (field.one, *(field.zero,) * 3)
         if field.characteristic:
             step = f"{field} has no order: 1 + … + 1 ({field.characteristic} times) is 0."
-            return Decision("not-applicable", "no order", steps=(step,))
+            return Decision(NOT_APPLICABLE, NO_ORDER, steps=(step,))
         if field.level.value == INFINITY and self.sign > 0:
             steps = (
                 f"{field} is formally real: {field.level.reason}.",
                 "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
             )
-            return Decision("proved", "ordering", steps=steps, evidence={"kind": "ordering"})
+            return Decision(PROVED, ORDERING, steps=steps, evidence={"kind": "ordering"})
         candidates = [one] + ([(field.gen, *one[1:])] if field.gen_name else [])
         squares = field.minus_one_as_squares()
         if 0 < len(squares) <= 4:  # then −1 is a norm
@@ -164,12 +176,12 @@ class PositiveNorm:
                 step = f"q = {shown} has an inverse, though N(q) = {value}."
                 value_of_q = texts(field, q)
                 return Decision(
-                    "refuted",
-                    "witness",
+                    REFUTED,
+                    WITNESS,
                     witness={"q": value_of_q},
                     steps=(step,),
                     evidence={"kind": "witness", "value": value_of_q, "norm": value},
                 )
         return Decision(
-            "undecided", "ordering", tried=("multiples of e with a rational norm, and norms −1",)
+            UNDECIDED, ORDERING, tried=("multiples of e with a rational norm, and norms −1",)
         )

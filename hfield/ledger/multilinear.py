@@ -13,7 +13,16 @@ from functools import lru_cache
 from itertools import product as tuples
 from typing import Any
 
-from hfield.certificates.theorems import INDUCTION
+from hfield.certificates.glossary import (
+    BASIS_TUPLES,
+    COUNT,
+    DETERMINANT,
+    EXHAUSTION,
+    IDENTITY,
+    INDUCTION,
+    PROVED,
+    REFUTED,
+)
 from hfield.notation import BASIS
 from hfield.proving.decision import Decision
 from hfield.rings.base import Ring
@@ -155,8 +164,8 @@ class DeterminedBy:
                 }
                 witness |= {"f": ["1", "0", "0", "0"], "g": ["0", "0", "0", "0"]}
                 return Decision(
-                    "refuted",
-                    "basis tuples",
+                    REFUTED,
+                    BASIS_TUPLES,
                     witness=witness,
                     steps=tuple(steps),
                     evidence={"kind": "left out", "tuple": _word(t)},
@@ -165,8 +174,8 @@ class DeterminedBy:
                 f"k = {k}: f − g = Σ h_t·a₁[t₁]⋯aₖ[tₖ] over {len(given)} tuples t, all h_t = 0."
             )
         return Decision(
-            "proved",
-            "basis tuples",
+            PROVED,
+            BASIS_TUPLES,
             steps=tuple(steps),
             scope="commutative rings",
             assumes=self.assumes,
@@ -215,7 +224,7 @@ class CurriedIsLinear:
                 if mixed != s**self.power * form.at(slot, a, fixed) + y * form.at(slot, b, fixed):
                     step = "Take s = 2, y = 0: the left side doubles, the right side does not."
                     witness = {"s": ["2"], "y": ["0"]}
-                    refuted = Decision("refuted", "identity", witness=witness, steps=(step,))
+                    refuted = Decision(REFUTED, IDENTITY, witness=witness, steps=(step,))
                     return _over_all(field, refuted)
         step = "Both sides expand to the same polynomial for m = 1, 2, each slot, each basis vector e₀."
         return _expanded(step)
@@ -223,8 +232,8 @@ class CurriedIsLinear:
 
 def _expanded(step: str) -> Decision:
     return Decision(
-        "proved",
-        "identity",
+        PROVED,
+        IDENTITY,
         steps=(step,),
         scope="commutative rings",
         assumes=(INDUCTION,),
@@ -235,7 +244,7 @@ def _expanded(step: str) -> Decision:
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
     """A difference s² − s vanishes on GF(2), where a map is told by its values, not by its formula."""
     if field is not None and field.order == 2:
-        return Decision("proved", "exhaustion", steps=("s² = s for both elements s of GF(2).",))
+        return Decision(PROVED, EXHAUSTION, steps=("s² = s for both elements s of GF(2).",))
     return decision
 
 
@@ -278,7 +287,7 @@ class LastArgument:
                 )
                 witness = {f"x{m + 1}": [str(int(m == n))] for m in range(N + 1)}
                 return Decision(
-                    "refuted", "identity", witness=witness, steps=(step,), evidence=BY_EXPANDING
+                    REFUTED, IDENTITY, witness=witness, steps=(step,), evidence=BY_EXPANDING
                 )
         step = f"Both sides expand to the same polynomial in {', '.join(map(str, self.arities))} arguments."
         return _expanded(step)
@@ -312,8 +321,8 @@ class IsBasis:
             )
             last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
             return Decision(
-                "refuted",
-                "count",
+                REFUTED,
+                COUNT,
                 witness={"missing": last},
                 steps=(step,),
                 evidence={"kind": "count"},
@@ -324,8 +333,8 @@ class IsBasis:
         unit = abs(det) == 1 if field is None else field.is_unit(field(det))
         step = f"The determinant is {det}, {'a unit' if unit else 'not a unit'}."
         return Decision(
-            "proved" if unit else "refuted",
-            "determinant",
+            PROVED if unit else REFUTED,
+            DETERMINANT,
             steps=(step,),
             evidence={"kind": "determinant"},
         )

@@ -9,7 +9,7 @@ from hfield.executors import InProcess
 from hfield.ledger.claim import Row
 from hfield.ledger.columns import split_columns
 from hfield.ledger.matrix import Style, columns_of
-from hfield.ledger.registry import claims, find
+from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
@@ -51,11 +51,18 @@ class Report:
         return f"${self.latex()}$"
 
 
-def verify(names: Sequence[str] = (), fields: Sequence[str] = ()) -> Report:
-    """Decide the claims named (ids or names; all of them by default) over fields (the panel).
+def verify(*names: str, field: str | Sequence[str] = ()) -> Report:
+    """Decide claims of the thesis and show what came out, with the errata.
+
+    ``names`` are ids, names or numbers (all claims without any), ``field`` texts of fields, separated by
+    commas (the whole panel without any).
+
+    >>> [row.as_printed.verdict for row in verify("centre", field="GF4,QQ").rows]
+    ['proved', 'proved']
 
     Raises :class:`hfield.errors.HFieldError` for claims or fields that do not exist.
     """
-    chosen = [find(name) for name in names]
-    pieces = rows_to_decide(chosen or claims(), split_columns(fields), strict=bool(chosen))
+    chosen = [claim for name in names for claim in find_all(name)]
+    fields = split_columns([field] if isinstance(field, str) else field)
+    pieces = rows_to_decide(chosen or claims(), fields, strict=bool(chosen))
     return Report(tuple(decide_rows(pieces, InProcess())), bool(chosen))

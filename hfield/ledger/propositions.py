@@ -2,19 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.certificates.glossary import (
+    NO_MEANING,
+    NOT_APPLICABLE,
+    PROVED,
+    REFUTED,
+    THE_PANEL,
+    UNDECIDED,
+    VACUOUS,
+    WITNESS,
+)
 from hfield.errors import NotationError
 from hfield.ledger.carried import carried
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decide import decide
-from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.proving.decision import Decision
+from hfield.proving.statements.printing import to_text
 from hfield.rings import ring
 from hfield.rings.base import Ring
+from hfield.syntax import Node
 
 TRUE = ("proved", "vacuous")
+
+
+def written(node: Node | str) -> str:
+    """Return a tree as text, and a text as it is."""
+    return node if isinstance(node, str) else to_text(node)
 
 
 @dataclass(frozen=True)
@@ -28,6 +45,13 @@ class Statement:
     given: tuple[str, ...] = ()
     words: str = ""
     algebra: str | None = None
+
+    @classmethod
+    def of(
+        cls, formula: Node | str, given: Sequence[Node | str] = (), words: str = ""
+    ) -> Statement:
+        """Return the statement that a tree says, under hypotheses that are trees or texts."""
+        return cls(written(formula), tuple(map(written, given)), words)
 
     @property
     def text(self) -> str:
@@ -52,7 +76,7 @@ class Statement:
         try:
             return decide(self.formula, field, self.given, self.algebra)
         except NotationError as error:
-            return Decision(NOT_APPLICABLE, "no meaning here", steps=(str(error),))
+            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(str(error),))
 
 
 @dataclass(frozen=True)
@@ -91,7 +115,7 @@ class Every:
             assumes |= dict.fromkeys(decision.assumes)
         empty = all(proof["verdict"] == "vacuous" for proof in proofs)
         return Decision(
-            "vacuous" if empty else "proved",
+            VACUOUS if empty else PROVED,
             "; ".join(methods),
             steps=tuple(steps),
             assumes=tuple(assumes),
@@ -215,11 +239,9 @@ class Negation:
             name, first = next(iter(fails.items()))
             witness = {"F": [name], **(first.witness or {})}
             evidence = {"kind": "over", "field": name, "evidence": first.evidence}
-            return Decision(
-                "proved", "witness", witness=witness, steps=tuple(steps), evidence=evidence
-            )
+            return Decision(PROVED, WITNESS, witness=witness, steps=tuple(steps), evidence=evidence)
         settled = all(d.verdict in TRUE for d in found.values())
-        return Decision("refuted" if settled else "undecided", "panel", steps=tuple(steps))
+        return Decision(REFUTED if settled else UNDECIDED, THE_PANEL, steps=tuple(steps))
 
 
 @dataclass(frozen=True)
@@ -272,7 +294,7 @@ class Only:
     def decide(self, field: Ring | None) -> Decision:
         """Decide it where it means something."""
         if field is None or field.name not in self.fits:
-            return Decision("not-applicable", "no meaning here", steps=(self.reason,))
+            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(self.reason,))
         decision = self.proposition.decide(field)
         return replace(decision, assumes=(*decision.assumes, *self.assumes))
 
@@ -297,7 +319,7 @@ def search_panel(proposition: Proposition) -> Decision:
             steps = (f"It fails over {name}:", *decision.steps)
             evidence = {"kind": "over", "field": name, "evidence": decision.evidence}
             return replace(decision, witness=witness, steps=steps, evidence=evidence)
-    return Decision("undecided", "panel", tried=("a counterexample in each field of the panel",))
+    return Decision(UNDECIDED, THE_PANEL, tried=("a counterexample in each field of the panel",))
 
 
 def witness_text(witness: Mapping[str, list[str]] | None) -> str:

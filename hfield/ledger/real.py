@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME
+from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
 from hfield.proving.decision import NOT_APPLICABLE, Decision
@@ -67,7 +67,7 @@ class Analysis:
         """Decide the proposition over RR; the theorem is cited."""
         if field is None or field.name != REAL:
             step = "Limits and roots of real polynomials are meant."
-            return Decision(NOT_APPLICABLE, "no meaning here", steps=(step,))
+            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(step,))
         return _citing(self.proposition.decide(field), CITED_BY_NAME[self.theorem])
 
 

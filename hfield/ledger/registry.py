@@ -9,6 +9,15 @@ from importlib.metadata import entry_points
 from hfield.errors import HFieldError
 from hfield.ledger.chapter1 import CLAIMS
 from hfield.ledger.claim import Claim
+from hfield.ledger.selection import in_section
+
+_POLISH = {
+    "twierdzenie": "theorem",
+    "lemat": "lemma",
+    "definicja": "definition",
+    "wniosek": "corollary",
+}
+_POLISH |= {"przykład": "example", "przyklad": "example", "tabela": "table", "tablica": "table"}
 
 
 @lru_cache(maxsize=1)
@@ -32,15 +41,43 @@ def _foreign() -> Iterator[Claim]:
         yield from point.load()
 
 
+def find_all(name: str) -> list[Claim]:
+    """Return the claims of the thesis that a name stands for: a claim, its numbered words, a section.
+
+    >>> [claim.id for claim in find_all("twierdzenie 3")]
+    ['C1.3.1-z']
+    >>> [claim.id for claim in find_all("definition 2")], len(find_all("1.3.1"))
+    (['C1.3.1-b'], 27)
+
+    Raises :class:`UnknownClaimError`.
+    """
+    wanted = _in_english(name)
+    of_kind = [
+        claim
+        for claim in claims()
+        if claim.kind.replace(" ", "-") == wanted and wanted[-1].isdigit()
+    ]
+    if wanted[:1].isdigit():
+        return in_section(name, claims())
+    return of_kind or [find(name)]
+
+
+def _in_english(name: str) -> str:
+    """Return a name as the ledger spells it: small letters, hyphens, the thesis's words in English."""
+    words = name.strip().lower().replace(" ", "-").split("-")
+    return "-".join([_POLISH.get(words[0], words[0]), *words[1:]])
+
+
 def find(name: str, ledger: Sequence[Claim] | None = None) -> Claim:
     """Return the claim with this id or name, of the thesis if no ledger is given.
 
     Raises :class:`UnknownClaimError`.
     """
     wanted = name.strip().lower()
+    spellings = {wanted, _in_english(name)}
     among = claims() if ledger is None else ledger
     for claim in among:
-        if wanted in (claim.id.lower(), claim.name.lower()):
+        if spellings & {claim.id.lower(), claim.name.lower()}:
             return claim
     from difflib import get_close_matches
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from itertools import groupby
 
+from hfield.certificates.glossary import GAVE_UP
 from hfield.errors import HFieldError
 from hfield.executors import unordered
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide
@@ -64,7 +65,7 @@ def decide_one(claim: Claim, field: str) -> Verdicts:
     try:
         row = decide(claim, field)
     except HFieldError as error:
-        return Decision(UNDECIDED, "gave up", tried=(str(error),)), None
+        return Decision(UNDECIDED, GAVE_UP, tried=(str(error),)), None
     return row.as_printed, row.as_corrected
 
 

@@ -10,7 +10,8 @@ from typing import Any
 
 from hfield.native.keeping import keep, kept
 
-_engines: list[Any] = []  # what the machine code lies in, as long as the process
+Function = Callable[[int, int], int]
+_engines: dict[str, Any] = {}  # what the machine code lies in, as long as the process
 
 
 @cache
@@ -76,6 +77,8 @@ def compiled(
     made = f"{llvmlite.__version__} {llvm.llvm_version_info} {target.triple} {vectorise} "
     made += llvm.get_host_cpu_name() + _features().flatten()
     key = hashlib.sha256((made + text).encode()).hexdigest()
+    if key in _engines:
+        return int(_engines[key].get_function_address(name))
     code = kept(key)
     if code is None:
         if announce is not None:
@@ -90,7 +93,7 @@ def compiled(
         notify_func=lambda module, code: keep(key, code), getbuffer_func=lambda module: code
     )
     engine.finalize_object()
-    _engines.append(engine)
+    _engines[key] = engine
     return int(engine.get_function_address(name))
 
 
@@ -109,8 +112,7 @@ class Announcer:
         print(self.message, file=sys.stderr)
 
 
-def function(address: int, arguments: int) -> Callable[..., int]:
-    """Return the machine code at an address as a function of 64-bit integers; it frees the lock."""
-    kind = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_int64] * arguments)
-    made: Callable[..., int] = kind(address)
+def function(address: int) -> Function:
+    """Return the machine code at an address as a function of two 64-bit integers; it frees the lock."""
+    made: Function = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_int64)(address)
     return made

@@ -4,19 +4,37 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from hfield.certificates.glossary import (
+    CERTIFIED,
+    COMMUTATIVE_RINGS,
+    FIELD,
+    FIELDS,
+    NOT_APPLICABLE,
+    PROVED,
+    REDUCED_RINGS,
+    REFUTED,
+    SCHEMA,
+    UNDECIDED,
+    VACUOUS,
+    VERDICTS,
+)
 from hfield.errors import UndecidedError
 
-PROVED = "proved"
-REFUTED = "refuted"
-VACUOUS = "vacuous"
-UNDECIDED = "undecided"
-NOT_APPLICABLE = "not-applicable"
-VERDICTS = (PROVED, REFUTED, VACUOUS, UNDECIDED, NOT_APPLICABLE)
-
-COMMUTATIVE_RINGS = "commutative rings"
-REDUCED_RINGS = "reduced rings"
-FIELDS = "fields"
-FIELD = "field"
+# The verdicts and scopes, which those who decide take from here.
+__all__ = [
+    "COMMUTATIVE_RINGS",
+    "FIELD",
+    "FIELDS",
+    "NOT_APPLICABLE",
+    "PROVED",
+    "REDUCED_RINGS",
+    "REFUTED",
+    "UNDECIDED",
+    "VACUOUS",
+    "VERDICTS",
+    "Decision",
+    "characteristics",
+]
 
 
 def characteristics(primes: list[int]) -> str:
@@ -24,11 +42,18 @@ def characteristics(primes: list[int]) -> str:
     return f"characteristics {sorted(primes)}"
 
 
+def counted(thing: str, n: int, number: bool = True) -> str:
+    """Return "1 case", "2 cases", or the word alone in singular or plural."""
+    word = thing if n == 1 else f"{thing}s"
+    return f"{n} {word}" if number else word
+
+
 @dataclass(frozen=True)
 class Decision:
     """A verdict and how it was reached; plain data throughout, so it pickles and prints as JSON.
 
-    ``verdict`` is one of :data:`VERDICTS`. ``method`` names the procedure. ``witness`` maps each
+    ``verdict`` is one of :data:`VERDICTS`. ``method`` names the procedure in the words of
+    :mod:`hfield.certificates.glossary`. ``witness`` maps each
     unknown to the texts of its coordinates (four, or one for a scalar), which the field reads back;
     where no field was named, the key ``F`` holds the field that the witness lives in. ``steps`` are
     lines that one could put on a blackboard. ``scope`` says where the statement was proved:
@@ -49,6 +74,21 @@ class Decision:
     def __post_init__(self) -> None:
         if self.verdict not in VERDICTS:
             raise ValueError(f"{self.verdict!r} is not a verdict; expected one of {VERDICTS}")
+
+    def certificate(self, statement: str, algebra: str, field: str | None) -> dict[str, Any] | None:
+        """Return this as a certificate ``hfield-cert/1``, unchecked; None without verdict or evidence."""
+        if self.evidence is None or self.verdict not in CERTIFIED:
+            return None
+        return {
+            "schema": SCHEMA,
+            "statement": statement,
+            "algebra": algebra,
+            "field": field,
+            "verdict": self.verdict,
+            "method": self.method,
+            "assumes": list(self.assumes),
+            "evidence": dict(self.evidence),
+        }
 
     def __bool__(self) -> bool:
         """Proved (or vacuous) is true, refuted is false. Raises UndecidedError for the others."""

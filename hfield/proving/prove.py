@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from hfield.proving.decide import TIMEOUT, read_and_decide
+from hfield.proving.decide import answer
 from hfield.proving.decision import (
     NOT_APPLICABLE,
     PROVED,
@@ -14,10 +14,12 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
+from hfield.proving.question import TIMEOUT, read_question
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
+from hfield.syntax import plain
 
 MAX_STEPS = 12  # shown to people; the decision has them all
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
@@ -83,16 +85,7 @@ class Answer:
         d = self.decision
         if not _is_whole(d.evidence):
             return None
-        return {
-            "schema": "hfield-cert/1",
-            "statement": self.text,
-            "algebra": self.setting.algebra,
-            "field": self.field,
-            "verdict": d.verdict,
-            "method": d.method,
-            "assumes": list(d.assumes),
-            "evidence": dict(d.evidence or {}),
-        }
+        return d.certificate(self.text, self.setting.algebra, self.field)
 
     @property
     def text(self) -> str:
@@ -148,6 +141,11 @@ class Answer:
     def __repr__(self) -> str:
         return str(self)
 
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(str(self))}</pre>"
+
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
 
@@ -187,15 +185,17 @@ def prove(
     """Decide a statement about quaternions and return the answer with its evidence.
 
     ``field`` is a ring or its text; None decides for all fields at once. ``given`` are hypotheses
-    put in front of the statement, ``algebra`` a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if
-    None), ``timeout`` the time in seconds. Raises :class:`NotationError` with a position for what
-    cannot be read. The language is described in docs/language.md.
+    put in front of the statement; both may have the signs in which answers are printed (``p·q̄ ≠ 0``).
+    ``algebra`` is a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None), ``timeout`` the time in
+    seconds. Raises :class:`NotationError` with a position for what cannot be read. The language is
+    described in docs/language.md.
 
     >>> prove("p*q == q*p", field="QQ").witness
     {'p': ['0', '1', '0', '0'], 'q': ['0', '0', '1', '0']}
     >>> bool(prove("(p*q)*r == p*(q*r)"))
     True
     """
-    hypotheses = tuple(given)
-    read, setting, decision = read_and_decide(statement, field, hypotheses, algebra, timeout)
-    return Answer(read, setting, decision)
+    hypotheses = tuple(map(plain, given))
+    question = read_question(plain(statement), field, hypotheses, algebra, timeout)
+    problem = question.problem
+    return Answer(problem.statement, problem.setting, answer(question))

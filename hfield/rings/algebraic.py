@@ -4,8 +4,8 @@ Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree
 π) is a :class:`Closed` form, which sympy holds and which is imported when the first one is met.
 """
 
-import random
 from collections.abc import Callable, Hashable
+from random import Random
 from typing import Any
 
 import flint
@@ -38,6 +38,10 @@ class AlgebraicNumbers(Ring):
         self.is_real = name == "RR"
         self.gen_name = None if self.is_real else "I"
         self.closure = "real closed" if self.is_real else "algebraically closed"
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
 
     @property
     def gen(self) -> Any:
@@ -172,7 +176,7 @@ class AlgebraicNumbers(Ring):
         self.check_ordering(ordering)
         return int(x.sign())
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random number of ℚ(√2, √3), with I in CC; the same for the same seed."""
         roots = (1, 2, 3) if self.is_real else (1, 2, -1, -3)
         terms = {n: flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2))) for n in roots}

@@ -1,15 +1,20 @@
 """Finite fields: GF(p) on flint's residues, GF(pⁿ) on flint's ``fq_default``."""
 
-import random
 from abc import abstractmethod
 from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from functools import cached_property
+from random import Random
 from typing import Any
 
 import flint
 
 from hfield.errors import NotInvertibleError, shorten
+from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
+from hfield.rings.held import tables
+from hfield.rings.held.quotients import Polynomials
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -28,6 +33,10 @@ class FiniteField(Ring):
     is_field = True
     parse_limit = FINITE_LIMIT
 
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the finite field of {shorten(self.order)} elements"
+
     @abstractmethod
     def label(self, x: Any) -> int:
         """Return galois's integer label of x: its coefficients as digits in base p."""
@@ -39,6 +48,16 @@ class FiniteField(Ring):
     def array(self, values: Any) -> Any:
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
         return _arrays().array(self, values)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
+        return _arrays().of_labels(self, row)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of labels, unless the field is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
 
     def scalar(self, x: Any) -> Any:
         """Turn an entry of ``array`` back into an element."""
@@ -77,7 +96,7 @@ class PrimeField(FiniteField, Modular):
 
     def from_label(self, n: int) -> Any:
         """Return the element with galois's integer label n."""
-        return self._make(n)
+        return self.residue(n)
 
 
 class ExtensionField(FiniteField):
@@ -195,11 +214,22 @@ class ExtensionField(FiniteField):
                 return (y,) if x.is_zero() else (x, y)
         raise AssertionError("in a finite field −1 is a sum of two squares")
 
+    def holding(self, constants: Constants) -> Holding:
+        """Elements over a small field are held as labels, over a large one as polynomials."""
+        if self.order < tables.BELOW:
+            return tables.Labels(self, constants)
+        return Polynomials(self, constants)
+
+    @cached_property
+    def tables(self) -> tables.Tables:
+        """What a small field knows by heart: its sums, products and inverses, of labels."""
+        return tables.tables(self)
+
     def elements(self) -> Iterator[Any]:
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
         return (self.from_label(n) for n in range(self.order))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
 

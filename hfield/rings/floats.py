@@ -1,8 +1,8 @@
 """Floats as a ring: RDF, the real numbers as far as float64 goes. It computes, but proves nothing."""
 
 import math
-import random
 from collections.abc import Callable, Hashable
+from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
@@ -28,6 +28,10 @@ class Floats(Ring):
     is_exact = False
     is_field = True
     parse_limit = 100_000
+
+    def in_words(self) -> str:
+        """Say what the ring is."""
+        return "floating-point numbers, which are inexact"
 
     def __call__(self, x: Any) -> Any:
         """Turn a real number into the nearest float, read a text.
@@ -124,7 +128,7 @@ class Floats(Ring):
         """The usual functions, as in ``sqrt(2)/2`` and ``cos(pi/3)``."""
         return {name: _checked(name, f) for name, f in _FUNCTIONS.items()}
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random float between −1 and 1; the same for the same seed."""
         return rng.uniform(-1.0, 1.0)
 

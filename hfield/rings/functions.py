@@ -8,17 +8,19 @@ from __future__ import annotations
 
 import atexit
 import gc
-import random
 from collections.abc import Callable, Hashable, Iterator
+from random import Random
 from typing import Any
 
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
-from hfield.rings.printing import quotient_text, sum_text
+from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.quotient import Quotient
 from hfield.rings.rational import rational, unwrap
 
@@ -41,6 +43,7 @@ class FunctionField(Ring):
     """
 
     is_field = True
+    arithmetic = "function_fields.arithmetic_functions.FunctionArithmetic"
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.gen_name = base, variable
@@ -49,6 +52,10 @@ class FunctionField(Ring):
         self._polynomial = _polynomials_over(base)
         self._one = self._polynomial([base.one])
         self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
 
     @property
     def gen(self) -> Any:
@@ -171,16 +178,28 @@ class FunctionField(Ring):
             return super().sign(x, ordering)
         return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four polynomials over one."""
+        from hfield.rings.held.rational_functions import RationalFunctions
+
+        return RationalFunctions(self, constants)
 
     def places(self) -> Iterator[Any]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""
         from hfield.rings.function_places import all_places
 
         return all_places(self)
+
+    def completion(self, place: Any) -> Ring:
+        """Return a field of Laurent series, over a finite field of constants."""
+        from hfield.rings.local.completions import completion_of_functions
+
+        return completion_of_functions(self, place)
 
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""
@@ -195,14 +214,13 @@ class FunctionField(Ring):
         return sum_text(reversed(terms), style)
 
 
-def build(base: Ring, variables: tuple[str, ...]) -> FunctionField:
+def build(base: Ring, variables: tuple[str, ...]) -> Ring:
     """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
     shown = f"{base}({','.join(variables)})"
     if len(variables) != 1:
-        raise RingError(
-            f"{shorten(shown)}: rational functions have one variable here; the polynomials "
-            f"QQ[{','.join(variables)}] have several"
-        )
+        from hfield.rings.several_variables import build as build_several
+
+        return build_several(base, variables)
     if not isinstance(base, (PrimeField, ExtensionField)) and base.name != "QQ":
         raise RingError(
             f"{shorten(shown)}: rational functions are over QQ or a finite field, as in QQ(x) or GF(4)(t)"
@@ -218,7 +236,11 @@ def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
         if base not in _CONTEXTS:
             _CONTEXTS[base] = flint.fq_default_poly_ctx(base.context)
         return _CONTEXTS[base]  # type: ignore[no-any-return,unused-ignore]
-    p = base.characteristic
+    return polynomials_modulo(base.characteristic)
+
+
+def polynomials_modulo(p: int) -> Callable[[list[Any]], Any]:
+    """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
     if p < WORD:
         return lambda coefficients: flint.nmod_poly(coefficients, p)
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]

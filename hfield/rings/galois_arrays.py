@@ -6,11 +6,11 @@ from typing import Any
 import galois
 import numpy as np
 
-from hfield.errors import CoercionError, shorten
-from hfield.factorisation import factorise
+from hfield.errors import CoercionError
+from hfield.rings.array_held.finite import primitive
+from hfield.rings.array_held.labels import check_galois, labels
 from hfield.rings.arrays import Objects, objects
 from hfield.rings.base import Ring
-from hfield.rings.rational import is_plain_array
 
 GALOIS_BELOW = 2**31  # from here on galois would compute with Python objects, slower than flint's
 TABLES_BELOW = 2**16  # from here on its tables would take seconds to build
@@ -25,21 +25,11 @@ def field_class(F: Any) -> Any:
     if F.degree > 1:
         # Told a primitive element, galois need not search for one, which may take it seconds.
         poly = galois.Poly(F.coefficients[::-1], field=galois.GF(F.characteristic))
-        options |= {"irreducible_poly": poly, "primitive_element": _primitive(F), "verify": False}
+        options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
     cls = galois.GF(F.order, **options)
     one = cls.Ones(1)
     one * one - one  # builds galois's tables now, and not inside somebody's first product
     return cls
-
-
-def _primitive(F: Any) -> int:
-    """Return the label of a generator of the multiplicative group; x itself if it is one."""
-    primes = factorise(F.order - 1)
-    for label in range(F.characteristic, F.order):
-        x = F.from_label(label)
-        if all(x ** ((F.order - 1) // p) != F.one for p in primes):
-            return label
-    raise AssertionError("the multiplicative group of a finite field is cyclic")
 
 
 def array(F: Any, values: Any) -> Any:
@@ -51,41 +41,20 @@ def array(F: Any, values: Any) -> Any:
     cls = field_class(F)
     if cls is None:
         return objects(values, F)
-    if hasattr(type(values), "irreducible_poly"):
-        _check(F, values)
-        return (
-            values
-            if type(values) is cls
-            else cls._view(values.view(np.ndarray).astype(cls.dtypes[0]))
-        )
-    if is_plain_array(values) and values.dtype != object:
-        if values.dtype.kind not in "iub":
-            raise CoercionError(
-                f"an array of {values.dtype} is not an array over {F.name}: expected integers, "
-                "elements of the field, or an array of galois over it"
-            )
-        wide = values if values.dtype == np.uint64 else values.astype(np.int64)
-        residues = np.asarray(wide % wide.dtype.type(F.characteristic))  # or 0 dimensions get lost
-        return residues.astype(cls.dtypes[0]).view(cls)
-    elements = objects(values, F)
-    labels = [F.label(elements[n]) for n in np.ndindex(*elements.shape)]
-    return np.array(labels, dtype=cls.dtypes[0]).reshape(elements.shape).view(cls)
+    return of_labels(F, labels(F, values, cls.dtypes[0].__name__))
 
 
-def _check(F: Any, values: Any) -> None:
-    cls = type(values)
-    same = (cls.characteristic, cls.degree) == (F.characteristic, F.degree)
-    modulus = [int(c) for c in cls.irreducible_poly.coeffs][::-1]
-    if not same or (F.degree > 1 and modulus != F.coefficients):
-        raise CoercionError(
-            f"galois values of {cls.name} modulo {cls.irreducible_poly} are not of {F.name}"
-            + (f" modulo {shorten(F.modulus)}" if F.degree > 1 else "")
-        )
+def of_labels(F: Any, row: Any) -> Any:
+    """Return labels as an array over F, without a copy where galois takes their type."""
+    cls = field_class(F)
+    if cls is None:
+        return objects(row, lambda n: F.from_label(int(n)))
+    return row.astype(cls.dtypes[0], copy=False).view(cls)
 
 
 def from_galois(F: Any, x: Any) -> Any:
     """Turn a galois scalar over F into an element. Raises :class:`CoercionError`."""
-    _check(F, x)
+    check_galois(F, x)
     if x.ndim:
         raise CoercionError(
             f"an array of shape {x.shape} is not one element of {F.name}: use {F.name}.array"

@@ -11,6 +11,7 @@ from collections.abc import Hashable
 from typing import TYPE_CHECKING, Any
 
 from hfield import product
+from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 
 if TYPE_CHECKING:
@@ -46,28 +47,32 @@ class Holding:
         w, x, y, z = map(self.ring, values)
         return self.hold((w, x, y, z))
 
+    def explain(self, operation: str) -> str:
+        """Return the text of what computes an operation, such as ``product``."""
+        return f"# the formula of hfield.product, on the coordinates: {operation}"
+
     # --- elements to elements ------------------------------------------------------------------
 
-    def product(self, p: Any, q: Any) -> Any:
+    def product(self, p: Any, q: Any, /) -> Any:
         """Return p·q."""
         return self.hold(product.multiply(self.constants, self.coordinates(p), self.coordinates(q)))
 
-    def sum(self, p: Any, q: Any) -> Any:
+    def sum(self, p: Any, q: Any, /) -> Any:
         """Return p + q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
         return self.hold((w1 + w2, x1 + x2, y1 + y2, z1 + z2))
 
-    def difference(self, p: Any, q: Any) -> Any:
+    def difference(self, p: Any, q: Any, /) -> Any:
         """Return p − q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
         return self.hold((w1 - w2, x1 - x2, y1 - y2, z1 - z2))
 
-    def negative(self, p: Any) -> Any:
+    def negative(self, p: Any, /) -> Any:
         """Return −p."""
         w, x, y, z = self.coordinates(p)
         return self.hold((-w, -x, -y, -z))
 
-    def conjugate(self, p: Any) -> Any:
+    def conjugate(self, p: Any, /) -> Any:
         """Return the standard involution of p."""
         return self.hold(product.conjugate(self.constants, self.coordinates(p)))
 
@@ -76,7 +81,7 @@ class Holding:
         w, x, y, z = self.coordinates(p)
         return self.hold((w * s, x * s, y * s, z * s))
 
-    def inverse(self, p: Any) -> Any:
+    def inverse(self, p: Any, /) -> Any:
         """Return p⁻¹, or None where the norm is not a unit of the ring."""
         n = self.norm(p)
         if not self.ring.is_unit(n):
@@ -85,11 +90,11 @@ class Holding:
 
     # --- elements to the ring ------------------------------------------------------------------
 
-    def norm(self, p: Any) -> Any:
+    def norm(self, p: Any, /) -> Any:
         """Return the reduced norm, an element of the ring."""
         return product.norm(self.constants, self.coordinates(p))
 
-    def trace(self, p: Any) -> Any:
+    def trace(self, p: Any, /) -> Any:
         """Return the reduced trace, an element of the ring."""
         return product.trace(self.constants, self.coordinates(p))
 
@@ -154,19 +159,37 @@ class Batch(Holding):
         w, x, y, z = map(self.ring.scalar, self.coordinates(p))
         return w, x, y, z
 
+    def reshaped(self, p: Any, shape: tuple[int, ...]) -> Any:
+        """Return the elements in another shape. Raises ValueError."""
+        w, x, y, z = (c.reshape(shape) for c in self.coordinates(p))
+        return self.hold((w, x, y, z))
+
+    def to_array(self, p: Any) -> Any:
+        """Return the elements as one array of integers. Raises :class:`CoercionError` where there is none."""
+        raise CoercionError(
+            f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
+        )
+
+    def from_array(self, values: Any) -> Any:
+        """Hold what ``to_array`` returned. Raises :class:`CoercionError`."""
+        return self.to_array(values)
+
+    def prepare(self) -> None:
+        """Compile what the operations need, if they need a compiler."""
+
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def product(self, p: Any, q: Any) -> Any:
+    def product(self, p: Any, q: Any, /) -> Any:
         """Return p·q, elementwise."""
         self._check(p, q, "multiply")
         return super().product(p, q)
 
-    def sum(self, p: Any, q: Any) -> Any:
+    def sum(self, p: Any, q: Any, /) -> Any:
         """Return p + q, elementwise."""
         self._check(p, q, "add")
         return super().sum(p, q)
 
-    def difference(self, p: Any, q: Any) -> Any:
+    def difference(self, p: Any, q: Any, /) -> Any:
         """Return p − q, elementwise."""
         self._check(p, q, "subtract")
         return super().difference(p, q)
@@ -175,7 +198,7 @@ class Batch(Holding):
         """Return a bool array: which elements have an inverse."""
         return self.ring.array_units(self.norm(p))
 
-    def inverse(self, p: Any) -> Any:
+    def inverse(self, p: Any, /) -> Any:
         """Return the inverses, or None where some norm is not a unit of the ring."""
         n = self.norm(p)
         if not self.ring.array_units(n).all():

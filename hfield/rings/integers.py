@@ -1,16 +1,18 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
 import itertools
-import random
 from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import is_prime
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
@@ -65,6 +67,10 @@ class Integers(_Ordered):
 
     name = "ZZ"
 
+    def in_words(self) -> str:
+        """Say what ℤ is."""
+        return "the integers ℤ"
+
     def __call__(self, x: Any) -> Any:
         """Turn a whole number into an element, read a text. Raises :class:`CoercionError`."""
         x = unwrap(x)
@@ -79,8 +85,31 @@ class Integers(_Ordered):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
 
+    @property
+    def fractions(self) -> Ring:
+        """ℚ."""
+        return QQ
+
+    def modulo(self, n: int) -> Ring:
+        """Return ℤ/n."""
+        return Zmod(n)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints, as those over ℚ are."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(
+            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _: flint.fmpz(n)
+        )
+
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of 64-bit integers, as long as they fit."""
+        from hfield.rings.array_held.words import WholeArrays
+
+        return WholeArrays(self, constants)
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x for x = 1 or −1. Raises :class:`NotInvertibleError`."""
@@ -117,6 +146,11 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
+    arithmetic = "rationals.arithmetic_rationals.RationalArithmetic"
+
+    def in_words(self) -> str:
+        """Say what ℚ is."""
+        return "the rational numbers ℚ"
 
     def __call__(self, x: Any) -> Any:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
@@ -131,6 +165,12 @@ class Rationals(_Ordered):
         if number is None:
             raise self.refuse(x)
         return fmpq(number)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
+        from hfield.rings.array_held.fractions import FractionArrays
+
+        return FractionArrays(self, constants)
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
@@ -148,14 +188,26 @@ class Rationals(_Ordered):
         """Return the rational roots of a polynomial that is not 0."""
         return rational_roots(coefficients)
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints over one denominator."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
         yield "inf"
         yield from filter(is_prime, itertools.count(2))
+
+    def completion(self, place: Any) -> Ring:
+        """Return ℚ_p, or RR at infinity."""
+        from hfield.rings.local.completions import completion_of_rationals
+
+        return completion_of_rationals(place)
 
 
 class Residues(Modular):
@@ -163,6 +215,30 @@ class Residues(Modular):
 
     def __init__(self, n: int) -> None:
         super().__init__(f"ZZ/{n}", n, is_prime(n))
+
+    def label(self, x: Any) -> int:
+        """Return the residue between 0 and n − 1."""
+        return int(x)
+
+    def from_label(self, n: int) -> Any:
+        """Return the element with a residue."""
+        return self(n)
+
+    def array_of_labels(self, row: Any) -> Any:
+        """Return an array of residues as ``array`` returns arrays."""
+        from hfield.rings.arrays import objects
+
+        return objects(row, lambda n: self(int(n)))
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Hold arrays as rows of residues, unless the modulus is too large."""
+        from hfield.rings.array_held.finite import array_holding
+
+        return array_holding(self, constants)
+
+    def in_words(self) -> str:
+        """Say what ℤ/n is."""
+        return f"the integers modulo {shorten(self.modulus)}"
 
     def state(self, x: Any) -> Any:
         """Return the residue as an int."""

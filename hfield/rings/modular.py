@@ -1,9 +1,9 @@
 """Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
 
-import random
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd
+from random import Random
 from typing import Any
 
 import flint
@@ -13,7 +13,9 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import residue_roots
 
@@ -30,12 +32,12 @@ class Modular(Ring):
         self.name = name
         self.characteristic = self.order = self.modulus = modulus
         self.is_field = is_field
-        self._make: Callable[[int], Any]
+        self.residue: Callable[[int], Any]  # of any int
         if modulus < WORD:
-            self._make = lambda x: flint.nmod(x % modulus, modulus)
+            self.residue = lambda x: flint.nmod(x % modulus, modulus)
         else:
-            self._make = flint.fmpz_mod_ctx(modulus)
-        self._type = type(self._make(0))
+            self.residue = flint.fmpz_mod_ctx(modulus)
+        self._type = type(self.residue(0))
 
     def __call__(self, x: Any) -> Any:
         """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text.
@@ -54,7 +56,7 @@ class Modular(Ring):
             raise self.refuse(x)
         if isinstance(number, Fraction):
             return self.ratio(number)
-        return self._make(number)
+        return self.residue(number)
 
     def _modulus_of(self, x: Any) -> int:
         """Return the modulus of a residue; flint's fmpz_mod tells its own only through −1."""
@@ -66,6 +68,12 @@ class Modular(Ring):
         from hfield.rings import ring
 
         return ring("ZZ"), flint.fmpz(self.modulus)
+
+    def modulo(self, n: int) -> Ring | None:
+        """Return ℤ/n where n divides the modulus."""
+        from hfield.rings import ring
+
+        return None if self.modulus % n else ring(f"ZZ/{n}")
 
     def lift(self, x: Any) -> Any:
         """Return the residue between 0 and n − 1 as an integer."""
@@ -103,7 +111,7 @@ class Modular(Ring):
     def annihilator(self, x: Any) -> Any:
         """Return some nonzero y with x·y = 0, or None."""
         common = gcd(int(x), self.modulus)
-        return None if common == 1 else self._make(self.modulus // common)
+        return None if common == 1 else self.residue(self.modulus // common)
 
     def sqrt(self, x: Any) -> Any:
         """Return the smallest y with y² = x, or None. Raises :class:`UndecidedError`, if n is too large."""
@@ -116,7 +124,7 @@ class Modular(Ring):
                 f"square roots in {shorten(self.name)} need the factors of a large modulus"
             )
         for n in range(self.modulus // 2 + 1):
-            y = self._make(n)
+            y = self.residue(n)
             if y * y == x:
                 return y
         return None
@@ -128,11 +136,13 @@ class Modular(Ring):
         if value.jacobi(self.modulus) != 1:
             return None
         root = int(value.sqrtmod(self.modulus))
-        return self._make(min(root, self.modulus - root))
+        return self.residue(min(root, self.modulus - root))
 
     def roots(self, coefficients: Sequence[Any]) -> list[Any]:
         """Return the roots of a polynomial that is not 0. Raises :class:`UndecidedError`."""
-        return [self._make(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)]
+        return [
+            self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)
+        ]
 
     @property
     def level(self) -> Known:
@@ -146,7 +156,7 @@ class Modular(Ring):
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return as few elements as possible whose squares add up to −1; () if n is too large."""
-        minus_one = self._make(-1)
+        minus_one = self.residue(-1)
         if self.is_field:
             root = self.sqrt(minus_one)
             return (root,) if root is not None else self._two_squares()
@@ -157,7 +167,7 @@ class Modular(Ring):
     def _two_squares(self) -> tuple[Any, ...]:
         """Return x, y with x² + y² = −1 in a prime field; about every second x will do."""
         for n in range(1, self.modulus):
-            x = self._make(n)
+            x = self.residue(n)
             y = self.sqrt(-1 - x * x)
             if y is not None:
                 return x, y
@@ -180,20 +190,26 @@ class Modular(Ring):
             return None
 
         found = next(parts for count in range(1, 5) if (parts := find(n - 1, count)))
-        return tuple(self._make(y) for y in found)
+        return tuple(self.residue(y) for y in found)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four ints between 0 and n − 1."""
+        from hfield.rings.held.quotients import Residues
+
+        return Residues(self, constants)
 
     def elements(self) -> Iterator[Any]:
         """Run through 0, 1, …, n − 1."""
-        return (self._make(n) for n in range(self.modulus))
+        return (self.residue(n) for n in range(self.modulus))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
-        return self._make(rng.randrange(self.modulus))
+        return self.residue(rng.randrange(self.modulus))
 
     def power(self, x: Any, n: int) -> Any:
         """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
         base = x if n >= 0 else self.inverse(x)
-        return self._make(pow(int(base), abs(n), self.modulus))
+        return self.residue(pow(int(base), abs(n), self.modulus))
 
     def text(self, x: Any, style: str = "plain") -> str:
         """Write the residue between 0 and n − 1."""

@@ -1,14 +1,16 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
-import random
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Iterator
+from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import factorise, is_prime
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
@@ -30,11 +32,17 @@ class QuadraticField(Ring):
 
     characteristic = 0
     is_field = True
+    arithmetic = "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic"
 
     def __init__(self, d: int) -> None:
         self.d = d
         self.gen_name = "I" if d == -1 else f"sqrt({d})"
         self.name = f"QQ({self.gen_name})"
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        root = "i), i² = −1" if self.d == -1 else f"√{self.d})".replace("-", "−")
+        return f"the quadratic number field ℚ({root}"
 
     @property
     def gen(self) -> Any:
@@ -89,7 +97,7 @@ class QuadraticField(Ring):
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Any) -> tuple[Any, Any]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
@@ -141,10 +149,21 @@ class QuadraticField(Ring):
         self.check_ordering(ordering)
         return int(x.sign(self.d if ordering else 0))
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as eight ints over one denominator."""
+        from hfield.rings.held.fractions import Fractions
+
+        return Fractions(self, constants, (self.d, 0), self.key, self._element)
+
+    def _element(self, a: Any, b: Any, denominator: Any) -> Surd:
+        """Return (a + b·√d)/denominator for integers."""
+        terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
+        return Surd({n: c for n, c in terms.items() if c})
 
     degree = 2
 
@@ -184,6 +203,12 @@ class QuadraticField(Ring):
 
         return all_places(self.d)
 
+    def completion(self, place: Any) -> Ring:
+        """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
+        from hfield.rings.local.completions import completion_of_quadratic
+
+        return completion_of_quadratic(self, place)
+
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""
         return str(x.text(style, imaginary=self.d == -1))
@@ -215,3 +240,16 @@ def _from_sympy(x: Any) -> Any:
     from hfield.rings.closed import from_sympy
 
     return from_sympy(x)
+
+
+def common_quadratic_field(*elements: Any) -> Ring | None:
+    """Return ℚ(√d) for numbers with one root, or None without any; raises RingError for several."""
+    roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
+    if len(roots) > 1:
+        shown = " and ".join(map(shorten, elements))
+        raise RingError(f"{shown} lie in no common quadratic field")
+    if not roots:
+        return None
+    d = roots.pop()
+    factorise(d)  # the theory of places asks for a squarefree d
+    return QuadraticField(d)

@@ -14,8 +14,25 @@ exponent is an integer literal, signed and in parentheses if one likes. What a n
 not decided here: rings, algebras and the prover each bring their own names.
 """
 
+from hfield.syntax.building import (
+    both,
+    comm,
+    conj,
+    either,
+    equal,
+    iff,
+    implies,
+    inv,
+    names,
+    negation,
+    norm,
+    scalar,
+    unequal,
+    vector,
+)
 from hfield.syntax.parser import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, parse
 from hfield.syntax.reader import Reader, weight
+from hfield.syntax.spelling import plain, plain_element
 from hfield.syntax.tree import (
     Binary,
     Call,
@@ -28,7 +45,11 @@ from hfield.syntax.tree import (
     Node,
     Not,
     Number,
+    Operand,
     Power,
+    children,
+    number,
+    rebuild,
 )
 
 __all__ = [
@@ -46,8 +67,28 @@ __all__ = [
     "Node",
     "Not",
     "Number",
+    "Operand",
     "Power",
     "Reader",
+    "both",
+    "children",
+    "comm",
+    "conj",
+    "either",
+    "equal",
+    "iff",
+    "implies",
+    "inv",
+    "names",
+    "negation",
+    "norm",
+    "number",
     "parse",
+    "plain",
+    "plain_element",
+    "rebuild",
+    "scalar",
+    "unequal",
+    "vector",
     "weight",
 ]

@@ -58,7 +58,7 @@ def parse(text: str) -> Node:
     parser = _Parser(text)
     node = parser.expression(0, 0)
     if parser.token:
-        parser.fail(f"did not expect {parser.token!r} after a complete expression")
+        parser.fail(f"did not expect {parser.token!r} after a complete expression{parser.mend()}")
     return node
 
 
@@ -115,6 +115,19 @@ class _Parser:
 
     def fail(self, message: str) -> NoReturn:
         raise NotationError(message, self.text, self.position)
+
+    def mend(self) -> str:
+        """Say what to write where a product's sign is missing, as in ``2q``."""
+        before = self.tokens[self.index - 1][1]
+        if (
+            self.kind != "name"
+            or self.token in _WORDS
+            or not (before[-1].isalnum() or before == ")")
+        ):
+            return ""
+        return ": write " + (
+            f"{before}*{self.token}" if before != ")" else f"* before {self.token}"
+        )
 
     def grow(self, node: Node, *children: Node) -> Node:
         """Note how high the tree has grown, and stop before whoever walks it would fall."""

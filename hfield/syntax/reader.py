@@ -57,8 +57,13 @@ class Reader:
                 if name in self.names:
                     return self.names[name]
                 known = ", ".join(sorted(self.names)) or "none"
+                mend = (
+                    f"write {'*'.join(name)}"
+                    if set(name) <= set(self.names)
+                    else f"known names: {known}"
+                )
                 raise NotationError(
-                    f"{name!r} means nothing in {self.what}; known names: {known}",
+                    f"{name!r} means nothing in {self.what}; {mend}",
                     text,
                     node.position,
                 )

@@ -1,14 +1,81 @@
 """The syntax tree: what the parser makes and what rings, algebras and the prover read."""
 
-from dataclasses import dataclass, field
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Any, ClassVar, TypeAlias
+
+Operand: TypeAlias = "Node | int | float | Fraction"
 
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A place in the tree; ``position`` is the offset in the text and does not count in ``==``."""
+    """A place in the tree; ``position`` is the offset in the text and does not count in ``==``.
 
+    Trees are also made by ``+ - * / **``, ``-x`` and ``x[n]``, on trees and numbers; ``==`` asks whether two
+    trees are the same, :func:`hfield.syntax.equal` makes the statement.
+
+    >>> p, q = Name("p"), Name("q")
+    >>> p * (q + 1) == Binary("*", p, Binary("+", q, Number(1)))
+    True
+
+    ``below`` names the fields in which a kind of node has other nodes, in the order of the text.
+    """
+
+    below: ClassVar[tuple[str, ...]] = ()
     position: int = field(default=0, compare=False, kw_only=True)
+
+    def __add__(self, other: Operand) -> Node:
+        return Binary("+", self, number(other))
+
+    def __radd__(self, other: Operand) -> Node:
+        return Binary("+", number(other), self)
+
+    def __sub__(self, other: Operand) -> Node:
+        return Binary("-", self, number(other))
+
+    def __rsub__(self, other: Operand) -> Node:
+        return Binary("-", number(other), self)
+
+    def __mul__(self, other: Operand) -> Node:
+        return Binary("*", self, number(other))
+
+    def __rmul__(self, other: Operand) -> Node:
+        return Binary("*", number(other), self)
+
+    def __truediv__(self, other: Operand) -> Node:
+        return Binary("/", self, number(other))
+
+    def __rtruediv__(self, other: Operand) -> Node:
+        return Binary("/", number(other), self)
+
+    def __pow__(self, exponent: int) -> Node:
+        return Power(self, exponent)
+
+    def __neg__(self) -> Node:
+        return Negate(self)
+
+    def __getitem__(self, index: int) -> Node:
+        if not 0 <= index <= 3:
+            raise IndexError(f"a quaternion has the coordinates 0 to 3, not {index}")
+        return Index(self, index)
+
+
+def number(value: Operand) -> Node:
+    """Return a number as a tree, as the parser reads its text; a tree is returned as it is.
+
+    >>> number(-2)
+    Negate(position=0, operand=Number(position=0, value=2))
+    """
+    if isinstance(value, Node):
+        return value
+    if value < 0:
+        return Negate(number(-value))
+    if isinstance(value, int):
+        return Number(value)
+    return Number(Fraction(str(value)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +96,7 @@ class Name(Node):
 class Negate(Node):
     """``-operand``."""
 
+    below = ("operand",)
     operand: Node
 
 
@@ -36,6 +104,7 @@ class Negate(Node):
 class Binary(Node):
     """``left op right`` with op one of ``+ - * /``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -45,6 +114,7 @@ class Binary(Node):
 class Power(Node):
     """``base ** exponent``."""
 
+    below = ("base",)
     base: Node
     exponent: int
 
@@ -61,6 +131,7 @@ class Call(Node):
 class Index(Node):
     """``base[index]``, a coordinate."""
 
+    below = ("base",)
     base: Node
     index: int
 
@@ -69,6 +140,7 @@ class Index(Node):
 class Compare(Node):
     """``left op right`` with op ``==`` or ``!=``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -78,6 +150,7 @@ class Compare(Node):
 class Not(Node):
     """``not operand``."""
 
+    below = ("operand",)
     operand: Node
 
 
@@ -85,6 +158,7 @@ class Not(Node):
 class Logic(Node):
     """``left op right`` with op one of ``and or => <=>``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -94,5 +168,26 @@ class Logic(Node):
 class Exists(Node):
     """``exists names: body``."""
 
+    below = ("body",)
     names: tuple[str, ...]
     body: Node
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """Return the nodes directly below ``node``.
+
+    >>> from hfield.syntax import parse
+    >>> len(children(parse("p*q == 1")))
+    2
+    """
+    if isinstance(node, Call):
+        return node.arguments
+    return tuple(getattr(node, name) for name in node.below)
+
+
+def rebuild(node: Node, parts: Sequence[Node]) -> Node:
+    """Return a node like ``node`` with other nodes below it, as many as its :func:`children`."""
+    if isinstance(node, Call):
+        return replace(node, arguments=tuple(parts))
+    changes: dict[str, Any] = dict(zip(node.below, parts, strict=True))
+    return replace(node, **changes) if changes else node

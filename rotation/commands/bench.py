@@ -18,6 +18,10 @@ HELP = (
     "array as the floor. Every way is checked first; slow ones are timed on a part, and it says so. "
     "Exit status: 0; 1 if a way was wrong or failed; 2 bad usage."
 )
+EXAMPLES = (
+    "hfield bench --quick",
+    "hfield bench --test 1 --plot chart.svg",
+)
 MOST_POINTS = 10_000_000  # about 6 GB with the libraries that need most
 FULL, QUICK = (300, 10, 1.5), (30, 3, 0.12)  # frames, repeats, seconds for one way in one test
 BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")

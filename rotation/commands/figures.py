@@ -22,6 +22,7 @@ HELP = (
     "turned, the letter T, the letter T turned, and mirrored as printed and as it should be. The same "
     "versions write the same bytes. Prints the paths of the files."
 )
+EXAMPLES = ("hfield figures -o figures",)
 
 
 def configure(parser: ArgumentParser) -> None:

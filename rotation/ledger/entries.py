@@ -1,14 +1,19 @@
 """Matrices and vectors whose entries are terms of the statement language.
 
 Sums and products leave out zeros and ones, so that what is built stays short. Vectors are rows of
-texts; equalities are statements, entry by entry.
+terms; equalities are statements, entry by entry.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-Vector = tuple[str, ...]
+from hfield.syntax import Negate, Node, both, names, number, parse
+from hfield.syntax import equal as same
+
+ZERO, ONE = number(0), number(1)
+
+Vector = tuple[Node, ...]
 Matrix = tuple[Vector, ...]
 
 
@@ -19,66 +24,57 @@ def matrix(text: str) -> Matrix:
 
 def vector(text: str) -> Vector:
     """Read a vector written ``1, -1, 1``."""
-    return tuple(entry.strip() for entry in text.split(","))
+    return tuple(map(parse, text.split(",")))
 
 
 def coordinates(name: str, n: int = 3) -> Vector:
     """Return a vector of unknowns: the last three coordinates of a quaternion, or its first two."""
-    return tuple(f"{name}[{m}]" for m in (range(1, 4) if n == 3 else range(n)))
+    (unknown,) = names(name)
+    return tuple(unknown[m] for m in (range(1, 4) if n == 3 else range(n)))
 
 
-def general(names: str) -> Matrix:
+def general(unknowns: str) -> Matrix:
     """Return a matrix of unknowns: 2 × 2 from one quaternion, 3 × 3 from the vector parts of three."""
-    if len(names) == 1:
-        return tuple(tuple(f"{names}[{2 * r + c}]" for c in (0, 1)) for r in (0, 1))
-    return tuple(coordinates(name) for name in names)
+    if len(unknowns) == 1:
+        (q,) = names(unknowns)
+        return (q[0], q[1]), (q[2], q[3])
+    return tuple(coordinates(name) for name in unknowns)
 
 
 def identity(n: int) -> Matrix:
     """Return the identity matrix."""
-    return tuple(tuple(str(int(r == c)) for c in range(n)) for r in range(n))
+    return tuple(tuple(number(int(r == c)) for c in range(n)) for r in range(n))
 
 
-def product(x: str, y: str) -> str:
+def product(x: Node, y: Node) -> Node:
     """Return the product of two terms."""
-    if "0" in (x, y):
-        return "0"
-    if x in ("1", "-1"):
-        return negative(y) if x == "-1" else y
-    if y in ("1", "-1"):
-        return negative(x) if y == "-1" else x
-    if x[0] == "-" and _is_single(x[1:]):
-        return negative(product(x[1:], y))
-    if y[0] == "-" and _is_single(y[1:]):
-        return negative(product(x, y[1:]))
-    return f"{_factor(x)}*{_factor(y)}"
+    if ZERO in (x, y):
+        return ZERO
+    if isinstance(x, Negate):
+        return negative(product(x.operand, y))
+    if isinstance(y, Negate):
+        return negative(product(x, y.operand))
+    return y if x == ONE else x if y == ONE else x * y
 
 
-def negative(x: str) -> str:
+def negative(x: Node) -> Node:
     """Return −x."""
-    if x == "0":
+    if x == ZERO:
         return x
-    if x[0] == "-" and _is_single(x[1:]):
-        return x[1:]
-    return f"-{x}" if _is_single(x) else f"-({x})"
+    return x.operand if isinstance(x, Negate) else -x
 
 
-def total(terms: Sequence[str]) -> str:
+def total(terms: Sequence[Node]) -> Node:
     """Return a sum."""
-    out = ""
+    out: Node | None = None
     for x in terms:
-        if x == "0":
+        if x == ZERO:
             continue
-        if not out:
-            out = x
-        elif x[0] == "-" and _is_single(x[1:]):
-            out += f" - {x[1:]}"
-        else:
-            out += f" + {x}" if x[0] != "-" else f" + ({x})"
-    return out or "0"
+        out = x if out is None else out - x.operand if isinstance(x, Negate) else out + x
+    return out or ZERO
 
 
-def dot(v: Vector, w: Vector) -> str:
+def dot(v: Vector, w: Vector) -> Node:
     """Return the scalar product."""
     return total([product(x, y) for x, y in zip(v, w, strict=True)])
 
@@ -89,7 +85,7 @@ def cross(v: Vector, w: Vector) -> Vector:
     return tuple(difference(product(v[m], w[n]), product(v[n], w[m])) for m, n in pairs)
 
 
-def difference(x: str, y: str) -> str:
+def difference(x: Node, y: Node) -> Node:
     """Return x − y."""
     return total([x, negative(y)])
 
@@ -99,7 +95,7 @@ def plus(v: Vector, w: Vector) -> Vector:
     return tuple(total([x, y]) for x, y in zip(v, w, strict=True))
 
 
-def scaled(x: str, v: Vector) -> Vector:
+def scaled(x: Node, v: Vector) -> Vector:
     """Return x·v."""
     return tuple(product(x, y) for y in v)
 
@@ -122,7 +118,7 @@ def apply(m: Matrix, v: Vector) -> Vector:
     return tuple(dot(row, v) for row in m)
 
 
-def shifted(m: Matrix, x: str) -> Matrix:
+def shifted(m: Matrix, x: Node) -> Matrix:
     """Return m + x·I."""
     return tuple(
         tuple(total([entry, x]) if r == c else entry for c, entry in enumerate(row))
@@ -136,7 +132,7 @@ def minor(m: Matrix, row: int, column: int) -> Matrix:
     return tuple(tuple(x for c, x in enumerate(entries) if c != column) for entries in rows)
 
 
-def det(m: Matrix) -> str:
+def det(m: Matrix) -> Node:
     """Return the determinant, expanded along the first row."""
     if len(m) == 1:
         return m[0][0]
@@ -144,7 +140,7 @@ def det(m: Matrix) -> str:
     return total([negative(x) if c % 2 else x for c, x in enumerate(terms)])
 
 
-def trace(m: Matrix) -> str:
+def trace(m: Matrix) -> Node:
     """Return the trace."""
     return total([row[n] for n, row in enumerate(m)])
 
@@ -159,40 +155,21 @@ def cofactors(m: Matrix) -> Matrix:
     )
 
 
-def equal(m: Matrix | Vector, n: Matrix | Vector) -> str:
+def equal(m: Matrix | Vector, n: Matrix | Vector) -> Node:
     """Return the equality of two matrices or vectors, entry by entry."""
-    return " and ".join(f"{x} == {y}" for x, y in zip(_entries(m), _entries(n), strict=True))
+    return both(*(same(x, y) for x, y in zip(_entries(m), _entries(n), strict=True)))
 
 
-def symmetric(m: Matrix, n: Matrix) -> str:
+def symmetric(m: Matrix, n: Matrix) -> Node:
     """Return the equality of two symmetric matrices: the entries on and above the diagonal."""
     size = range(len(m))
-    return " and ".join(f"{m[r][c]} == {n[r][c]}" for r in size for c in size if r <= c)
+    return both(*(same(m[r][c], n[r][c]) for r in size for c in size if r <= c))
 
 
-def orthogonal(m: Matrix) -> str:
+def orthogonal(m: Matrix) -> Node:
     """Return the statement m·mᵀ = I, each of its equations once."""
     return symmetric(times(m, transpose(m)), identity(len(m)))
 
 
-def both(*parts: str) -> str:
-    """Join statements by ``and``."""
-    return " and ".join(part for part in parts if part)
-
-
-def _entries(m: Matrix | Vector) -> list[str]:
-    return [entry for row in m for entry in ([row] if isinstance(row, str) else row)]
-
-
-def _is_single(x: str) -> bool:
-    """Tell whether a text is no sum outside its parentheses, and does not begin with a sign."""
-    depth = 0
-    for n, char in enumerate(x):
-        depth += (char in "([") - (char in ")]")
-        if not depth and char in "+-" and (n == 0 or x[n - 1] != "*"):
-            return False
-    return True
-
-
-def _factor(x: str) -> str:
-    return x if _is_single(x) else f"({x})"
+def _entries(m: Matrix | Vector) -> list[Node]:
+    return [entry for row in m for entry in ([row] if isinstance(row, Node) else row)]

@@ -3,14 +3,16 @@
 The angles φ, θ, ψ are the points (p₀, p₁), (p₂, p₃), (q₀, q₁) of the circle, and v is a point of space.
 """
 
-from hfield.certificates.theorems import CIRCLE
+from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
+from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL, Angles
-from hfield.ledger.roots import ModulusDefined
+from hfield.syntax import Node, both, implies, names, parse
+from hfield.syntax import equal as same
 from rotation.ledger.entries import (
-    both,
+    ZERO,
     det,
     equal,
     matrix,
@@ -37,6 +39,8 @@ PRINTED_ZYX = matrix(
     "-p[3], p[2]*q[1], p[2]*q[0]"
 )
 
+P, Q, R, Y, Z = names("p q r y z")
+
 # For R in SO(3) put cos θ = z, a root of r11² + r21², and y = 1/z. Where z ≠ 0, all three angles are
 # read off the first column and the last row; where r11 = r21 = 0, one may take φ = 0.
 FIRST, LAST = "p[1]**2 + q[1]**2 == z**2", "r[2]**2 + r[3]**2 == z**2"
@@ -46,66 +50,63 @@ TIMES_SQUARE = {  # the other four entries of R, times z²
     (1, 1): "p[1]*r[3] - q[1]*r[1]*r[2]",
     (1, 2): "-p[1]*r[2] - q[1]*r[1]*r[3]",
 }
-FOUR = {at: f"z**2*{ANY[at[0]][at[1]]} == {text}" for at, text in TIMES_SQUARE.items()}
-ENTRIES = (
-    f"{ORTHOGONAL} and {orthogonal(transpose(ANY))} and {OWN_COFACTORS} and {FIRST}"
-    f" => {LAST} and z**2 + r[1]**2 == 1 and {both(*FOUR.values())}"
+FOUR = {(r, c): same(Z**2 * ANY[r][c], parse(text)) for (r, c), text in TIMES_SQUARE.items()}
+ENTRIES = implies(
+    both(ORTHOGONAL, orthogonal(transpose(ANY)), OWN_COFACTORS, FIRST),
+    both(LAST, "z**2 + r[1]**2 == 1", *FOUR.values()),
 )
-FROM_ENTRIES = times(
-    about_z("(p[1]*y)", "(q[1]*y)"), about_y("z", "-r[1]"), about_x("(r[3]*y)", "(r[2]*y)")
-)
-SAME = {(r, c): f"{ANY[r][c]} == {FROM_ENTRIES[r][c]}" for r in range(3) for c in range(3)}
+FROM_ENTRIES = times(about_z(P[1] * Y, Q[1] * Y), about_y(Z, -R[1]), about_x(R[3] * Y, R[2] * Y))
+SAME = {(r, c): same(ANY[r][c], FROM_ENTRIES[r][c]) for r in range(3) for c in range(3)}
+INVERSE = same(Y * Z, 1)
 GENERAL = (
-    *(f"y*z == 1 and {FOUR[at]} => {SAME[at]}" for at in FOUR),
-    f"y*z == 1 => {both(*(text for at, text in SAME.items() if at not in FOUR))}",
-    f"y*z == 1 and {FIRST} => (p[1]*y)**2 + (q[1]*y)**2 == 1",
-    f"y*z == 1 and {LAST} => (r[3]*y)**2 + (r[2]*y)**2 == 1",
+    *(implies(both(INVERSE, FOUR[at]), SAME[at]) for at in FOUR),
+    implies(INVERSE, both(*(entry for at, entry in SAME.items() if at not in FOUR))),
+    implies(both(INVERSE, FIRST), "(p[1]*y)**2 + (q[1]*y)**2 == 1"),
+    implies(both(INVERSE, LAST), "(r[3]*y)**2 + (r[2]*y)**2 == 1"),
 )
 
 
-def locked(sine: str) -> str:
+def locked(sine: Node) -> Node:
     """Say what R is where r11 = r21 = 0, with the sine of the angle about x."""
-    return (
-        f"{ORTHOGONAL} and {OWN_COFACTORS} and p[1] == 0 and q[1] == 0 => "
-        f"{equal(ANY, times(about_y('0', '-r[1]'), about_x('q[2]', sine)))}"
-        " and r[1]**2 == 1 and q[2]**2 + q[3]**2 == 1"
-    )
+    left = both(ORTHOGONAL, OWN_COFACTORS, "p[1] == 0", "q[1] == 0")
+    turned = equal(ANY, times(about_y(ZERO, -R[1]), about_x(Q[2], sine)))
+    return implies(left, both(turned, "r[1]**2 == 1", "q[2]**2 + q[3]**2 == 1"))
 
 
 REAL_ANGLES = "Angles of rotations of the real space are meant."
 
 
-def every_rotation(sine: str) -> Only:
+def every_rotation(sine: Node) -> Only:
     """Say that every rotation has Euler angles; ``sine`` is that about x where r11 = r21 = 0."""
     parts: tuple[Proposition, ...] = (
         SO3_IS_COFACTORS,
         SO3_COLUMNS,
         ModulusDefined(),
-        Statement(ENTRIES, words="the first column and the last row give the rest, times z²"),
-        *map(Statement, GENERAL),
+        Statement.of(ENTRIES, words="the first column and the last row give the rest, times z²"),
+        *map(Statement.of, GENERAL),
         Statement("p[1]**2 + q[1]**2 == 0 => p[1] == 0 and q[1] == 0"),
-        Statement(locked(sine), words="where r11 = r21 = 0, R is R_y(θ)R_x(γ)"),
+        Statement.of(locked(sine), words="where r11 = r21 = 0, R is R_y(θ)R_x(γ)"),
     )
     words = "every R in SO(3) is R_z(ψ)R_y(θ)R_x(γ) for some angles ψ, θ, γ"
     return Only(Every(parts, words), (REAL,), REAL_ANGLES, (CIRCLE,))
 
 
-PRODUCT_IS_I = Statement(f"{ANGLES} => {orthogonal(PRINTED_ZYX)}", words="R_zyx·R_zyxᵗ = I")
+PRODUCT_IS_I = Statement.of(implies(ANGLES, orthogonal(PRINTED_ZYX)), words="R_zyx·R_zyxᵗ = I")
 
 COMPUTED = {
-    "C2.2.3-e": Propositions(as_printed=every_rotation("-q[3]"), spoilt=every_rotation("q[3]")),
+    "C2.2.3-e": Propositions(as_printed=every_rotation(-Q[3]), spoilt=every_rotation(Q[3])),
     "C2.2.4-j": Propositions(
         as_printed=Angles(
             Every(
                 (
                     PRODUCT_IS_I,
-                    Statement(f"{ANGLES} => {det(PRINTED_ZYX)} == 1", words="det R_zyx = 1"),
+                    Statement.of(implies(ANGLES, same(det(PRINTED_ZYX), 1)), words="det R_zyx = 1"),
                     CORE,
                 ),
                 f"R_zyx is in SO(3), and {CORE.text}",
             ),
             REAL_PART,
         ),
-        spoilt=Angles(Statement(f"{ANGLES} => {equal(PRINTED_ZYX, transpose(PRINTED_ZYX))}")),
+        spoilt=Angles(Statement.of(implies(ANGLES, equal(PRINTED_ZYX, transpose(PRINTED_ZYX))))),
     ),
 }

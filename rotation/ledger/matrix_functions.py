@@ -1,14 +1,17 @@
 """Section 3.1.2: the functions that turn points by matrices.
 
-As in 3.1.1 they are run on symbols. s and t stand for the cosine and the sine of half an angle.
+As in 3.1.1 they are run on terms. s and t stand for the cosine and the sine of half an angle.
 """
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
+from hfield.syntax import Name, conj, names, scalar
+from hfield.syntax import equal as same
 from rotation.ledger.programs import listed
-from rotation.ledger.symbols import Symbol, code, coordinates, equal, point, read_as
+from rotation.ledger.symbols import code, coordinates, equal, point, read_as
 
 Q = coordinates("q")
+S, T, ANGLE, PSI, PHI, THETA = names("s t angle psi phi theta")
 MATRICES = (
     "xaxisMatrixrotation",
     "yaxisMatrixrotation",
@@ -20,12 +23,12 @@ MATRICES = (
 
 def about(axis: str, name: str) -> Statement:
     """Say that a matrix function turns q about a basis vector as a quaternion of half the angle does."""
-    double = {"cos": read_as({"angle": "(s**2 - t**2)"}), "sin": read_as({"angle": "(2*s*t)"})}
-    matrix = code(name, **double)(Symbol("angle"))
+    double = {"cos": read_as({"angle": "s**2 - t**2"}), "sin": read_as({"angle": "2*s*t"})}
+    matrix = code(name, **double)(ANGLE)
     turned = point(code("rotationbyMatrix")(matrix, Q))
-    half = f"(s + t*{axis})"
+    half = S + T * Name(axis)
     words = f"{name}(angle)·x = h·x·h̄ for h = cos(angle/2) + sin(angle/2)·{axis}"
-    return Statement(f"{turned} == {half}*{point(Q)}*conj({half})", ("s**2 + t**2 == 1",), words)
+    return Statement.of(same(turned, half * point(Q) * conj(half)), ("s**2 + t**2 == 1",), words)
 
 
 def axes(*basis: str) -> Every:
@@ -42,7 +45,7 @@ EULER = {
 
 def euler(order: tuple[str, str, str]) -> Statement:
     """Say that rotationMatrixZYX turns a point about these axes, the last one first, by ψ, φ, θ."""
-    angles = {"z": Symbol("psi"), "y": Symbol("phi"), "x": Symbol("theta")}
+    angles = {"z": PSI, "y": PHI, "x": THETA}
     turn, v = code("rotationbyMatrix"), coordinates("v")
     matrix = code("rotationMatrixZYX", **EULER)(*angles.values())
     step = v
@@ -51,7 +54,7 @@ def euler(order: tuple[str, str, str]) -> Statement:
     words = (
         f"rotationMatrixZYX(ψ, φ, θ) turns about {order[2]}, then about {order[1]} and {order[0]}"
     )
-    return Statement(equal(turn(matrix, v), step), words=words)
+    return Statement.of(equal(turn(matrix, v), step), words=words)
 
 
 # A matrix of arbitrary entries: its rows are the coordinates of p, q and r.
@@ -61,9 +64,9 @@ ROWS = [coordinates(row) for row in "pqr"]
 def rows_times(order: tuple[int, int, int]) -> Statement:
     """Say that rotationbyMatrix returns the products of these rows with the point v."""
     v = coordinates("v")
-    product = [Symbol(f"scalar({point(ROWS[n])}*conj({point(v)}))") for n in order]
+    product = [scalar(point(ROWS[n]) * conj(point(v))) for n in order]
     words = f"rotationbyMatrix(M, x) is the product of rows {order} of M with x"
-    return Statement(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
+    return Statement.of(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
 
 
 COMPUTED = {

@@ -3,6 +3,8 @@
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import Analysis
+from hfield.syntax import Node, both, implies, names
+from hfield.syntax import equal as same
 from rotation.ledger.entries import (
     apply,
     coordinates,
@@ -20,20 +22,32 @@ from rotation.ledger.entries import (
 )
 
 A = general("pqr")
-MINORS = total([f"({det(minor(A, n, n))})" for n in range(3)])
-CUBIC = f"s**3 - ({trace(A)})*s**2 + ({MINORS})*s - ({det(A)})"
+MINORS = total([det(minor(A, n, n)) for n in range(3)])
+S, P = names("s p")
+
+
+def cubic(x: Node, power: Node) -> Node:
+    """Return x³ − (tr A)·x² + (sum of minors)·x − det A, with another ``power`` for x³."""
+    return power - trace(A) * x**2 + MINORS * x - det(A)
+
+
 # det(λI − A) for n = 1 and n = 3, as −det(A − λI).
-CHARACTERISTIC = (
-    f"-({det(shifted((('p[0]',),), '-s'))}) == s - p[0] and -({det(shifted(A, '-s'))}) == {CUBIC}"
-)
-ODD = f"{CHARACTERISTIC} and -({det(shifted(A, 's'))}) == {CUBIC.replace('s', '(-s)')}"
+LINEAR = same(-det(shifted(((P[0],),), -S)), S - P[0])
+CHARACTERISTIC = both(LINEAR, same(-det(shifted(A, -S)), cubic(S, S**3)))
+OTHER_SIGN = both(LINEAR, same(-det(shifted(A, -S)), S**3 - trace(A) * S**2 - MINORS * S - det(A)))
+
+
+def odd(power: Node) -> Node:
+    """Say it of λ and −λ, whose cube is ``power``."""
+    return both(CHARACTERISTIC, same(-det(shifted(A, S)), cubic(-S, power)))
+
 
 V = coordinates("v")
-IMAGE, MULTIPLE = apply(A, V), scaled("s", V)
-EIGENVECTOR = f"{orthogonal(transpose(A))} and {equal(IMAGE, MULTIPLE)}"
-REST = f"{dot(MULTIPLE, MULTIPLE)} == {dot(IMAGE, IMAGE)} and {dot(IMAGE, IMAGE)} == {dot(V, V)}"
-SQUARED = Statement(
-    f"{EIGENVECTOR} => s**2*({dot(V, V)}) == {dot(MULTIPLE, MULTIPLE)} and {REST}",
+IMAGE, MULTIPLE = apply(A, V), scaled(S, V)
+EIGENVECTOR = both(orthogonal(transpose(A)), equal(IMAGE, MULTIPLE))
+REST = both(same(dot(MULTIPLE, MULTIPLE), dot(IMAGE, IMAGE)), same(dot(IMAGE, IMAGE), dot(V, V)))
+SQUARED = Statement.of(
+    implies(EIGENVECTOR, both(same(S**2 * dot(V, V), dot(MULTIPLE, MULTIPLE)), REST)),
     words="λ0²·vᵗv = (λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv for A ∈ O(3) and Av = λ0v",
 )
 # In the chain vᵗv is one number, y.
@@ -45,19 +59,21 @@ COMPUTED = {
     "C2.2.4-k": Propositions(
         as_printed=Analysis(
             "odd-degree",
-            Statement(CHARACTERISTIC, words="det(λI − A) is monic of degree n in λ (n = 1 and 3)"),
+            Statement.of(
+                CHARACTERISTIC, words="det(λI − A) is monic of degree n in λ (n = 1 and 3)"
+            ),
         ),
-        spoilt=Analysis("odd-degree", Statement(CHARACTERISTIC.replace("*s**2 + (", "*s**2 - ("))),
+        spoilt=Analysis("odd-degree", Statement.of(OTHER_SIGN)),
     ),
     "C2.2.4-k2": Propositions(
         as_printed=Analysis(
             "limits",
-            Statement(
-                ODD,
+            Statement.of(
+                odd((-S) ** 3),
                 words="det(λI − A) has the leading term λⁿ, and det(−λI − A) has (−λ)ⁿ (n = 1 and 3)",
             ),
         ),
-        spoilt=Analysis("limits", Statement(ODD.replace("(-s)**3", "s**3"))),
+        spoilt=Analysis("limits", Statement.of(odd(S**3))),
     ),
     "C2.2.4-l": Propositions(
         as_printed=Every((SQUARED, ROOTS), LEMMA_3),
@@ -69,7 +85,7 @@ COMPUTED = {
     "C2.2.4-l2": Propositions(
         as_printed=Every(
             (
-                Statement(f"{EIGENVECTOR} => {REST}", words="(λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv"),
+                Statement.of(implies(EIGENVECTOR, REST), words="(λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv"),
                 FIRST_LINK,
             ),
             "λ0·vᵗv = (λ0v)ᵗλ0v = (Av)ᵗAv = vᵗv for A ∈ O(3) and Av = λ0v",

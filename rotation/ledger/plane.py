@@ -5,14 +5,14 @@ core over every commutative ring. The sum of two angles is the product (c + s·i
 points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where one angle is enough.
 """
 
-from hfield.certificates.theorems import CIRCLE
+from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL, Angles
+from hfield.syntax import Node, both, implies
+from hfield.syntax import equal as same
 from rotation.ledger import theorem5
 from rotation.ledger.entries import (
-    Matrix,
-    both,
     det,
     equal,
     general,
@@ -24,18 +24,21 @@ from rotation.ledger.entries import (
 ON_CIRCLE = "y**2 + s**2 == 1"
 
 
-def special(m: Matrix) -> str:
-    """Return the statement that m is in SO(n)."""
-    return both(orthogonal(m), f"{det(m)} == 1")
-
-
 A = general("p")
 TURNING = matrix("p[0], -p[2]; p[2], p[0]")  # [[a11, −a21], [a21, a11]]
-THEOREM_4 = f"{special(A)} => {equal(A, TURNING)} and p[0]**2 + p[2]**2 == 1"
-ANGLE_FOUND = (
-    f"{special(A)} => {det(transpose(A))} == 1 and {det(A)} == p[0]**2 + p[1]**2"
-    " and p[0]**2 + p[1]**2 == 1"
-)
+ON_UNIT_CIRCLE = "p[0]**2 + p[2]**2 == 1"
+FIRST_COLUMN = both(equal(A, TURNING), ON_UNIT_CIRCLE)
+THEOREM_4 = implies(theorem5.special(A), FIRST_COLUMN)
+
+
+def angle_found(other: int) -> Node:
+    """Say that det Aᵗ = 1 and det A = a11² + a12², and that a11² and the square of another entry make 1."""
+    (a, b), _ = A
+    p = (a, b, *A[1])
+    length = same(det(A), a**2 + b**2)
+    ends = both(same(det(transpose(A)), 1), length, same(a**2 + p[other] ** 2, 1))
+    return implies(theorem5.special(A), ends)
+
 
 # With a radius z = q₀² ≥ 0 and a cosine y = q₁² ≥ 0, as arctg has its values between −π/2 and π/2.
 ARCTG = (
@@ -51,7 +54,7 @@ ANGLE_OF_POINT = (
 # v ↦ p·v with |p| = 1 keeps lengths, and can be joined to the identity: it lies in SO(4). A vector
 # that it leaves where it is makes p − 1 a divisor of 0.
 FOUR = Statement("norm(p) == 1 => norm(p - 1) == 0")
-TWO_AND_THREE = (Statement(THEOREM_4), theorem5.SO3_IS_COFACTORS, theorem5.FIXED_VECTOR)
+TWO_AND_THREE = (Statement.of(THEOREM_4), theorem5.SO3_IS_COFACTORS, theorem5.FIXED_VECTOR)
 EVERY_N = (
     "for n = 2, 3 and 4, every A in SO(n) is a rotation: it fixes all vectors but those of a plane"
 )
@@ -89,14 +92,16 @@ COMPUTED = {
     ),
     "C2.1.1-e": Propositions(
         as_printed=Angles(
-            Statement(THEOREM_4, words="every A in SO(2) is [[c, −s], [s, c]] with c² + s² = 1")
+            Statement.of(THEOREM_4, words="every A in SO(2) is [[c, −s], [s, c]] with c² + s² = 1")
         ),
-        spoilt=Angles(Statement(THEOREM_4.replace(f" and {det(A)} == 1", ""))),
+        spoilt=Angles(Statement.of(implies(orthogonal(A), FIRST_COLUMN))),
     ),
     "C2.1.1-g": Propositions(
         as_printed=Angles(
-            Statement(ANGLE_FOUND, words="A ∈ SO(2) makes det Aᵗ = 1 and det A = a11² + a12² = 1")
+            Statement.of(
+                angle_found(1), words="A ∈ SO(2) makes det Aᵗ = 1 and det A = a11² + a12² = 1"
+            )
         ),
-        spoilt=Angles(Statement(ANGLE_FOUND.replace("p[1]**2 == 1", "p[3]**2 == 1"))),
+        spoilt=Angles(Statement.of(angle_found(3))),
     ),
 }

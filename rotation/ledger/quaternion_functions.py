@@ -1,20 +1,24 @@
 """Section 3.1.1: the functions that turn points by quaternions.
 
-What a function returns is found by running it on symbols (:mod:`rotation.ledger.symbols`), and the
+What a function returns is found by running it on terms (:mod:`rotation.ledger.symbols`), and the
 formula that comes back is compared with the product of ``hfield``. Arguments of type list are the
 coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and a sine.
 """
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Over, Statement
+from hfield.syntax import Node, both, conj, equal, iff, inv, names, norm, scalar, unequal, vector
 from rotation.ledger.programs import listed
-from rotation.ledger.symbols import Symbol, code, coordinates, point, quaternion, read_as, scalar
+from rotation.ledger.symbols import code, coordinates, point, quaternion, read_as
+from rotation.ledger.symbols import scalar as real_part
 
 P, Q = coordinates("p"), coordinates("q")
-A, B = scalar("p"), scalar("q")
-S, T, Y = Symbol("s"), Symbol("t"), Symbol("y")
-CIRCLE = "s**2 + t**2 == 1"
-UNIT = f"norm({point(P)}) == 1"
+A, B = real_part("p"), real_part("q")
+S, T, Y, ANGLE = names("s t y angle")
+ANY, OTHER, E = names("p q e")
+U, V = point(P), point(Q)
+CIRCLE = equal(S**2 + T**2, 1)
+UNIT = equal(norm(U), 1)
 
 # The functions named in the thesis, in its order.
 HELPERS = ("dotProduct", "crossProduct", "scalarVector", "addingVectorPart")
@@ -27,32 +31,31 @@ PRINTED_SCALAR = A - B - DOT
 
 # The functions with the half angle: cos(angle/2) = s, sin(angle/2) = t.
 HALF = {"cos": read_as({"0.5*angle": "s"}), "sin": read_as({"0.5*angle": "t"})}
-TURNED = point(code("rotationquaternion", **HALF)(Symbol("angle"), P, Q))
-AXIS_TURNED = point(code("rotationquaternion", **HALF)(Symbol("angle"), P, P))
+TURNED = point(code("rotationquaternion", **HALF)(ANGLE, P, Q))
+AXIS_TURNED = point(code("rotationquaternion", **HALF)(ANGLE, P, P))
 WITHOUT_HALVING = point(code("rotationquaternionChaged")(S, code("scalarVector")(T, P), Q))
 CONJUGATED = point(code("rotationquaternionChaged")(A, P, Q))
 
 UNIT_VECTOR = point(code("NormalizeVector", sqrt=lambda square: Y)(P))
-NORMALISED = f"{UNIT_VECTOR}*y == {point(P)} and norm({UNIT_VECTOR}) == 1"
+NORMALISED = both(equal(UNIT_VECTOR * Y, U), equal(norm(UNIT_VECTOR), 1))
 LENGTH_1 = "if sin(angle/2) ≠ 0 and u ≠ 0, rotationquaternion(angle, u, u) = u exactly when |u| = 1"
-LENGTH = f"y**2 == norm({point(P)})"
+LENGTH = equal(Y**2, norm(U))
 
 
-def axis_stays(*given: str, words: str = "") -> Statement:
+def axis_stays(*given: Node, words: str = "") -> Statement:
     """Say that the axis p, not 0, stays where it is exactly when its length is 1."""
-    stays = f"{AXIS_TURNED} == {point(P)}"
-    return Statement(f"{stays} <=> {UNIT}", (CIRCLE, f"{point(P)} != 0", *given), words)
+    stays = equal(AXIS_TURNED, U)
+    return Statement.of(iff(stays, UNIT), (CIRCLE, unequal(U, 0), *given), words)
 
 
-def rodrigues(cosine: str, sine: str) -> str:
+def rodrigues(cosine: Node, sine: Node) -> Node:
     """Return the point q turned about the unit vector p by the angle with this cosine and sine."""
-    u, v = point(P), point(Q)
-    return f"({cosine})*{v} + ({sine})*vector({u}*{v}) - (1 - ({cosine}))*scalar({u}*{v})*{u}"
+    return cosine * V + sine * vector(U * V) - (1 - cosine) * scalar(U * V) * U
 
 
-def same(left: str, right: str, *given: str, words: str = "") -> Statement:
+def same(left: Node, right: Node, *given: Node, words: str = "") -> Statement:
     """Return an equality under hypotheses."""
-    return Statement(f"{left} == {right}", given, words)
+    return Statement.of(equal(left, right), given, words)
 
 
 COMPUTED = {
@@ -63,84 +66,80 @@ COMPUTED = {
     ),
     "C3.1.1-b": Propositions(as_printed=listed(HELPERS, 4), spoilt=listed(HELPERS, 5)),
     "C3.1.1-d": Propositions(
-        as_printed=same(
-            DOT.text, f"scalar({point(P)}*conj({point(Q)}))", words="dotProduct(p, q) = Sc(p·q̄)"
-        ),
-        spoilt=same(DOT.text, f"scalar({point(P)}*{point(Q)})"),
+        as_printed=same(DOT, scalar(U * conj(V)), words="dotProduct(p, q) = Sc(p·q̄)"),
+        spoilt=same(DOT, scalar(U * V)),
     ),
     "C3.1.1-e": Propositions(
-        as_printed=same(
-            CROSS, f"vector({point(P)}*{point(Q)})", words="crossProduct(p, q) = Vec(p·q)"
-        ),
-        spoilt=same(CROSS, f"vector({point(Q)}*{point(P)})"),
+        as_printed=same(CROSS, vector(U * V), words="crossProduct(p, q) = Vec(p·q)"),
+        spoilt=same(CROSS, vector(V * U)),
     ),
     "C3.1.1-f": Propositions(
-        as_printed=same(
-            point(code("scalarVector")(S, Q)), f"s*{point(Q)}", words="scalarVector(s, q) = s·q"
-        ),
-        spoilt=same(point(code("scalarVector")(S, Q)), point(Q)),
+        as_printed=same(point(code("scalarVector")(S, Q)), S * V, words="scalarVector(s, q) = s·q"),
+        spoilt=same(point(code("scalarVector")(S, Q)), V),
     ),
     "C3.1.1-g": Propositions(
         as_printed=same(
             point(code("addingVectorPart")(P, Q)),
-            f"{point(P)} + {point(Q)}",
+            U + V,
             words="addingVectorPart(p, q) = p + q",
         ),
-        spoilt=same(point(code("addingVectorPart")(P, Q)), f"{point(P)} - {point(Q)}"),
+        spoilt=same(point(code("addingVectorPart")(P, Q)), U - V),
     ),
     "C3.1.1-h": Propositions(
-        as_printed=same(PRINTED_SCALAR.text, "scalar(p*q)"),
-        spoilt=same(PRODUCT[0].text, "scalar(p*q)"),
-        corrected=same(PRODUCT[0].text, "scalar(p*q)"),
+        as_printed=same(PRINTED_SCALAR, scalar(ANY * OTHER)),
+        spoilt=same(PRODUCT[0], scalar(ANY * OTHER)),
+        corrected=same(PRODUCT[0], scalar(ANY * OTHER)),
     ),
     "C3.1.1-i": Propositions(
         as_printed=same(
             point(PRODUCT[1]),
-            "vector(p*q)",
+            vector(ANY * OTHER),
             words="multiQuaternion(a1, v1, a2, v2)[1] = Vec(q1·q2)",
         ),
-        spoilt=same(point(PRODUCT[1]), "vector(q*p)"),
+        spoilt=same(point(PRODUCT[1]), vector(OTHER * ANY)),
     ),
     "C3.1.1-j": Propositions(
-        as_printed=same(quaternion(*CONJUGATE), "conj(p)", words="conjugateQuaternion(a, v) = q̄"),
-        spoilt=same(quaternion(*CONJUGATE), "-conj(p)"),
+        as_printed=same(quaternion(*CONJUGATE), conj(ANY), words="conjugateQuaternion(a, v) = q̄"),
+        spoilt=same(quaternion(*CONJUGATE), -conj(ANY)),
     ),
     "C3.1.1-k": Propositions(
         as_printed=same(
             TURNED,
-            rodrigues("s**2 - t**2", "2*s*t"),
+            rodrigues(S**2 - T**2, 2 * S * T),
             CIRCLE,
             UNIT,
             words="rotationquaternion(angle, u, x) = cos(angle)·x + sin(angle)·u×x "
             "+ (1 − cos(angle))·(u∘x)·u if |u| = 1",
         ),
-        spoilt=same(WITHOUT_HALVING, rodrigues("s", "t"), CIRCLE, UNIT),
+        spoilt=same(WITHOUT_HALVING, rodrigues(S, T), CIRCLE, UNIT),
     ),
     "C3.1.1-l": Propositions(
         as_printed=same(
-            f"p*{quaternion(*CONJUGATE)}",
-            "e",
-            "norm(p) == 1",
+            ANY * quaternion(*CONJUGATE),
+            E,
+            equal(norm(ANY), 1),
             words="q·conjugateQuaternion(q) = e if |q| = 1",
         ),
-        spoilt=same(f"p*{quaternion(*CONJUGATE)}", "e"),
+        spoilt=same(ANY * quaternion(*CONJUGATE), E),
     ),
-    "C3.1.1-m": Propositions(as_printed=axis_stays("t != 0", words=LENGTH_1), spoilt=axis_stays()),
+    "C3.1.1-m": Propositions(
+        as_printed=axis_stays(unequal(T, 0), words=LENGTH_1), spoilt=axis_stays()
+    ),
     "C3.1.1-n": Propositions(
-        as_printed=Statement(
+        as_printed=Statement.of(
             NORMALISED,
-            (LENGTH, "y != 0"),
+            (LENGTH, unequal(Y, 0)),
             "if v ≠ 0, NormalizeVector(v)·|v| = v and NormalizeVector(v) has length 1",
         ),
-        spoilt=Statement(NORMALISED, (LENGTH,)),
+        spoilt=Statement.of(NORMALISED, (LENGTH,)),
     ),
     "C3.1.1-p": Propositions(
         as_printed=same(
             CONJUGATED,
-            f"p*{point(Q)}*inv(p)",
-            "norm(p) == 1",
+            ANY * V * inv(ANY),
+            equal(norm(ANY), 1),
             words="rotationquaternionChaged(a, v, x) = q·x·q⁻¹ if |q| = 1",
         ),
-        spoilt=same(CONJUGATED, f"inv(p)*{point(Q)}*p", "norm(p) == 1"),
+        spoilt=same(CONJUGATED, inv(ANY) * V * ANY, equal(norm(ANY), 1)),
     ),
 }

@@ -1,31 +1,37 @@
-"""What the functions of the second test of 3.2 do to a point, found by running them on symbols.
+"""What the functions of the second test of 3.2 do to a point, found by running them on terms.
 
 The test turns every point about its own direction, and by the Euler angle that has its coordinates.
 """
 
 from hfield.ledger.propositions import Statement
-from rotation.ledger.symbols import Symbol, code, coordinates, equal, point, read_as
+from hfield.syntax import Node, both, comm, names, negation, norm, number, unequal
+from hfield.syntax import equal as same
+from rotation.ledger.symbols import code, coordinates, equal, point, read_as
 
 P, Q = coordinates("p"), coordinates("q")
-LENGTH = f"y**2 == norm({point(P)})"
-CIRCLE = "s**2 + t**2 == 1"
+S, T, X, Y, ANGLE = names("s t x y angle")
+PLACE = point(P)
+LENGTH = same(Y**2, norm(PLACE))
+CIRCLE = same(S**2 + T**2, 1)
 HALF = {"cos": read_as({"0.5*angle": "s"}), "sin": read_as({"0.5*angle": "t"})}
 
 SELF = "rotationquaternion(angle, x/|x|, x)"
 
 # The point p turned about itself, normalised: y is its length, t the sine of half the angle.
-NORM = {"sqrt": lambda square: Symbol("y")}
-ITSELF = point(code("rotationquaternionNormalized", **HALF, **NORM)(Symbol("angle"), P, P))
-STAYS = Statement(f"{ITSELF} == {point(P)}", (LENGTH, "y != 0", CIRCLE), f"{SELF} = x")
-MOVES = Statement(f"{ITSELF} != {point(P)}", (LENGTH, "y != 0", CIRCLE, "t != 0"), f"{SELF} ≠ x")
+NORM = {"sqrt": lambda square: Y}
+ITSELF = point(code("rotationquaternionNormalized", **HALF, **NORM)(ANGLE, P, P))
+STAYS = Statement.of(same(ITSELF, PLACE), (LENGTH, unequal(Y, 0), CIRCLE), f"{SELF} = x")
+MOVES = Statement.of(
+    unequal(ITSELF, PLACE), (LENGTH, unequal(Y, 0), CIRCLE, unequal(T, 0)), f"{SELF} ≠ x"
+)
 
 # With an axis of its own for every point: q, of length 1.
-OWN = point(code("rotationquaternion", **HALF)(Symbol("angle"), Q, P))
-UNIT = f"norm({point(Q)}) == 1"
-STAYS_ABOUT_ANOTHER = Statement(f"{OWN} == {point(P)}", (UNIT, CIRCLE))
-MOVES_ABOUT_ANOTHER = Statement(
-    f"{OWN} != {point(P)}",
-    (UNIT, CIRCLE, f"t*comm({point(P)}, {point(Q)}) != 0"),
+OWN = point(code("rotationquaternion", **HALF)(ANGLE, Q, P))
+UNIT = same(norm(point(Q)), 1)
+STAYS_ABOUT_ANOTHER = Statement.of(same(OWN, PLACE), (UNIT, CIRCLE))
+MOVES_ABOUT_ANOTHER = Statement.of(
+    unequal(OWN, PLACE),
+    (UNIT, CIRCLE, unequal(T * comm(PLACE, point(Q)), 0)),
     "if u has length 1 and is not parallel to x, and sin(angle/2) ≠ 0, "
     "rotationquaternion(angle, u, x) ≠ x",
 )
@@ -39,26 +45,28 @@ ANGLES = {
 
 def euler_turned(angle: str) -> Statement:
     """Say that the matrix model moves the point (x, 0, 0) wherever the sine of x is not 0."""
-    matrix = code("rotationMatrixZYX", **ANGLES)(*map(Symbol, (angle, "zero", "zero")))
-    place = [Symbol("x"), 0, 0]
+    matrix = code("rotationMatrixZYX", **ANGLES)(*names(f"{angle} zero zero"))
+    place = [X, number(0), number(0)]
     turned = code("rotationbyMatrix")(matrix, place)
     words = (
         f"if sin x ≠ 0, rotationbyMatrix(rotationMatrixZYX({angle}, 0, 0), [x, 0, 0]) ≠ [x, 0, 0]"
     )
-    return Statement(f"not ({equal(turned, place)})", (CIRCLE, "t != 0", "x != 0"), words)
+    return Statement.of(
+        negation(equal(turned, place)), (CIRCLE, unequal(T, 0), unequal(X, 0)), words
+    )
 
 
 # Two Euler angles: cosines and sines in p, q, r (about z, y, x) and in u, v, w.
 FIRST, SECOND = ("p", "q", "r"), ("u", "v", "w")
 
 
-def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Symbol]]:
+def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Node]]:
     """Return the matrix for three angles, cosine and sine being coordinates 0 and 1 of unknowns."""
-    names = {
+    read = {
         "cos": read_as({a: f"{a}[0]" for a in unknowns}),
         "sin": read_as({a: f"{a}[1]" for a in unknowns}),
     }
-    matrix: list[list[Symbol]] = code("rotationMatrixZYX", **names)(*map(Symbol, unknowns))
+    matrix: list[list[Node]] = code("rotationMatrixZYX", **read)(*names(" ".join(unknowns)))
     return matrix
 
 
@@ -71,8 +79,9 @@ def determined(*cosines: str) -> Statement:
     told = [
         [m[2][0], m[2][1], m[2][2], m[0][0], m[1][0]] for m in map(euler_matrix, (FIRST, SECOND))
     ]
-    same = [f"{a}[{n}] == {b}[{n}]" for a, b in zip(FIRST, SECOND, strict=True) for n in (0, 1)]
+    pairs = zip(names("p q r"), names("u v w"), strict=True)
+    alike = both(*(same(a[n], b[n]) for a, b in pairs for n in (0, 1)))
     words = (
         "if rotationMatrixZYX(x) = rotationMatrixZYX(y) and the middle cosines are positive, x = y"
     )
-    return Statement(" and ".join(same), (*circles, equal(*told), *cosines), words)
+    return Statement.of(alike, (*circles, equal(*told), *cosines), words)

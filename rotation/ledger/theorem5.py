@@ -12,14 +12,17 @@ norm is a square), is the axis of a half turn.
 """
 
 from hfield.ledger.document import Propositions
+from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.multilinear import IsBasis
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import Angles
-from hfield.ledger.roots import ModulusDefined
+from hfield.syntax import Node, both, implies
+from hfield.syntax import equal as same
 from rotation.ledger.entries import (
+    ONE,
+    ZERO,
     Matrix,
     apply,
-    both,
     cofactors,
     coordinates,
     det,
@@ -39,7 +42,7 @@ from rotation.ledger.entries import (
 )
 
 R = general("pqr")
-ORTHOGONAL, DETERMINANT = orthogonal(R), f"{det(R)} == 1"
+ORTHOGONAL, DETERMINANT = orthogonal(R), same(det(R), 1)
 OWN_COFACTORS = equal(cofactors(R), R)
 T = trace(R)
 W = (
@@ -49,34 +52,34 @@ W = (
 )
 
 
-def _square(entry: str, r: int, c: int) -> str:
-    return f"{entry} + (({T})**2 - 1)" if r == c else entry
-
-
-TWICE_SYMMETRIC = tuple(
-    tuple(f"(1 + {T})*({R[r][c]} + {R[c][r]})" for c in range(3)) for r in range(3)
-)
-RODRIGUES = tuple(tuple(_square(f"({W[r]})*({W[c]})", r, c) for c in range(3)) for r in range(3))
+TWICE_SYMMETRIC = tuple(tuple((1 + T) * (R[r][c] + R[c][r]) for c in range(3)) for r in range(3))
+RODRIGUES = shifted(tuple(tuple(x * y for y in W) for x in W), T**2 - 1)
 # The minors of R + I are entries of R − Rᵗ, and on the diagonal 1 + t.
 SKEW = shifted(
-    tuple(tuple(difference(R[r][c], R[c][r]) for c in range(3)) for r in range(3)), f"1 + {T}"
+    tuple(tuple(difference(R[r][c], R[c][r]) for c in range(3)) for r in range(3)), 1 + T
 )
 
-SO3_IS_COFACTORS = Statement(
-    f"{ORTHOGONAL} and {DETERMINANT} => {OWN_COFACTORS}",
+SO3_IS_COFACTORS = Statement.of(
+    implies(both(ORTHOGONAL, DETERMINANT), OWN_COFACTORS),
     words="R ∈ SO(3) is its own matrix of cofactors",
 )
-FIXED_VECTOR = Statement(
-    f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '-1'))} == 0",
+FIXED_VECTOR = Statement.of(
+    implies(both(DETERMINANT, OWN_COFACTORS), same(det(shifted(R, -ONE)), 0)),
     words="if det R = 1 and R is its own matrix of cofactors, det(R − I) = 0",
 )
-SO3_COLUMNS = Statement(
-    f"{ORTHOGONAL} and {DETERMINANT} and {OWN_COFACTORS} => {orthogonal(transpose(R))}",
+SO3_COLUMNS = Statement.of(
+    implies(both(ORTHOGONAL, DETERMINANT, OWN_COFACTORS), orthogonal(transpose(R))),
     words="R ∈ SO(3) makes RᵗR = I",
 )
-AXIS_AND_ANGLE = Statement(
-    f"{ORTHOGONAL} and {OWN_COFACTORS} => {equal(apply(R, W), W)}"
-    f" and {dot(W, W)} == (1 + {T})*(3 - ({T})) and {symmetric(TWICE_SYMMETRIC, RODRIGUES)}",
+AXIS_AND_ANGLE = Statement.of(
+    implies(
+        both(ORTHOGONAL, OWN_COFACTORS),
+        both(
+            equal(apply(R, W), W),
+            same(dot(W, W), (1 + T) * (3 - T)),
+            symmetric(TWICE_SYMMETRIC, RODRIGUES),
+        ),
+    ),
     words="RW = W, W∘W = (1 + t)(3 − t) and (1 + t)(R + Rᵗ) = (t² − 1)I + WWᵗ, where t = tr R",
 )
 CORE = Every(
@@ -84,11 +87,11 @@ CORE = Every(
     "R ∈ SO(3) fixes a vector; it turns about W = (r32−r23, r13−r31, r21−r12) with 2·cos θ = tr R − 1",
 )
 NO_SQUARES = "p[1]**2 + p[2]**2 + p[3]**2 == 0 => p[1] == 0 and p[2] == 0 and p[3] == 0"
-HALF_TURN = f"{OWN_COFACTORS} => {equal(cofactors(shifted(R, '1')), SKEW)}"
+HALF_TURN = implies(OWN_COFACTORS, equal(cofactors(shifted(R, ONE)), SKEW))
 REAL_PART = Every(
     (
         Statement(NO_SQUARES),
-        Statement(HALF_TURN, words="the minors of R + I are the entries of R − Rᵗ + (1 + t)I"),
+        Statement.of(HALF_TURN, words="the minors of R + I are the entries of R − Rᵗ + (1 + t)I"),
         ModulusDefined(),
     ),
     "where t = −1, R + I has rank one and gives the axis",
@@ -101,15 +104,15 @@ BLOCK = general("p")
 B = transpose(general("uvw"))
 
 
-def bordered(corner: str) -> Matrix:
+def bordered(corner: Node) -> Matrix:
     """Return the block [[a, c], [b, d]] with the entry ``corner`` below it."""
     (a, c), (b, d) = BLOCK
-    return ((a, c, "0"), (b, d, "0"), ("0", "0", corner))
+    return ((a, c, ZERO), (b, d, ZERO), (ZERO, ZERO, corner))
 
 
-def special(m: Matrix) -> str:
+def special(m: Matrix) -> Node:
     """Return the statement that m is in SO(n)."""
-    return both(orthogonal(m), f"{det(m)} == 1")
+    return both(orthogonal(m), same(det(m), 1))
 
 
 V1, V2, V3 = transpose(B)
@@ -124,14 +127,16 @@ E3 = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 # Av1 and Av2 are perpendicular to u = v3 = Av3: since Aᵗu = AᵗAu = u, (Av)∘u = v∘(Aᵗu) = v∘u.
 U, V = coordinates("u"), coordinates("v")
 KEEPS_PLANE = (
-    f"{orthogonal(transpose(R))} and {equal(apply(R, U), U)} => {equal(apply(transpose(R), U), U)}",
-    f"{dot(apply(R, V), U)} == {dot(V, apply(transpose(R), U))}",
+    implies(
+        both(orthogonal(transpose(R)), equal(apply(R, U), U)), equal(apply(transpose(R), U), U)
+    ),
+    same(dot(apply(R, V), U), dot(V, apply(transpose(R), U))),
 )
-ROWS_EXCHANGED = Statement(
-    f"{det(SWAPPED)} == -({det(R)})", words="exchanging two rows changes the sign of det B"
+ROWS_EXCHANGED = Statement.of(
+    same(det(SWAPPED), -det(R)), words="exchanging two rows changes the sign of det B"
 )
-SQUARE_OF_DETERMINANT = Statement(
-    f"({det(R)})**2 == {det(times(R, COLUMNS))} and {det(identity(3))} == 1",
+SQUARE_OF_DETERMINANT = Statement.of(
+    both(same(det(R) ** 2, det(times(R, COLUMNS))), same(det(identity(3)), 1)),
     words="(det B)² = det BBᵗ, and det I = 1",
 )
 ORIENTED = Every(
@@ -139,26 +144,26 @@ ORIENTED = Every(
         SQUARE_OF_DETERMINANT,
         Statement("s**2 == 1 => s == 1 or s == -1", words="(det B)² = 1 makes det B = ±1"),
         ROWS_EXCHANGED,
-        Statement(f"{ORTHOGONAL} => {orthogonal(SWAPPED)}", words="and leaves B orthogonal"),
+        Statement.of(implies(ORTHOGONAL, orthogonal(SWAPPED)), words="and leaves B orthogonal"),
     ),
     "BBᵗ = I makes det B = ±1, and exchanging two rows changes the sign",
 )
 ANY_COLUMNS = equal(times(R, B), transpose(tuple(apply(R, v) for v in transpose(B))))
 IMAGES_OF_BASIS = Every(
     (
-        Statement(ANY_COLUMNS, words="AB = [Av1, Av2, Av3]"),
-        Statement(KEEPS_PLANE[0], words="if AᵗA = I and Au = u, then Aᵗu = u"),
-        Statement(KEEPS_PLANE[1], words="(Av)∘u = v∘(Aᵗu)"),
+        Statement.of(ANY_COLUMNS, words="AB = [Av1, Av2, Av3]"),
+        Statement.of(KEEPS_PLANE[0], words="if AᵗA = I and Au = u, then Aᵗu = u"),
+        Statement.of(KEEPS_PLANE[1], words="(Av)∘u = v∘(Aᵗu)"),
     ),
     "AB = [Av1, Av2, Av3], and Av1, Av2 are perpendicular to v3 = Av3",
 )
-CASE_ONE = f"{special(bordered('1'))} => {special(BLOCK)}"
+CASE_ONE = implies(special(bordered(ONE)), special(BLOCK))
 
 COMPUTED = {
     "C2.2.4-m": Propositions(
         as_printed=Angles(CORE, REAL_PART),
         spoilt=Angles(
-            Statement(f"{DETERMINANT} and {OWN_COFACTORS} => {det(shifted(R, '1'))} == 0")
+            Statement.of(implies(both(DETERMINANT, OWN_COFACTORS), same(det(shifted(R, ONE)), 0)))
         ),
     ),
     "C2.2.4-n": Propositions(
@@ -187,11 +192,11 @@ COMPUTED = {
     "C2.2.4-r": Propositions(
         as_printed=Every(
             (
-                Statement(
-                    equal(times(B, bordered("1")), IMAGES),
+                Statement.of(
+                    equal(times(B, bordered(ONE)), IMAGES),
                     words="B·[[a, c, 0], [b, d, 0], [0, 0, 1]] = [av1 + bv2, cv1 + dv2, v3]",
                 ),
-                Statement(
+                Statement.of(
                     CASE_ONE,
                     words="if [[a, c, 0], [b, d, 0], [0, 0, 1]] is in SO(3), [[a, c], [b, d]] is in SO(2)",
                 ),

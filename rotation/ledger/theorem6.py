@@ -8,37 +8,37 @@ c = cos θ and s = sin θ are the scalars ``y`` and ``s``; the axis u and the po
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.real import Angles
-from rotation.ledger.entries import Vector, coordinates, cross, dot
+from hfield.syntax import Node, both, equal, implies, names, norm, vector
+from rotation.ledger.entries import coordinates, cross, dot
 from rotation.ledger.plane import ON_CIRCLE
-
-
-def pure(v: Vector) -> str:
-    """Return the pure quaternion with these coordinates."""
-    x, y, z = v
-    return f"(({x})*i + ({y})*j + ({z})*k)"
-
+from rotation.ledger.symbols import point
 
 A, B = coordinates("u"), coordinates("v")
-U, V, W = "vector(u)", "vector(v)", pure(cross(A, B))
-Q, BAR = f"(y + s*{U})", f"(y - s*{U})"
-UNIT, PERPENDICULAR = f"norm({U}) == 1", f"{dot(A, B)} == 0"
-COS, SIN = "(y**2 - s**2)", "(2*y*s)"  # of 2θ
-# Rodrigues' formula for the angle 2θ: 1 − cos 2θ is 2s².
-TURNED = f"{COS}*{V} + {SIN}*{W} + 2*s**2*({dot(A, B)})*{U}"
-THEOREM_6 = (
-    f"{ON_CIRCLE} and {UNIT} => {Q}*{V}*{BAR} == {TURNED} and {Q}*{BAR} == 1 and {BAR}*{Q} == 1"
-)
+C, S, AXIS, PLACE = names("y s u v")
+U, V, W = vector(AXIS), vector(PLACE), point(cross(A, B))
+Q, BAR = C + S * U, C - S * U
+COS, SIN = C**2 - S**2, 2 * C * S  # of 2θ
+
+
+def theorem_6(along: Node) -> Node:
+    """Say that Q turns by Rodrigues' formula; ``along`` is its last term, where 1 − cos 2θ is 2s²."""
+    turned = COS * V + SIN * W + along
+    ends = equal(Q * V * BAR, turned), equal(Q * BAR, 1), equal(BAR * Q, 1)
+    return implies(both(ON_CIRCLE, equal(norm(U), 1)), both(*ends))
+
+
+ALONG = 2 * S**2 * dot(A, B) * U
 
 
 COMPUTED = {
     "C2.2.5-e": Propositions(
         as_printed=Angles(
-            Statement(
-                THEOREM_6,
+            Statement.of(
+                theorem_6(ALONG),
                 words="if c² + s² = 1 and |u| = 1, then (c + su)v(c − su) = (c² − s²)v + 2cs(u×v) + "
                 "2s²(u∘v)u, and c − su is the inverse of c + su",
             )
         ),
-        spoilt=Angles(Statement(THEOREM_6.replace("+ 2*s**2", "- 2*s**2"))),
+        spoilt=Angles(Statement.of(theorem_6(-ALONG))),
     ),
 }

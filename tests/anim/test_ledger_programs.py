@@ -16,7 +16,10 @@ from anim.ledger.turning import UP, rotation, turned
 from hfield.cli import main
 from hfield.ledger.claim import NO_FIELD, decide
 from hfield.product import Constants, conjugate, multiply
+from hfield.proving.statements.printing import to_text
 from hfield.rings import ring
+from hfield.syntax import number
+from rotation.ledger.entries import vector
 from rotation.ledger.symbols import code
 from rotation.matrices import R_x, R_y, R_z
 from tests.ledger.spoilt_thesis import spoilt_thesis
@@ -109,19 +112,19 @@ def test_the_figures_in_the_notes() -> None:
 
 
 def test_rodrigues_formula_on_terms() -> None:
-    about = ("2/3", "-1/3", "2/3")
-    c, s = "3/5", "4/5"
-    terms = turned(about, ("1", "2", "3"), c, s)
+    about = vector("2/3, -1/3, 2/3")
+    c, s = vector("3/5, 4/5")
+    terms = turned(about, vector("1, 2, 3"), c, s)
     field = ring("QQ")
-    found = [float(field(term)) for term in terms]
+    found = [float(field(to_text(term))) for term in terms]
     u, v = np.array([2, -1, 2]) / 3, np.array([1, 2, 3])
     wanted = 0.6 * v + 0.8 * np.cross(u, v) + 0.4 * (u @ v) * u
     assert found == pytest.approx(wanted)
     for letter, matrix in (("x", R_x), ("y", R_y), ("z", R_z)):
-        rows = [[float(field(x)) for x in row] for row in rotation(letter, c, s)]
+        rows = [[float(field(to_text(x))) for x in row] for row in rotation(letter, c, s)]
         assert np.array(rows) == pytest.approx(np.asarray(matrix(np.arctan2(4, 3))))
-        along = tuple(str(int(name == letter)) for name in "xyz")
-        tilted = [float(field(term)) for term in turned(along, UP, c, s)]
+        along = tuple(number(int(name == letter)) for name in "xyz")
+        tilted = [float(field(to_text(term))) for term in turned(along, UP, c, s)]
         assert tilted == pytest.approx([row[2] for row in rows])
 
 

@@ -14,7 +14,7 @@ import pytest
 
 from anim.errors import AnimationError
 from anim.output import Film, check, open_film
-from anim.output.place import file_place
+from anim.output.destination import file_place
 from anim.rendering import Scene, render
 from tests.anim.films import FILM, FRAMES, SIZE, decoded
 
@@ -22,7 +22,7 @@ from tests.anim.films import FILM, FRAMES, SIZE, decoded
 @pytest.mark.parametrize(
     ("name", "film", "message"),
     [
-        ("top.avi", FILM, r"as '.avi'; expected .mp4, .gif"),
+        ("top.avi", FILM, r"as '.avi'; expected \.apng, \.gif"),
         ("top.png", FILM, "--sheet makes one .png"),
         ("top.mp4", Film((161, 120), 5, 25), "try --size 162x120"),
         ("top.mp4", Film((160, 121), 5, 25), "try --size 160x122"),

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from anim.model import Model
-from anim.picture import Camera, Look, flat, merge, painter, shaded
+from anim.picture import Camera, Look, merge, painter
+from anim.picture.styles import flat, shaded
 from tests.anim.cones import NOTHING, interior, nearest, random_rotation, reference
 
 # A colour of its own for each piece and band, far apart from each other.

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from anim.output import FORMATS
+from anim.picture import STYLES
 from hfield.cli import main
 
 SMALL = ("--size", "96x72", "--points", "30", "--frames", "6")
@@ -23,7 +25,7 @@ def run(capsys, *words):
     return status, out, err
 
 
-@pytest.mark.parametrize("name", ["t.mp4", "t.gif", "t.apng", "t.webp", "t.html", "T.MP4", "t"])
+@pytest.mark.parametrize("name", [*(f"t.{name}" for name in FORMATS), "t.html", "T.MP4", "t"])
 def test_every_suffix(capsys, tmp_path: Path, name: str) -> None:
     status, out, _ = run(capsys, *SMALL, "-o", tmp_path / name)
     assert status == 0
@@ -32,7 +34,7 @@ def test_every_suffix(capsys, tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("model", ["quaternions", "product", "euler", "matrix", "physics"])
-@pytest.mark.parametrize("style", ["flat", "classic", "shaded"])
+@pytest.mark.parametrize("style", STYLES)
 def test_every_model_in_every_style(capsys, tmp_path: Path, model: str, style: str) -> None:
     path = tmp_path / "t"
     words = (
@@ -117,7 +119,7 @@ def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("-o", "t.avi"), "expected .mp4, .gif"),
+        (("-o", "t.avi"), f"expected .{next(iter(FORMATS))}"),
         (("-o", "t.mp4", "--frames", "0"), "frames is 0"),
         (("-o", "t.mp4", "--frames", "-5"), "frames is -5"),
         (("-o", "t.mp4", "--size", "101x100"), "try --size 102x100"),
@@ -127,7 +129,7 @@ def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
         (("-o", "t.mp4", "--points", "2"), "expected a number from 3"),
         (("-o", "t.mp4", "--bands", "0"), "bands is 0"),
         (("-o", "t.mp4", "--p2", "wide"), "expected one of printed, third"),
-        (("-o", "t.mp4", "--style", "fancy"), "expected one of flat, classic, shaded"),
+        (("-o", "t.mp4", "--style", "fancy"), f"expected one of {', '.join(STYLES)}"),
         (("-o", "t.mp4", "--camera", "up"), "camera"),
         (("-o", "t.mp4", "--background", "grue"), "expected a colour"),
         (("-o", "t.mp4", "--spin", "fast"), "expected one of absolute, accumulated"),

@@ -5,8 +5,8 @@ import json
 import pytest
 
 from hfield.certificates.check import Pin, check, check_text
+from hfield.certificates.glossary import KULIKOV, THEOREMS
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.theorems import KULIKOV, THEOREMS
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import decide
 from hfield.ledger.registry import claims

@@ -10,7 +10,8 @@ from hfield.certificates.check import Pin, check
 from hfield.certificates.clauses import expand, without_factors
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.existence import MAX_CASES
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding, together
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.certificates.language import parse, substitute, walk
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import add, constant, multiply, variable
@@ -27,7 +28,8 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, Setting, read_setting, read_statement
-from hfield.certificates.work import bounded, charge
+from hfield.certificates.work import Work, bounded, charge
+from hfield.proving.prove import prove
 from tests.certificates.cases import Certificate, certified
 
 IDENTITY = {"kind": "identity"}
@@ -176,7 +178,7 @@ def test_an_algebra_with_three_constants() -> None:
     assert statement.unknowns == (("a", "s"), ("s", "s"), ("b", "s"))
     assert (
         check(certified("i*i == a + (s+1)*i", None, "identity", IDENTITY, "[a,b,s+1|F)")).scope
-        == RINGS
+        == COMMUTATIVE_RINGS
     )
     assert (
         check(certified("k*k == -a*b", None, "identity", IDENTITY, "[a,b|F)")).verdict == "proved"
@@ -191,7 +193,8 @@ def test_evaluation_over_a_ring() -> None:
     evaluator = Evaluator(RingScalars(ring), HAMILTON, {("name", "q"): Quaternion((1, 2, 3, 4))})
 
     def value(text: str) -> Any:
-        found, conditions = evaluator.term(parse(text))
+        evaluator.needed = ()
+        found, conditions = evaluator.value(parse(text)), evaluator.needed
         return (tuple(found) if isinstance(found, Quaternion) else found), len(conditions)
 
     assert value("norm(q) + trace(q) + scalar(q)") == ((0 + 2 + 1) % 6, 0)
@@ -206,14 +209,14 @@ def test_evaluation_over_a_ring() -> None:
     assert value("inv(i + j - j)") == ((0, 5, 0, 0), 0)
     for text in ("r", "exists", "s"):
         with pytest.raises(Rejected, match="no value"):
-            evaluator.term(("name", text))
+            evaluator.value(("name", text))
     for tree in (("call", "sin", (("num", 1),)), ("==", ("num", 1), ("num", 1))):
         with pytest.raises(Rejected):
-            evaluator.term(tree)
+            evaluator.value(tree)
     with pytest.raises(Rejected, match="cannot be evaluated"):
         evaluator.truth(("num", 1))
     with pytest.raises(Rejected, match="exponent"):
-        evaluator.term(("pow", ("num", 1), 10_001))
+        evaluator.value(("pow", ("num", 1), 10_001))
 
 
 def test_comparisons_with_undefined_sides_are_false() -> None:
@@ -290,7 +293,7 @@ def test_direct_items() -> None:
     data = certified("s*y == 1 => s*y*t == t", None, "implication", implication([]))
     item = direct(["s*y - 1"], "s*t*y - t", ["t"])
     good = {**data, "evidence": implication([item])}
-    assert check(good).scope == RINGS
+    assert check(good).scope == COMMUTATIVE_RINGS
     for field in ("ZZ", "ZZ/6", "GF(2)", "QQ[x,y]", "ZZ[x]", "GF(4)"):
         if field not in ("QQ[x,y]",):
             assert check({**good, "field": field, "algebra": f"(-1,-1|{field})"}).scope == FIELD
@@ -316,7 +319,7 @@ def test_direct_items() -> None:
 def test_a_hypothesis_that_is_a_contradiction() -> None:
     item = direct(["s", "s - 1"], "1", ["1", "-1"])
     data = certified("s == 0 and s == 1 => p == q", None, "implication", implication([item]))
-    assert check(data).scope == RINGS
+    assert check(data).scope == COMMUTATIVE_RINGS
     twice = direct(["s", "s - 2"], "2", ["1", "-1"])
     rejects({**data, "evidence": implication([twice])}, "not covered")
     over_q = certified("s == 0 and s == 2 => p == q", "QQ", "implication", implication([twice]))
@@ -492,7 +495,7 @@ def test_terms_and_cases() -> None:
     rejects(denied, "may be undefined")
     scalar = {"kind": "terms", "terms": {"s": "p"}, "proof": IDENTITY}
     rejects(certified("exists s: s == p", None, "witness", scalar), "does not fit")
-    linear = certified("exists s: y*s == y*t", "QQ", "linear algebra", {})
+    linear = certified("exists s: y*s == y*t", "QQ", "witness", {})
     first = {
         "when": "y == 0",
         "terms": {"s": "0"},
@@ -501,7 +504,7 @@ def test_terms_and_cases() -> None:
     second = {"when": "y != 0", "terms": {"s": "y*t/y"}, "proof": implication([])}
     cases = {"kind": "cases", "cases": [first, second], "cover": implication([])}
     assert check({**linear, "evidence": cases}).scope == FIELD
-    assert check({**linear, "evidence": cases, "method": "witness"})
+    rejects({**linear, "evidence": cases, "method": "implication"}, "not that of the evidence")
     given = {**linear, "statement": "t != 0 => (exists s: y*s == y*t)", "evidence": cases}
     assert check(given)
     for bad in (
@@ -653,13 +656,16 @@ def test_roots_by_theorems(text: str, field: str, evidence: Any, good: bool) -> 
 
 
 def test_findings() -> None:
-    wide, narrow = finding(RINGS, "identity"), finding(FIELD, "exhaustion").citing("a", "b", "a")
+    wide, narrow = (
+        Finding(COMMUTATIVE_RINGS, "identity"),
+        Finding(FIELD, "exhaustion").citing("a", "b", "a"),
+    )
     both = together([wide, narrow, narrow])
-    assert both == Finding(FIELD, frozenset({"identity", "exhaustion"}), ("a", "b"))
+    assert both == Finding(FIELD, "identity; exhaustion", ("a", "b"))
     assert wide.within(FIELDS).scope == FIELDS
-    assert narrow.within(RINGS).scope == FIELD
-    assert together([]).scope == RINGS
-    assert narrow.also_by("witness").methods == {"exhaustion", "witness"}
+    assert narrow.within(COMMUTATIVE_RINGS).scope == FIELD
+    assert together([]).scope == COMMUTATIVE_RINGS
+    assert narrow.by("witness") == Finding(FIELD, "witness", ("a", "b"))
 
 
 # --- rules of a field ----------------------------------------------------------------------------
@@ -777,14 +783,15 @@ def test_forms_and_polynomials_without_roots() -> None:
     item = opposite(["s**2 - 2*y**2"], ["s"], steps)
     data = certified("s**2 == 2*y**2 => s == 0", "QQ", "implication", implication([item], [ROOTS]))
     assert check(data)
-    over_5 = {**data, "field": "GF(5)", "algebra": "(-1,-1|GF(5))"}
-    assert check(over_5)
-    for field in ("GF(7)", "RR", "GF(2)", "QQ(sqrt(2))", "QQ(x)"):
+    by_squares = implication([item], [{**ROOTS, "by": "squares"}])
+    rejects({**data, "evidence": by_squares}, "told by factors")
+    for field in ("GF(5)", "GF(7)", "RR", "GF(2)", "QQ(sqrt(2))", "QQ(x)"):
         moved = {**data, "field": field, "algebra": f"(-1,-1|{field})"}
-        if field == "QQ(x)":
-            assert check(moved)
+        rejects(moved, "told by squares")
+        if field in ("GF(5)", "QQ(x)"):
+            assert check({**moved, "evidence": by_squares})
         else:
-            rejects(moved, ".")
+            rejects({**moved, "evidence": by_squares}, "may have one|is 0")
     rejects({**data, "evidence": implication([item])}, "not there")
     for change in (
         {"terms": ["s"]},
@@ -801,15 +808,17 @@ def test_forms_and_polynomials_without_roots() -> None:
     none = opposite(["s**2 - 3"], [], [step])
     data = certified("s**2 != 3", "QQ", "implication", implication([none], [ROOTS]))
     assert check(data)
-    assert check({**data, "field": "GF(7)", "algebra": "(-1,-1|GF(7))"})
-    rejects({**data, "field": "GF(11)", "algebra": "(-1,-1|GF(11))"}, "may have one")
+    by_squares = implication([none], [{**ROOTS, "by": "squares"}])
+    seven = {**data, "field": "GF(7)", "algebra": "(-1,-1|GF(7))", "evidence": by_squares}
+    assert check(seven)
+    rejects({**seven, "field": "GF(11)", "algebra": "(-1,-1|GF(11))"}, "may have one")
     for polynomial in ("s**2 - 4", "s**2 - 3*y", "s**65 - 3", "3", "s**2 + 1"):
         bad = opposite(["s**2 - 3"], [], [{**step, "polynomial": polynomial}])
         rejects({**data, "evidence": implication([bad], [ROOTS])}, ".")
-    rejects({**data, "evidence": implication([none], [{**ROOTS, "by": "trust"}])}, "by 'factors'")
+    rejects({**data, "evidence": implication([none], [{**ROOTS, "by": "trust"}])}, "by factors")
     cubic = certified("s**3 != 3", "GF(7)", "implication", {})
     bad = opposite(["s**3 - 3"], [], [{**step, "polynomial": "s**3 - 3"}])
-    rejects({**cubic, "evidence": implication([bad], [ROOTS])}, "may have one")
+    rejects({**cubic, "evidence": implication([bad], [{**ROOTS, "by": "squares"}])}, "may have one")
 
 
 def test_too_many_choices_and_clauses() -> None:
@@ -846,7 +855,7 @@ def test_how_far_a_verdict_reaches() -> None:
     inside = certified("over{GF(2); p*q == q*p}", None, "identity", IDENTITY)
     assert check(inside).where == "as it stands"
     witness = {"kind": "witness", "field": "GF(3)", "values": {"s": ["2"]}}
-    false = certified("s == 1", None, "counterexample", witness)
+    false = certified("s == 1", None, "identity", witness)
     assert check({**false, "verdict": "refuted"}).where == "as a statement on all fields"
 
 
@@ -857,7 +866,7 @@ def test_multilinear_maps() -> None:
     tuples = [[x, [int(x == u) for u in "eijk"]] for x in "eijk"]
     evidence = {"kind": "multilinear", "unknowns": ["q"], "tuples": tuples}
     data = certified("vector(q) + scalar(q)*e - 0 == -(-q)", None, "multilinear", evidence)
-    assert check(data).scope == RINGS
+    assert check(data).scope == COMMUTATIVE_RINGS
     for statement in (
         "q == q => q == q",
         "q != q",
@@ -918,3 +927,48 @@ def test_the_number_of_cases() -> None:
                 assert check(data)
             else:
                 rejects(data, "number of cases")
+
+
+REFUTED = [
+    ("s*s == s", "QQ", "identity"),
+    ("s*s == s and s == 1", "GF(5)", "identity"),
+    ("not (s != 0 or s != 1)", "GF(5)", "identity"),
+    ("s == 0 or s == 1", "QQ", "identity"),
+    ("s == 0 or s == 1", "GF(5)", "counterexample"),
+    ("s != 0 => s == 1", "QQ", "identity"),
+    ("s != 0 => s == 1", "GF(5)", "counterexample"),
+    ("s != 2", "QQ", "witness"),
+    ("s != 2 or s + 1 != 3", "GF(5)", "witness"),
+    ("s == 2 => s != 2", "QQ", "witness"),
+    ("s == 2 => s + 1 != 3", "GF(5)", "witness"),
+    ("s == 2 => not (s + 1 == 3)", "QQ", "witness"),
+    ("s != 2 and s != 3", "QQ", "witness"),
+    ("s != 2 and s != 3", "GF(5)", "counterexample"),
+    ("s == 2 => s == 3", "QQ", "counterexample"),
+    ("s == 1 <=> s == 2", "QQ", "counterexample"),
+]
+
+
+@pytest.mark.parametrize(("statement", "field", "method"), REFUTED)
+def test_a_refutation_is_named_by_what_is_refuted(statement: str, field: str, method: str) -> None:
+    answer = prove(statement, field)
+    assert answer.verdict == "refuted"
+    assert answer.to_json()["method"] == method
+    witness = {"kind": "witness", "field": field, "values": answer.to_json()["witness"]}
+    for name in ("identity", "witness", "counterexample", "exhaustion"):
+        data = {**certified(statement, field, name, witness), "verdict": "refuted"}
+        if name == method:
+            assert check(data)
+        else:
+            rejects(data, "not that of the evidence")
+
+
+def test_comparing_many_clauses_with_many_items_is_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    clauses = [f"(s == 0 => s*t == {n}*s)" for n in range(20)]
+    items = [direct(["s"], f"s*t - {n}*s", [f"t - {n}"]) for n in range(20)]
+    items += [direct(["s + 1"], "s + 1", ["1"])] * 400
+    data = certified(" and ".join(clauses), None, "implication", implication(items))
+    assert check(data)
+    monkeypatch.setattr(Work.__init__, "__defaults__", (60_000,))
+    assert check({**data, "evidence": implication(items[:20])})
+    rejects(data, "more work")

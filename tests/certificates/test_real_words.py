@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from hfield.certificates.check import Pin, check
+from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every, Over, Statement

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from hfield.certificates.theorems import ODD_DEGREE, THEOREMS
+from hfield.certificates.glossary import ODD_DEGREE, THEOREMS
 from hfield.cli import main
 
 

@@ -90,6 +90,29 @@ def test_bad_input(capsys, words, hint):
     assert err.count("\n") == 1
 
 
+def test_certificates(capsys, tmp_path):
+    """What is written is accepted by ``hfield check``; what cannot be is told."""
+    for words, said in (
+        (["order", "(-1,-11|QQ)"], "; 11; maximal}"),
+        (["order", "(2,3|QQ)", "--level", "5"], "; 30}"),
+        (["order", "(-1,-1|QQ)", "--generators", "i, j"], "; 4}"),
+        (["classes", "30", "--level", "7"], "; 8}"),
+        (["classes", "(-1,-11|QQ)", "--level", "3", "--format", "json"], "; 4}"),
+    ):
+        path = tmp_path / "certificate.json"
+        page(capsys, *words, "--certificate", str(path))
+        statement = json.loads(path.read_text())["statement"]
+        assert statement.endswith(said)
+        assert statement in page(capsys, "check", str(path))
+    status, _, err = run(capsys, "classes", "11", "--formula", "--certificate", str(path))
+    assert status == 2
+    assert "enumerates none" in err
+    # 2⁶¹ − 1 classes are too many to enumerate, and the file stays as it was
+    before = path.read_text()
+    assert run(capsys, "classes", str(2**61 - 1), "--certificate", str(path))[0] == 2
+    assert path.read_text() == before
+
+
 def test_a_plot(capsys, tmp_path):
     path = tmp_path / "graph.svg"
     page(capsys, "brandt", "37", "--plot", str(path))

@@ -104,6 +104,14 @@ def test_brandt_matrices_by_theta_series(d, n) -> None:
                 assert B[i][j] * v == B[j][i] * u
 
 
+def test_brandt_matrices_by_ideals_at_the_level() -> None:
+    """Where classes are many the ideals of norm pᵉ are listed; here they are in any case."""
+    for d, n, p, e in ((101, 4, 2, 3), (11, 9, 3, 2), (30, 49, 7, 1), (37, 6, 3, 1)):
+        C = algebra(d).eichler_order(n).class_set()
+        rows = C.power_neighbours(p, e)
+        assert [[row[j] for j in range(len(C))] for row in rows] == by_theta_series(C, p**e)
+
+
 def test_types_by_orbits_and_by_isomorphism() -> None:
     for d, n in ((11, 1), (37, 1), (67, 1), (30, 7), (42, 5), (11, 6), (5, 9), (2, 35)):
         C = algebra(d).eichler_order(n).class_set()
@@ -135,6 +143,15 @@ def test_orders_that_are_no_eichler_orders() -> None:
         assert C.type_number <= len(C)
     O = A.order_from_basis(A.lattice([1, *(3 * q for q in A.hurwitz_order().basis)]).basis)
     assert len(O.class_set()) > 1
+
+
+def test_neighbours_at_what_is_no_prime() -> None:
+    C = algebra(37).maximal_order().class_set()
+    for p in (4, 1, 0, -2, "x", 2.0):
+        with pytest.raises(LatticeError, match="not a prime"):
+            C.neighbours(p)
+        with pytest.raises(LatticeError, match="not a prime"):
+            list(C.edges(p))
 
 
 def test_edges_of_the_isogeny_graph() -> None:

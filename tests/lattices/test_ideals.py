@@ -9,6 +9,7 @@ import pytest
 from hfield import H, QuaternionAlgebra
 from hfield.errors import LatticeError, TooLargeError
 from hfield.lattices import compatible
+from hfield.lattices.brandt import by_theta_series
 from hfield.lattices.lattice import Lattice
 from tests.lattices.random_lattices import algebra, element
 
@@ -61,6 +62,20 @@ def test_ideals_of_norm_at_the_level() -> None:
         found = {I.hnf for I in O.ideals_of_norm(p)}
         principal = {O.left_ideal([x]).hnf for x in O.elements_of_norm(p)}
         assert found == principal if level < 9 else principal <= found
+
+
+def test_ideals_of_prime_power_norm_at_the_level() -> None:
+    """Not all are products of ideals of norm p; all are locally principal, and Brandt's rows count them."""
+    A = H("QQ")
+    for level, n in ((9, 9), (9, 3), (3, 27), (25, 25), (9, 45)):
+        O = A.eichler_order(level)
+        found = O.ideals_of_norm(n)
+        assert len({I.hnf for I in found}) == len(found)
+        assert all(I.is_invertible() and I.left_order() == O and I.norm() == n for I in found)
+        assert {O.left_ideal([x]).hnf for x in O.elements_of_norm(n)} <= {I.hnf for I in found}
+        assert {sum(row) for row in by_theta_series(O.class_set(), n)} == {len(found)}
+    P = A.eichler_order(9).two_sided_prime(3)
+    assert P.hnf in {I.hnf for I in A.eichler_order(9).ideals_of_norm(9)}
 
 
 def test_generators() -> None:

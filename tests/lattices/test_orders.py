@@ -245,6 +245,13 @@ def test_orders_that_are_not_isomorphic() -> None:
     assert different  # 11 has two types
     assert all(P.unit_count() != O.unit_count() for P in different)
     assert "norm" in O.isomorphism(different[0]).reason
+    # of 251 bits, where one order has an element of norm 1 and the other only long ones
+    D = QuaternionAlgebra("QQ", -1, 1 - 5 * 2**248)
+    E = D.extremal_order()
+    P = E.random_ideal(2**127 - 1, seed=1).right_order()
+    x = D(1, 2, 3, 4)
+    for first, second, same in ((E, P, False), (P, E, False), (E, x * E * x.inverse(), True)):
+        assert bool(first.isomorphism(second)) == same
     B = QuaternionAlgebra("QQ", 2, 3)
     S = B.order_from_basis(B.lattice([1, *(2 * q for q in B.maximal_order().basis)]).basis)
     x = B(1, 1, 0, 5)

@@ -7,6 +7,7 @@ from collections import Counter
 import pytest
 
 from hfield.certificates.check import Pin, check_text
+from hfield.certificates.glossary import METHODS, THEOREMS, UNCERTIFIED
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, decide
 from hfield.ledger.computed import Computed
@@ -85,11 +86,14 @@ def test_decided_with_certificates(claim: Claim) -> None:
         ):
             if proposition is None or decision is None:
                 continue
+            assert set(decision.method.split("; ")) <= {*METHODS, *UNCERTIFIED}, decision.method
+            assert set(decision.assumes) <= THEOREMS.keys()
             data = certificate(proposition, decision, field)
             if isinstance(proposition, Computed) or decision.verdict == "not-applicable":
                 assert data is None
                 continue
             assert data is not None, f"no certificate over {field}"
+            assert (data["method"], data["assumes"]) == (decision.method, list(decision.assumes))
             pin = Pin((proposition.statement,), data["field"])
             assert check_text(json.dumps(data), pin).verdict == decision.verdict
         if field not in (UNIVERSAL, NO_FIELD):

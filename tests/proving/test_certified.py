@@ -48,3 +48,20 @@ ALGEBRAS = [
 def test_statements_about_other_algebras_are_certified(statement, algebra):
     answer = prove(statement, algebra=algebra)
     assert answer.certificate is not None, answer.why_no_certificate
+
+
+CONSTANTS_LEFT_OUT = [
+    ("q == 0 => q*q == conj(k) => s != s - (I + 1)", "QQ(I)", None),
+    ("q == 0 and q*q == i => i == 0 or x == 0", "GF(8)", None),
+    ("q == 0 and conj(i) == q*q => s + I == 0 or k == q*q", "QQ(I)", "(-1,1/(a-1)|QQ(I))"),
+    ("y**2 == -1 and y == 3 => y == x", "QQ(x)", "(x,-1|QQ(x))"),
+    ("s != 0 => (exists y: s*y == I)", "QQ(I)", None),
+    ("s**2 == 2 => (exists y: s*y == sqrt(3))", "RR", None),
+]
+
+
+@pytest.mark.parametrize(("statement", "field", "algebra"), CONSTANTS_LEFT_OUT)
+def test_a_proof_about_a_part_speaks_of_its_constants_alone(statement, field, algebra):
+    answer = prove(statement, field, algebra=algebra)
+    assert answer.verdict in ("proved", "vacuous")
+    assert answer.certificate is not None, answer.why_no_certificate

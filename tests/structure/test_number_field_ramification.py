@@ -4,6 +4,7 @@ from itertools import islice
 from random import Random
 
 import pytest
+from hfield.structure.number_fields.local_place import local_place
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
 from hfield.errors import CoercionError, RingError
@@ -13,7 +14,6 @@ from hfield.rings.number_primes import PrimeIdeal
 from hfield.structure.minimise import Conic, minimise, norm_form
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import candidates
-from hfield.structure.number_fields.local_place import local_place
 from tests.steps import steps
 from tests.structure.number_field_cases import cases, field, prime
 

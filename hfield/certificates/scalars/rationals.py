@@ -20,6 +20,7 @@ class Rationals(Ring):
 
     characteristic = 0
     is_integral = True
+    roots_by = "factors"
 
     def __init__(self, is_field: bool) -> None:
         self.is_field, self.name = is_field, "QQ" if is_field else "ZZ"

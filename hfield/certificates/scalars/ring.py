@@ -26,6 +26,7 @@ class Ring(ABC):
     is_integral: bool = False  # known to have no zero divisors, though it may be no field
     is_exact: bool = True  # whether its arithmetic proves anything
     fractions: str | None = None  # the name of the field of fractions, where that is another
+    roots_by = "squares"  # what tells polynomials without roots: discriminants, or linear factors
     zero: Any
     one: Any
 

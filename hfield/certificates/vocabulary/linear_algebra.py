@@ -5,7 +5,18 @@ from itertools import permutations, product
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
-from hfield.certificates.finding import FIELD, FIELDS, RINGS, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import (
+    BASIS_TUPLES,
+    COMMUTATIVE_RINGS,
+    COUNT,
+    DETERMINANT,
+    FIELD,
+    FIELDS,
+    IDENTITY,
+    LINEAR_ALGEBRA,
+    SMITH_FORM,
+)
 from hfield.certificates.polynomials import Names, Poly, add, constant, multiply
 from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of, reject, shown
 from hfield.certificates.scalars.fields import read_field
@@ -52,18 +63,18 @@ def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any)
     (dimension,), *vectors = (_integers(part) for part in parts)
     fits = len(vectors) == dimension and all(len(v) == dimension for v in vectors)
     kind = _plain(evidence, "count", "determinant")
-    scope = RINGS if setting.field is None and verdict == "proved" else FIELD
+    scope = COMMUTATIVE_RINGS if setting.field is None and verdict == "proved" else FIELD
     if kind == "count":
         if verdict != "refuted" or fits:
             reject("the vectors are as many and as long as they should be")
-        return finding(scope, "count")
+        return Finding(scope, COUNT)
     if not fits:
         reject("the vectors are not as many or as long as they should be")
     det, field = _determinant([list(v) for v in vectors]), setting.field
     unit = abs(det) == 1 if field is None else field.inverse(field.number(det)) is not None
     if verdict != ("proved" if unit else "refuted"):
         reject(f"the determinant {det} does not show this {verdict}")
-    return finding(scope, "determinant")
+    return Finding(scope, DETERMINANT)
 
 
 def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
@@ -94,19 +105,19 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
         right = whole if p == special else bool(minor % p if p else minor)
         if not right:
             reject(f"over {field.name} the centre is not as stated, or the minor is 0")
-        return finding(FIELD, "linear algebra")
+        return Finding(FIELD, LINEAR_ALGEBRA)
     while minor and minor % special == 0:
         minor //= special
     if not whole or abs(minor) != 1:
         reject("the minor vanishes in another characteristic, or an equation does not vanish")
-    return finding(FIELDS, "Smith form", "linear algebra")
+    return Finding(FIELDS, SMITH_FORM)
 
 
 def _commutators() -> Matrix:
     """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, eight rows of four."""
     ring = read_field("ZZ")
     evaluator = Evaluator(RingScalars(ring), HAMILTON, {})
-    units = [evaluator.term(("name", u))[0] for u in "eijk"]
+    units = [evaluator.value(("name", u)) for u in "eijk"]
     rows = []
     for g in units[1:3]:
         pairs = [(evaluator.product(q, g), evaluator.product(g, q)) for q in units]
@@ -151,7 +162,7 @@ def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, eviden
             reject("expected a word in e, i, j, k with as many letters as there are arguments")
         if tuple("eijk".index(u) for u in word) in _choice(choice, len(word)):
             reject("the tuple is not left out")
-        return finding(FIELD, "basis tuples")
+        return Finding(FIELD, BASIS_TUPLES)
     data = an_object(evidence, "kind tuples", "the evidence")
     lists = a_list(data["tuples"], "tuples")
     if verdict != "proved" or kind != "basis tuples" or len(lists) != len(arities):
@@ -161,7 +172,7 @@ def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, eviden
         wanted = ["".join(t) for t in product("eijk", repeat=k)]
         if words != wanted or len(_choice(choice, k)) != len(wanted):
             reject(f"the list of tuples of {k} basis vectors is not complete")
-    return finding(RINGS if setting.field is None else FIELD, "basis tuples")
+    return Finding(COMMUTATIVE_RINGS if setting.field is None else FIELD, BASIS_TUPLES)
 
 
 class _Form:
@@ -236,7 +247,7 @@ def curried_linear(
             right = add(multiply(s, at(a)), multiply(y, at(b)))
             if add(at(mixed), right, -1):
                 reject("the two sides do not expand to the same")
-    return finding(RINGS if setting.field is None else FIELD, "identity")
+    return Finding(COMMUTATIVE_RINGS if setting.field is None else FIELD, IDENTITY)
 
 
 def last_argument(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
@@ -259,7 +270,7 @@ def last_argument(parts: tuple[str, ...], setting: Setting, verdict: str, eviden
     if not (all(shows) if verdict == "proved" else verdict == "refuted" and any(shows)):
         reject("the two sides do not expand to what would show this")
     everywhere = setting.field is None and verdict == "proved"
-    return finding(RINGS if everywhere else FIELD, "identity")
+    return Finding(COMMUTATIVE_RINGS if everywhere else FIELD, IDENTITY)
 
 
 CHECKS = {

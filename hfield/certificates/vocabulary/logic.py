@@ -6,7 +6,7 @@ The vocabulary, with P, Q for statements of any kind:
 ``angles{P}`` · ``angles{P; Q}`` · ``citing{T; P}`` · ``division`` · ``formally-real`` ·
 ``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` · ``modulus-law{*}`` · ``centre{2}`` ·
 ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
-``last-argument{4; 1,2,3}``
+``last-argument{4; 1,2,3}`` · and those of :mod:`hfield.certificates.orders.words` about lattices.
 """
 
 import re
@@ -14,9 +14,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.finding import FIELD, FIELDS, Finding, together
+from hfield.certificates.finding import Finding, together
+from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, FIELD, FIELDS, INDUCTION, WITNESS
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import parse, walk
+from hfield.certificates.orders.words import PARTS as LATTICES
+from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
 from hfield.certificates.rejection import (
     a_list,
     a_text,
@@ -28,7 +31,6 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
-from hfield.certificates.theorems import CIRCLE, CITED_BY_NAME, INDUCTION
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.lemmas import LEMMAS
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
@@ -58,7 +60,7 @@ SPECIAL: dict[str, Check] = {**of_fields.CHECKS, **linear_algebra.CHECKS}
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
     """Read a statement of the vocabulary; None for any other."""
     m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL)
-    if m is None or (m[1] not in LOGIC and m[1] not in SPECIAL):
+    if m is None or not any(m[1] in words for words in (LOGIC, SPECIAL, LATTICES)):
         return None
     if depth > MAX_DEPTH:
         reject("the statement nests too deeply")
@@ -87,6 +89,8 @@ def _split(text: str) -> list[str]:
 
 def proposition_tree(p: Proposition, depth: int = 0) -> Any:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
+    if p.word in LATTICES:
+        return meaning_of_lattices(p.word, p.parts)
     if p.word in SPECIAL:
         return (p.word, tuple(re.sub(r"\s*([,;])\s*", r"\1", part.strip()) for part in p.parts))
     out: list[Any] = []
@@ -117,6 +121,8 @@ def establish_any(
         if setting.moved:
             setting = _with_the_same_names(text, setting)
         return establish(read_statement(text, setting), setting, verdict, evidence)
+    if p.word in LATTICES:
+        return establish_lattices(p.word, p.parts, setting, verdict, evidence)
     if setting.constants != HAMILTON:
         reject("statements about wholes are about H(F)")
     if p.word in SPECIAL:
@@ -229,7 +235,7 @@ class _Logic:
         if field is not None and read_field(a_text(data["field"], "field")).name != field.name:
             reject("the field of the evidence is not that of the certificate")
         anywhere = replace(self.setting, field=None)
-        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth)
+        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by(WITNESS)
 
     def _implies(self, verdict: str, kind: str, evidence: Any) -> Finding:
         if verdict == "proved" and kind == "conclusion":
@@ -242,7 +248,7 @@ class _Logic:
             data = an_object(evidence, "kind left right", "the evidence")
             left = self.part(0, *_judged(data["left"], ("proved",)))
             right = self.part(1, *_judged(data["right"], ("refuted",)))
-            return together((left, right)).within(FIELD)
+            return together((left, right)).within(FIELD).by(right.method)
         reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
 
     def _iff(self, verdict: str, kind: str, evidence: Any) -> Finding:

@@ -7,7 +7,25 @@ from typing import Any, NoReturn
 from hfield.certificates.anisotropy import anisotropic
 from hfield.certificates.clauses import expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.certificates.finding import FIELD, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import (
+    ALL_CHOICES_OF_ROOTS,
+    ANISOTROPIC_NORM,
+    CHOICE_OF_ROOTS,
+    CLOSED_FIELD,
+    COMPLEX_ROOTS,
+    EXHAUSTION,
+    FIELD,
+    IDENTITY,
+    KULIKOV,
+    LEVEL,
+    ORDERING,
+    REAL_ROOTS,
+    SUM_OF_SQUARES,
+    UNIQUE_ROOTS,
+    WITNESS,
+    ZERO_NORM,
+)
 from hfield.certificates.over_field import Place
 from hfield.certificates.rejection import (
     a_list,
@@ -20,10 +38,11 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import HAMILTON, Setting, read_statement
-from hfield.certificates.theorems import COMPLEX_ROOTS, KULIKOV, REAL_ROOTS
+from hfield.certificates.work import charge
 
 CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
 MAX_ROOTS = 8
+MAX_TRIED = 256  # the largest field whose pairs of roots are all multiplied
 
 
 def _field(setting: Setting) -> Ring:
@@ -62,12 +81,12 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
         constants = (minus_one, field.zero, minus_one)
         reason = {key: value for key, value in evidence.items() if key != "kind"}
         cited = anisotropic(field, constants, reason, setting.algebra)
-        return finding(FIELD, "anisotropic norm").citing(*cited)
+        return Finding(FIELD, ANISOTROPIC_NORM).citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
             reject("the element is 0, or its norm is not")
-        return finding(FIELD, "zero norm", "witness")
+        return Finding(FIELD, ZERO_NORM)
     _unfit(kind, verdict)
 
 
@@ -90,7 +109,7 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
         an_object(evidence, "kind", "the evidence")
         if not (field.is_ordered if bound is None else field.level_above(bound)):
             reject(f"that −1 is no sum of squares in {field.name} cannot be verified")
-        return finding(FIELD, "level")
+        return Finding(FIELD, LEVEL)
     if verdict == "refuted" and kind == "squares":
         data = an_object(evidence, "kind values", "the evidence")
         values = [field.read(text) for text in texts(data["values"], "values", 1)]
@@ -99,7 +118,7 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
             total = field.add(total, field.mul(x, x))
         if (bound is not None and len(values) > bound) or not field.equal(total, field.number(-1)):
             reject("the squares are too many, or do not add up to −1")
-        return finding(FIELD, "sum of squares")
+        return Finding(FIELD, SUM_OF_SQUARES)
     _unfit(kind, verdict)
 
 
@@ -114,8 +133,8 @@ def norm_criterion(
         an_object(evidence, "kind", "the evidence")
         if not field.is_ordered:
             reject(f"{field.name} is not known to have an ordering")
-        return finding(
-            FIELD, "ordering"
+        return Finding(
+            FIELD, ORDERING
         )  # N(q) is a sum of squares, so it is positive wherever it is not 0
     if verdict == "refuted" and kind == "witness":
         data = an_object(evidence, "kind value norm", "the evidence")
@@ -125,7 +144,7 @@ def norm_criterion(
             reject("the norm is not that number")
         if not (n < 0 if parts == (">",) else n > 0):
             reject("the norm does not contradict the criterion")
-        return finding(FIELD, "witness")
+        return Finding(FIELD, WITNESS)
     _unfit(kind, verdict)
 
 
@@ -138,16 +157,16 @@ def modulus_exists(
     if verdict == "proved" and kind == "closed" and field.name in CLOSED:
         an_object(evidence, "kind", "the evidence")
         # In RR a sum of squares is not negative.
-        return finding(FIELD, "closed field").citing(CLOSED[field.name])
+        return Finding(FIELD, CLOSED_FIELD).citing(CLOSED[field.name])
     if verdict == "proved" and kind == "identity":
         an_object(evidence, "kind", "the evidence")
         _identity("norm(q) == (q[0] + q[1] + q[2] + q[3])**2", setting)
-        return finding(FIELD, "identity")
+        return Finding(FIELD, IDENTITY)
     if verdict == "refuted" and kind == "no root":
         data = an_object(evidence, "kind value", "the evidence")
         if field.is_square(_evaluator(field).norm(_quaternion(field, data["value"]))):
             reject("the norm of the element is a square")
-        return finding(FIELD, "witness")
+        return Finding(FIELD, WITNESS)
     _unfit(kind, verdict)
 
 
@@ -164,27 +183,39 @@ def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "refuted" and kind == "all choices":
         _no_choice(field, parts[0], an_object(evidence, "kind elements roots", "the evidence"))
-        return finding(FIELD, "all choices of roots")
+        return Finding(FIELD, ALL_CHOICES_OF_ROOTS)
     if verdict != "proved" or parts != ("*",):
         _unfit(kind, verdict)
     an_object(evidence, "kind", "the evidence")
     _identity("norm(p*q) == norm(p)*norm(q)", setting)
     p = field.characteristic
     if kind == "unique roots" and p == 2:
-        return finding(
-            FIELD, kind
-        )  # y² = z² means (y − z)² = 0, so the product of the roots is the root
+        # y² = z² means (y − z)² = 0, so the product of the roots is the root
+        return Finding(FIELD, UNIQUE_ROOTS)
     if kind == "ordering" and field.is_ordered:
-        return finding(
-            FIELD, kind
-        )  # the roots that are not negative: their products are not negative
+        # the roots that are not negative: their products are not negative
+        return Finding(FIELD, ORDERING)
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
-        return finding(FIELD, "exhaustion", "choice of roots")
+        if field.order > MAX_TRIED:
+            return Finding(FIELD, CHOICE_OF_ROOTS)
+        _try_squares(field)
+        return Finding(FIELD, EXHAUSTION)
     if kind == "pure subgroup" and field.order is None and not field.is_square(field.number(-1)):
         # {1, −1} is pure, so a complement of it contains one root of each.
-        return finding(FIELD, "choice of roots").citing(KULIKOV)
+        return Finding(FIELD, CHOICE_OF_ROOTS).citing(KULIKOV)
     _unfit(kind, verdict)
+
+
+def _try_squares(field: Ring) -> None:
+    """Check over a finite field that roots which are squares themselves are enough, and multiply to such."""
+    charge(20 * (field.order or 0) ** 2)
+    squares = {field.mul(x, x) for x in field.elements()}
+    root = {field.mul(x, x): x for x in squares}
+    for x, y in product(root.values(), repeat=2):
+        xy = field.mul(x, y)
+        if root.keys() != squares or root[field.mul(xy, xy)] != xy:
+            reject("the roots that are squares do not multiply to such roots")
 
 
 def _no_choice(field: Ring, operation: str, data: Any) -> None:

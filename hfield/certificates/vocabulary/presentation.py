@@ -4,7 +4,8 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.certificates.finding import FIELD, RINGS, Finding, finding
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import ALGEBRA, COMMUTATIVE_RINGS, FIELD, PRESENTATION
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import (
     a_list,
@@ -152,7 +153,7 @@ def establish_presentation(
     if ring is not None and ring.characteristic != p:
         reject("the algebra is over another characteristic than the field has")
     _table(target, p, data)
-    return finding(FIELD, "algebra")
+    return Finding(FIELD, ALGEBRA)
 
 
 def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Finding:
@@ -182,7 +183,7 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Findi
             )
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
-    return finding(RINGS if ring is None else FIELD, "presentation")
+    return Finding(COMMUTATIVE_RINGS if ring is None else FIELD, PRESENTATION)
 
 
 Vector = list[int]

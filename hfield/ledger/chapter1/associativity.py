@@ -1,6 +1,6 @@
 """Section 1.1.3: Lemma 1 on multilinear maps, and associativity through it, triple by triple."""
 
-from hfield.certificates.theorems import INDUCTION
+from hfield.certificates.glossary import INDUCTION
 from hfield.ledger.document import Propositions
 from hfield.ledger.multilinear import (
     CurriedIsLinear,

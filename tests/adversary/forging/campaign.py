@@ -123,8 +123,8 @@ def _checked(text: str, pin: Pin | None) -> Established:
     if not (methods or assumes):
         raise Rejected(said)
     data = json.loads(text)
-    if methods and data["method"] != wanted.split(" or ")[0]:
-        return _checked(json.dumps({**data, "method": wanted.split(" or ")[0]}), pin)
+    if methods and data["method"] != wanted:
+        return _checked(json.dumps({**data, "method": wanted}), pin)
     if assumes and not data["assumes"]:
         own = [] if cites == "nothing" else cites.split("; ")
         return _checked(json.dumps({**data, "assumes": own}), pin)

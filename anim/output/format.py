@@ -1,0 +1,58 @@
+"""What a film is besides its pictures, and what a format has to do with it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.checks import whole
+
+Frame = NDArray[np.uint8]
+Write = Callable[[Frame], None]
+Samples = Callable[[], Sequence[Frame]]
+
+
+@dataclass(frozen=True)
+class Film:
+    """The size (width, height) in pixels, the number of frames, and how they are to be encoded.
+
+    ``crf`` (0 best to 51) and ``preset`` are x264's; the other formats have no such choice. Raises
+    :class:`AnimationError` for another ``crf``.
+    """
+
+    size: tuple[int, int]
+    frames: int
+    fps: float
+    crf: int = 18
+    preset: str = "medium"
+
+    def __post_init__(self) -> None:
+        whole("crf", self.crf, 0, 51)
+
+
+class Format(ABC):
+    """One kind of file: a module of :mod:`anim.output.formats`, named as the suffix."""
+
+    @property
+    def name(self) -> str:
+        """The suffix, without its dot."""
+        return type(self).__module__.rpartition(".")[2]
+
+    @abstractmethod
+    def check(self, film: Film) -> None:
+        """Raise :class:`AnimationError` for a film that cannot have this format."""
+
+    @abstractmethod
+    def open(
+        self, path: Path, film: Film, samples: Samples | None
+    ) -> AbstractContextManager[Write]:
+        """Yield a function that takes the frames in order; at the end the file is whole.
+
+        ``samples`` returns some frames from all over the film. Raises :class:`AnimationError`.
+        """

@@ -1,0 +1,12 @@
+"""The formats of films, one module each, named as the suffix, with a ``FORMAT``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from anim.catalogue import Catalogue
+
+if TYPE_CHECKING:
+    from anim.output.format import Format
+
+FORMATS: Catalogue[Format] = Catalogue(__name__, "FORMAT")

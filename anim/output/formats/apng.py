@@ -1,0 +1,15 @@
+"""A moving PNG, without loss."""
+
+from anim.output.encoder import Encoded
+from anim.output.format import Film
+
+
+class Apng(Encoded):
+    """Every pixel as it was drawn."""
+
+    def options(self, film: Film) -> list[str]:
+        """Return ffmpeg's options; it plays for ever."""
+        return ["-f", "apng", "-pred", "mixed", "-plays", "0"]
+
+
+FORMAT = Apng()

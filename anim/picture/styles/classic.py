@@ -1,0 +1,112 @@
+"""Matplotlib's three-dimensional axes, as in the thesis.
+
+They are drawn once, as a background.
+
+The axes bring their own projection, which the top, its shadow and its trace then share.
+"""
+
+from math import hypot
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.model import Model
+from anim.picture.look import RGB, Look
+from anim.picture.mesh import Mesh
+from anim.picture.projection import View, fitting, reached
+from anim.picture.style import Style
+from anim.picture.styles.flat import FlatBody
+from rotation.figures.backend import import_matplotlib
+
+Floats = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
+
+DPI = 100
+LETTERS = 30
+"""The letters' height as a part of the picture's shorter side."""
+SMALLEST_LETTERED = 160
+"""Pictures with a shorter side than this have no letters, which nobody could read."""
+
+
+def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
+    """Return the projection of matplotlib's axes and a picture (height, width, 3) of the empty axes."""
+    import_matplotlib()
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d import Axes3D
+
+    width, height = look.size
+    figure = Figure(figsize=(width / DPI, height / DPI), dpi=DPI)
+    figure.set_facecolor([channel / 255 for channel in paper])
+    canvas = FigureCanvasAgg(figure)
+    axes = Axes3D(figure, rect=(0, 0, 1, 1))
+    figure.add_axes(axes)
+    axes.patch.set_visible(False)
+    places = reached(model, look.tilt)
+    _set_up(axes, look, places)
+    _fit(axes, look, places)
+    canvas.draw()
+    return _view(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
+
+
+def _set_up(axes: Any, look: Look, places: Floats) -> None:
+    """Set camera, limits and letters; one unit is as long on every axis."""
+    camera = look.camera
+    reach, tall = float(np.abs(places[:, :2]).max()), float(places[:, 2].max())
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(0, tall), autoscale_on=False)
+    axes.set_box_aspect((2 * reach, 2 * reach, tall))
+    axes.view_init(elev=camera.elevation, azim=camera.azimuth)
+    if camera.perspective:
+        # Matplotlib's eye is 10 focal lengths from the middle of a box whose diagonal is about 1.9 long.
+        unit = 1.9 / hypot(2 * reach, 2 * reach, tall)
+        axes.set_proj_type("persp", focal_length=camera.distance * unit / 10)
+    else:
+        axes.set_proj_type("ortho")
+    size = min(look.size) / LETTERS * 72 / DPI
+    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+        axis.set_tick_params(labelsize=size, pad=size / 6)
+        if min(look.size) < SMALLEST_LETTERED:
+            axis.set_ticklabels([])
+
+
+def _fit(axes: Any, look: Look, places: Floats) -> None:
+    """Place the axes so that their box and the leaning top fill the picture."""
+    (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
+    box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
+    seen = _view(axes).project(np.concatenate([places, np.array(box)]))
+    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 1.5 / LETTERS
+    scale, shift = fitting(seen, look.size, margin, look.camera.zoom)
+    size = np.array(look.size)
+    # The axes take the largest square inside their rectangle.
+    window = axes.get_position().frozen()
+    corner = np.array([window.x0, window.y0]) * size
+    side = scale * np.array([window.width, window.height]) * size
+    axes.set_position([*((scale * corner + shift) / size), *(side / size)])
+
+
+def _view(axes: Any) -> View:
+    """Return the axes' projection into pixels from the lower left corner."""
+    axes.apply_aspect()
+    affine = axes.transData.get_matrix()
+    place = np.eye(4)
+    place[np.ix_([0, 1], [0, 1, 3])] = affine[:2]
+    place[2, 2] = -1  # matplotlib's depth grows away from the eye
+    return View(place @ axes.get_proj())
+
+
+class Classic(Style):
+    """The thesis's picture: empty axes on white paper, and the top in its two colours."""
+
+    paper: RGB = (255, 255, 255)
+
+    def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
+        """Return the axes' own projection, and the axes."""
+        return axes_and_view(model, look, self.paper_of(look))
+
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> FlatBody:
+        """Return the body in the colours given."""
+        return FlatBody(mesh, [colours] * 3)
+
+
+STYLE = Classic()

@@ -1,0 +1,78 @@
+"""Even colours, without light.
+
+The merged outlines of the visible faces, filled in the derived order.
+"""
+
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.picture.canvas import Canvas
+from anim.picture.look import RGB
+from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
+from anim.picture.mesh import Mesh
+from anim.picture.projection import View
+from anim.picture.solid import BAND, LOWER, UPPER, drawing_order, pieces
+from anim.picture.style import Style
+
+Floats = NDArray[np.float64]
+
+# How much lighter (towards white) or darker (towards black) each piece is than the colours given: the shape
+# is to be seen also where two pieces of one colour meet.
+TONES = {LOWER: -0.14, BAND: 0.30, UPPER: 0.0}
+
+
+def tinted(colours: tuple[RGB, RGB]) -> list[tuple[RGB, RGB]]:
+    """Return the two colours of each piece, told apart by their lightness."""
+
+    def tone(channel: int, share: float) -> int:
+        # Black cannot darken: a quarter of the light goes to it whatever the piece.
+        base = channel + 0.14 * (255 - channel) * (channel < 60)
+        return round(base + share * (255 - base) * 0.7 if share > 0 else base * (1 + share))
+
+    def shade(colour: RGB, share: float) -> RGB:
+        red, green, blue = (tone(channel, share) for channel in colour)
+        return red, green, blue
+
+    return [(shade(colours[0], s), shade(colours[1], s)) for _, s in sorted(TONES.items())]
+
+
+class FlatBody:
+    """The top in even colours: ``colours`` are two for each of the three pieces."""
+
+    def __init__(self, mesh: Mesh, colours: list[tuple[RGB, RGB]]) -> None:
+        self._points = mesh.points
+        self._parts = pieces(mesh)
+        heights = [z for _, z in mesh.profile]
+        self._middles = np.array([(0, 0, (a + b) / 2) for a, b in pairwise(heights)])
+        self._keys = mesh.keys
+        self._colours = colours
+
+    def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
+        """Draw the top as ``view`` sees it, a view of the top's own room; no light falls on it."""
+        seen, middles = view.project(self._points), view.project(self._middles)
+        order = drawing_order(view.eye)
+        canvas.touch(seen, 0)
+        for place, k in enumerate(order):
+            later = order[place + 1 :]
+            part = self._parts[k]
+            low, high = Rim(seen[part.low]), Rim(seen[part.high])
+            if k - 1 in later:
+                low = reach_under(low.points, middles[k - 1])
+            if k + 1 in later:
+                high = reach_under(high.points, middles[k + 1])
+            keys = np.where(part.facing(view.eye), self._keys, HIDDEN)
+            for key, loops in outlines(low, high, keys):
+                canvas.fill(loops, self._colours[k][key], touched=True)
+
+
+class Flat(Style):
+    """Even colours, the three pieces told apart by their lightness."""
+
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> FlatBody:
+        """Return the body in tinted colours."""
+        return FlatBody(mesh, tinted(colours))
+
+
+STYLE = Flat()

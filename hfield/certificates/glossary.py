@@ -1,0 +1,136 @@
+"""The words that prover, checker, ledger and documents share: verdicts, scopes, methods, theorems.
+
+Plain data, and the only thing of this folder that a prover needs; nothing is derived here, and nothing
+checked.
+"""
+
+SCHEMA = "hfield-cert/1"
+KEYS = ("schema", "statement", "algebra", "field", "verdict", "method", "assumes", "evidence")
+
+PROVED, REFUTED, VACUOUS = "proved", "refuted", "vacuous"
+CERTIFIED = (PROVED, REFUTED, VACUOUS)  # the verdicts that a certificate may state
+UNDECIDED, NOT_APPLICABLE = "undecided", "not-applicable"
+VERDICTS = (*CERTIFIED, UNDECIDED, NOT_APPLICABLE)
+
+# Where a statement was shown: over the field named, or wider.
+FIELD, FIELDS = "field", "fields"
+REDUCED_RINGS, COMMUTATIVE_RINGS = "reduced rings", "commutative rings"
+
+IDENTITY = "identity"
+IMPLICATION = "implication"
+EXHAUSTION = "exhaustion"
+MULTILINEAR = "multilinear"
+BASIS_TUPLES = "basis tuples"
+COUNT = "count"
+DETERMINANT = "determinant"
+LINEAR_ALGEBRA = "linear algebra"
+SMITH_FORM = "Smith form"
+WITNESS = "witness"
+COUNTEREXAMPLE = "counterexample"
+FLOATS_EXACT = "floats, exact on small integers"
+PRESENTATION = "presentation"
+ALGEBRA = "algebra"
+ANISOTROPIC_NORM = "anisotropic norm"
+ZERO_NORM = "zero norm"
+LEVEL = "level"
+SUM_OF_SQUARES = "sum of squares"
+ORDERING = "ordering"
+CLOSED_FIELD = "closed field"
+UNIQUE_ROOTS = "unique roots"
+CHOICE_OF_ROOTS = "choice of roots"
+ALL_CHOICES_OF_ROOTS = "all choices of roots"
+ORDER, IDEAL, ELEMENT, NORM = "order", "ideal", "element", "norm"
+ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
+
+# What a certificate may call its method; several are joined by "; ".
+METHODS = {
+    IDENTITY: "both sides expand to the same, or to what the witness tells apart",
+    IMPLICATION: "goals are combinations of hypotheses, with the cofactors",
+    EXHAUSTION: "all cases over a finite ring were tried",
+    MULTILINEAR: "all tuples of basis elements were tried, for a statement linear in each unknown",
+    BASIS_TUPLES: "the same for maps of several arguments",
+    COUNT: "the tuples of basis elements were counted",
+    DETERMINANT: "a determinant is a unit, or none",
+    LINEAR_ALGEBRA: "linear equations were solved",
+    SMITH_FORM: "linear equations were solved over the integers, and so over every field",
+    WITNESS: "an element that does what is said to exist, or that refutes",
+    COUNTEREXAMPLE: "elements for which the statement is false",
+    FLOATS_EXACT: "a counterexample of small integers, with which floats compute exactly",
+    PRESENTATION: "words are rewritten by relations",
+    ALGEBRA: "an algebra that satisfies the relations and not the goal",
+    ANISOTROPIC_NORM: "the norm is 0 only at 0",
+    ZERO_NORM: "an element other than 0 whose norm is 0",
+    LEVEL: "−1 is no sum of so many squares",
+    SUM_OF_SQUARES: "−1 as a sum of squares",
+    ORDERING: "the field is ordered",
+    CLOSED_FIELD: "what is not negative (over CC: every number) is a square",
+    UNIQUE_ROOTS: "in characteristic 2 a square has one root",
+    CHOICE_OF_ROOTS: "one root of each square was chosen",
+    ALL_CHOICES_OF_ROOTS: "all choices of roots were tried",
+    ORDER: "a lattice is a ring with 1, of that discriminant",
+    IDEAL: "a lattice is an ideal of an order, of that norm, and locally principal",
+    ELEMENT: "an element that carries one lattice to another, or has the discriminant stated",
+    NORM: "the norms of two ideals, or their quotient, differ",
+    ENUMERATION: "all elements of a trace and a norm were listed",
+    DISCRIMINANT: "two orders have different discriminants",
+    BY_MASS: "classes that are different have the mass of all",
+}
+
+NONE = "none"
+NO_MEANING = "no meaning here"
+NOT_CHECKABLE = "not checkable"
+COMPUTATION = "computation"
+FLOATS = "floats"
+SEARCH = "search"
+THE_PANEL = "panel"
+NO_ORDER = "no order"
+GAVE_UP = "gave up"
+
+# What an answer without a certificate calls its method.
+UNCERTIFIED = {
+    NONE: "nothing decided it",
+    NO_MEANING: "the terms of the claim have no meaning in the field",
+    NOT_CHECKABLE: "no program can check the claim",
+    COMPUTATION: "a program was run, or a quantity computed, as the steps say",
+    FLOATS: "floats prove nothing",
+    SEARCH: "what was searched for was not found",
+    THE_PANEL: "each field of the panel was asked",
+    NO_ORDER: "the field has no order that > could mean",
+    GAVE_UP: "it took too long, or too much memory",
+}
+
+CIRCLE = "(cos θ, sin θ) runs once through the points of the circle c² + s² = 1 for θ in [0, 2π)"
+KULIKOV = "a bounded pure subgroup of an abelian group is a direct summand (Kulikov)"
+ODD_DEGREE = "a real polynomial of odd degree has a real root (intermediate value theorem)"
+LIMITS = "a real polynomial with leading term λⁿ, n odd, tends to ±∞ as λ tends to ±∞"
+INDUCTION = (
+    "induction on k: what holds for one argument, and passes on to one more, holds for every k"
+)
+SIGN_CHANGE = (
+    "a real polynomial with values of both signs has a root between (intermediate value theorem)"
+)
+COMPLEX_ROOT = "a complex polynomial of positive degree has a root (fundamental theorem of algebra)"
+QUATERNION_ROOT = (
+    "a polynomial over H(RR) with a single term of the highest degree has a root (Eilenberg, Niven)"
+)
+REAL_ROOTS = "every number that is not negative is a square in RR"
+MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
+COMPLEX_ROOTS = "every number is a square in CC"
+
+# The theorems that evidence may cite, by the texts that stand in ``assumes``, and where they are proved. They
+# are general and say nothing about the algebra at hand; everything else in ``assumes`` is an assumption.
+THEOREMS = {
+    CIRCLE: "Rudin, Principles of Mathematical Analysis, chapter 8",
+    KULIKOV: "Fuchs, Infinite Abelian Groups I, theorem 27.5",
+    ODD_DEGREE: "Rudin, Principles of Mathematical Analysis, theorem 4.23",
+    LIMITS: "Rudin, Principles of Mathematical Analysis, chapter 4, exercise on polynomials",
+    SIGN_CHANGE: "Rudin, Principles of Mathematical Analysis, theorem 4.23",
+    COMPLEX_ROOT: "Rudin, Principles of Mathematical Analysis, theorem 8.8",
+    QUATERNION_ROOT: "Eilenberg and Niven, Bulletin of the AMS 50 (1944), 246-248",
+    INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
+    REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
+    MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
+    COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",
+}
+# Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.
+CITED_BY_NAME = {"odd-degree": ODD_DEGREE, "limits": LIMITS, "induction": INDUCTION}

@@ -1,0 +1,1 @@
+"""Lattices, orders and ideals in quaternion algebras over ℚ: what certificates say of them, checked."""

@@ -1,0 +1,92 @@
+"""``hfield doctor``: what is installed here, what is missing, and what it would add."""
+
+from __future__ import annotations
+
+import platform
+import sys
+from argparse import ArgumentParser, Namespace
+from importlib.metadata import PackageNotFoundError, requires, version
+from shutil import which
+
+from hfield import __version__
+from hfield.commands.output import open_output
+from hfield.commands.parser import add_format, add_output
+
+HELP = (
+    "Tell which parts of hfield work here: the libraries it needs, and what is missing and would add "
+    "something. Exit status: 0; 1 if a library that hfield needs is missing; 2 bad usage."
+)
+EXAMPLES = ("hfield doctor", "hfield doctor --format json")
+# What is not needed: (how it is asked for, what it adds).
+OPTIONAL = {
+    "ipython": ("pip install 'hfield[repl]'", "a comfortable `hfield repl`"),
+    "scipy": ("pip install 'hfield[bench]'", "scipy beside us in `hfield bench`"),
+    "quaternionic": ("pip install 'hfield[bench]'", "quaternionic beside us in `hfield bench`"),
+    "numpy-quaternion": ("pip install 'hfield[bench]'", "numpy-quaternion beside us, likewise"),
+    "pyarrow": ("pip install 'hfield[survey]'", "Parquet files from `hfield survey`"),
+    "distributed": ("pip install distributed", "`--dask`, work on a cluster"),
+}
+PROGRAMS = {
+    "coqc": ("install Coq 8.16 or later", "`hfield check --coq`, a second judge of certificates"),
+}
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_format(parser, "plain", "json")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Look for everything, and report."""
+    needed = {name: _version(name) for name in _needed()}
+    optional = {name: _version(name) for name in OPTIONAL}
+    programs = {name: which(name) for name in PROGRAMS}
+    with open_output(args.output) as out:
+        if args.format == "json":
+            found = {"needed": needed, "optional": optional, "programs": programs}
+            python = platform.python_version()
+            out.write_json(
+                {"schema": "hfield-doctor/1", "version": __version__, "python": python, **found}
+            )
+        else:
+            out.write("\n".join(_page(needed, optional | programs)))
+    return int(None in needed.values())
+
+
+def _needed() -> list[str]:
+    """Return the libraries that hfield itself asks for, as its own metadata says."""
+    try:
+        lines = requires("hfield") or []
+    except PackageNotFoundError:  # run from a folder, not installed
+        return []
+    return [line.split(">")[0].strip() for line in lines if "extra ==" not in line]
+
+
+def _version(name: str) -> str | None:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None
+
+
+def _page(needed: dict[str, str | None], others: dict[str, str | None]) -> list[str]:
+    encoding = getattr(sys.stdout, "encoding", None) or "unknown"
+    lines = [
+        f"hfield {__version__} on Python {platform.python_version()}, {platform.system()}",
+        f"the terminal's encoding is {encoding}",
+        "",
+        "Needed",
+        *(
+            f"  {name:<16} {found or 'MISSING: pip install ' + name}"
+            for name, found in needed.items()
+        ),
+        "",
+        "Not needed",
+    ]
+    for name, (how, adds) in (OPTIONAL | PROGRAMS).items():
+        found = others[name]
+        lines.append(f"  {name:<16} {found}" if found else f"  {name:<16} missing; it adds {adds}")
+        if not found:
+            lines.append(f"  {'':<16} {how}")
+    return lines

@@ -1,0 +1,64 @@
+"""What methods of elements do, as functions with the names of the language: conj, inv, norm, trace."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hfield.errors import CoercionError, shorten
+from hfield.quaternion import Quaternion
+
+
+def conj(q: Quaternion) -> Quaternion:
+    """Return the standard involution of q (thesis, Definition 3), its method ``conjugate``.
+
+    >>> from hfield import H, QQ
+    >>> conj(H(QQ)(1, 2, 0, 1))
+    1 − 2i − k
+
+    Raises :class:`CoercionError` for what is no quaternion.
+    """
+    return _quaternion("conj", q).conjugate()
+
+
+def inv(q: Quaternion) -> Quaternion:
+    """Return the inverse of q, its method ``inverse``.
+
+    >>> from hfield import H, QQ
+    >>> inv(H(QQ)(1, 0, 1, 0))
+    1/2 − 1/2j
+
+    Raises :class:`NotInvertibleError` for a zero divisor, :class:`CoercionError` for what is no quaternion.
+    """
+    return _quaternion("inv", q).inverse()
+
+
+def norm(q: Quaternion) -> Any:
+    """Return the reduced norm of q (thesis, Definition 2), an element of the base ring.
+
+    >>> from hfield import H, QQ
+    >>> norm(H(QQ)(1, 2, 0, 1))
+    6
+
+    Raises :class:`CoercionError` for what is no quaternion.
+    """
+    return _quaternion("norm", q).norm()
+
+
+def trace(q: Quaternion) -> Any:
+    """Return the reduced trace of q, an element of the base ring.
+
+    >>> from hfield import H, QQ
+    >>> trace(H(QQ)(3, 2, 0, 1))
+    6
+
+    Raises :class:`CoercionError` for what is no quaternion.
+    """
+    return _quaternion("trace", q).trace()
+
+
+def _quaternion(function: str, q: object) -> Quaternion:
+    if isinstance(q, Quaternion):
+        return q
+    raise CoercionError(
+        f"{function} takes a quaternion, found {shorten(q)}; A({shorten(q)}) makes one in an algebra A"
+    )

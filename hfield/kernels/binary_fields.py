@@ -1,0 +1,247 @@
+"""GF(2^k), k ≤ 64: sums are exclusive ors, products carry-less, reduced once after all has been added.
+
+A number is the polynomial over GF(2) with the bits of its label. Small fields multiply bit by bit, which
+runs over many numbers at a time. Large ones take the processor's carry-less multiplication where it has one,
+else products of integers with holes: three of four bits are 0, so that no carry reaches the next bit in use
+(T. Pornin's BearSSL multiplies so). They reduce by two more products, after Barrett.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any, NamedTuple
+
+from hfield.kernels.arithmetic import Code, raw_type, unsigned
+
+BITWISE_UP_TO = 8  # beyond, a product in one instruction is quicker
+HOLES = 0x1111111111111111
+_PAIR = "<2 x i64>"
+
+
+class Polynomial(NamedTuple):
+    """A value of the loop, and the greatest degree that it may have."""
+
+    name: str
+    degree: int
+
+
+@dataclass(frozen=True)
+class _BinaryField:
+    """GF(2^k) modulo the irreducible polynomial with the bits of ``modulus``."""
+
+    modulus: int
+
+    @property
+    def degree(self) -> int:
+        """The degree k of the field."""
+        return self.modulus.bit_length() - 1
+
+    @property
+    def dtype(self) -> str:
+        """The smallest unsigned integers that hold k bits."""
+        return unsigned((1 << self.degree) - 1)
+
+    def tables(self) -> tuple[Any, ...]:
+        """Return nothing: no tables are needed."""
+        return ()
+
+    def negate(self, code: Code, x: Polynomial) -> Polynomial:
+        """Return −x = x."""
+        return x
+
+    def _sum(self, code: Code, kind: str, x: Polynomial, y: Polynomial) -> Polynomial:
+        return Polynomial(code.value(f"xor {kind} {x.name}, {y.name}"), max(x.degree, y.degree))
+
+
+@dataclass(frozen=True)
+class SmallBinaryField(_BinaryField):
+    """GF(2^k), k ≤ 32, bit by bit in words of 2k bits at least."""
+
+    vectorise = True
+    literal = False
+    declarations = ()
+
+    @property
+    def word(self) -> str:
+        """The integers that hold an unreduced product."""
+        return f"i{max(16, 2 * 8 * int(self.dtype[1]))}"
+
+    def load(self, code: Code, raw: str) -> Polynomial:
+        """Read a label."""
+        kind = raw_type(self.dtype)
+        return Polynomial(code.value(f"zext {kind} {raw} to {self.word}"), self.degree - 1)
+
+    def store(self, code: Code, x: Polynomial) -> str:
+        """Reduce and write."""
+        name = self._reduced(code, x).name
+        return code.value(f"trunc {self.word} {name} to {raw_type(self.dtype)}")
+
+    def constant(self, code: Code, value: int) -> Polynomial:
+        """Return the element with a label."""
+        return Polynomial(str(value), max(0, value.bit_length() - 1))
+
+    def add(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+        """Return x + y."""
+        return self._sum(code, self.word, x, y)
+
+    subtract = add
+
+    def multiply(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+        """Return x·y unreduced: the sum of x·t^n over the bits n of y."""
+        x, y = self._reduced(code, x), self._reduced(code, y)
+        parts = []
+        for n in range(y.degree + 1):
+            shifted = code.value(f"shl {self.word} {x.name}, {n}") if n else x.name
+            parts.append(code.value(f"and {self.word} {shifted}, {self._spread(code, y, n)}"))
+        total = reduce(lambda s, part: code.value(f"xor {self.word} {s}, {part}"), parts)
+        return Polynomial(total, x.degree + y.degree)
+
+    def _spread(self, code: Code, x: Polynomial, n: int) -> str:
+        """Return the bit n of x in every bit."""
+        bits = int(self.word[1:])
+        top = code.value(f"shl {self.word} {x.name}, {bits - 1 - n}")
+        return code.value(f"ashr {self.word} {top}, {bits - 1}")
+
+    def _reduced(self, code: Code, x: Polynomial) -> Polynomial:
+        while x.degree >= self.degree:
+            multiple = self.modulus << (x.degree - self.degree)
+            taken = code.value(f"and {self.word} {self._spread(code, x, x.degree)}, {multiple}")
+            x = Polynomial(code.value(f"xor {self.word} {x.name}, {taken}"), x.degree - 1)
+        return x
+
+
+@dataclass(frozen=True)
+class LargeBinaryField(_BinaryField):
+    """GF(2^k), k ≤ 64, by carry-less products of words; an unreduced number is a pair of words."""
+
+    instruction: bool  # whether the processor multiplies without carry
+
+    vectorise = False
+    literal = False
+
+    @property
+    def declarations(self) -> tuple[str, ...]:
+        """The instruction, where it is used."""
+        name = f"declare {_PAIR} @llvm.x86.pclmulqdq({_PAIR}, {_PAIR}, i8 immarg)"
+        return (name,) if self.instruction else ()
+
+    def load(self, code: Code, raw: str) -> Polynomial:
+        """Read a label."""
+        kind = raw_type(self.dtype)
+        wide = raw if kind == "i64" else code.value(f"zext {kind} {raw} to i64")
+        pair = code.value(f"insertelement {_PAIR} zeroinitializer, i64 {wide}, i32 0")
+        return Polynomial(pair, self.degree - 1)
+
+    def store(self, code: Code, x: Polynomial) -> str:
+        """Reduce and write."""
+        low = self._low(code, self._reduced(code, x).name)
+        kind = raw_type(self.dtype)
+        return low if kind == "i64" else code.value(f"trunc i64 {low} to {kind}")
+
+    def constant(self, code: Code, value: int) -> Polynomial:
+        """Return the element with a label."""
+        return Polynomial(self._pair(value), max(0, value.bit_length() - 1))
+
+    def add(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+        """Return x + y."""
+        return self._sum(code, _PAIR, x, y)
+
+    subtract = add
+
+    def multiply(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+        """Return x·y unreduced."""
+        x, y = self._reduced(code, x), self._reduced(code, y)
+        return Polynomial(self._carryless(code, x.name, y.name), x.degree + y.degree)
+
+    def _reduced(self, code: Code, x: Polynomial) -> Polynomial:
+        """Subtract the modulus f times ⌊⌊x/t^k⌋·⌊t^2k/f⌋/t^k⌋, the quotient of x by f."""
+        if x.degree < self.degree:
+            return x
+        k, f = self.degree, self.modulus
+        top = self._shifted(code, x.name)
+        inverse = _quotient(1 << 2 * k, f)
+        if (
+            k == 64
+        ):  # the leading bits of both, which no word holds, stand for a product that is known
+            quotient = self._shifted(
+                code, self._carryless(code, top, self._pair(inverse - (1 << 64)))
+            )
+            quotient = code.value(f"xor {_PAIR} {quotient}, {top}")
+            taken = self._carryless(code, quotient, self._pair(f - (1 << 64)))
+        else:
+            quotient = self._shifted(code, self._carryless(code, top, self._pair(inverse)))
+            taken = self._carryless(code, quotient, self._pair(f))
+        return Polynomial(code.value(f"xor {_PAIR} {x.name}, {taken}"), k - 1)
+
+    def _shifted(self, code: Code, x: str) -> str:
+        """Return ⌊x/t^k⌋."""
+        v, k = code.value, self.degree
+        if k == 64:
+            return v(
+                f"shufflevector {_PAIR} {x}, {_PAIR} zeroinitializer, <2 x i32> <i32 1, i32 2>"
+            )
+        if k <= 32:  # the upper word is 0
+            return v(f"lshr {_PAIR} {x}, <i64 {k}, i64 {k}>")
+        whole = v(f"bitcast {_PAIR} {x} to i128")
+        whole = v(f"lshr i128 {whole}, {k}")
+        return v(f"bitcast i128 {whole} to {_PAIR}")
+
+    @staticmethod
+    def _pair(value: int) -> str:
+        return f"<i64 {value}, i64 0>"
+
+    @staticmethod
+    def _low(code: Code, x: str) -> str:
+        return code.value(f"extractelement {_PAIR} {x}, i32 0")
+
+    def _carryless(self, code: Code, x: str, y: str) -> str:
+        """Return the product of the lower words."""
+        if self.instruction:
+            return code.value(f"call {_PAIR} @llvm.x86.pclmulqdq({_PAIR} {x}, {_PAIR} {y}, i8 0)")
+        v = code.value
+        low, high = ([self._half(code, z, n) for z in (x, y)] for n in (0, 1))
+        corner, middle, other, end = (
+            self._with_holes(code, a, b)
+            for a, b in ((low[0], low[1]), (low[0], high[1]), (high[0], low[1]), (high[0], high[1]))
+        )
+        middle = v(f"xor i64 {middle}, {other}")
+        up, down = v(f"shl i64 {middle}, 32"), v(f"lshr i64 {middle}, 32")
+        corner, end = v(f"xor i64 {corner}, {up}"), v(f"xor i64 {end}, {down}")
+        pair = v(f"insertelement {_PAIR} poison, i64 {corner}, i32 0")
+        return v(f"insertelement {_PAIR} {pair}, i64 {end}, i32 1")
+
+    def _half(self, code: Code, x: str, n: int) -> str:
+        low = self._low(code, x)
+        return code.value(f"lshr i64 {low}, 32" if n else f"and i64 {low}, {(1 << 32) - 1}")
+
+    @staticmethod
+    def _with_holes(code: Code, x: str, y: str) -> str:
+        """Return the carry-less product of two halves of a word: at most 8 ones meet in a place."""
+        v = code.value
+        xs, ys = (
+            [v(f"and i64 {z}, {HOLES << n & (1 << 64) - 1}") for n in range(4)] for z in (x, y)
+        )
+        parts = []
+        for n in range(4):
+            products = [v(f"mul i64 {xs[m]}, {ys[(n - m) % 4]}") for m in range(4)]
+            mixed = reduce(lambda s, product: v(f"xor i64 {s}, {product}"), products)
+            parts.append(v(f"and i64 {mixed}, {HOLES << n & (1 << 64) - 1}"))
+        return reduce(lambda s, part: v(f"or i64 {s}, {part}"), parts)
+
+
+def binary_field(modulus: int, instruction: bool) -> SmallBinaryField | LargeBinaryField:
+    """Return the arithmetic of GF(2)[t] modulo a polynomial of degree at most 64."""
+    if modulus.bit_length() - 1 <= BITWISE_UP_TO:
+        return SmallBinaryField(modulus)
+    return LargeBinaryField(modulus, instruction)
+
+
+def _quotient(x: int, f: int) -> int:
+    """Return the quotient of polynomials over GF(2)."""
+    found, k = 0, f.bit_length()
+    while x.bit_length() >= k:
+        shift = x.bit_length() - k
+        found |= 1 << shift
+        x ^= f << shift
+    return found

@@ -1,0 +1,148 @@
+"""Loops run over numpy arrays: of any shape and stride, by as many threads as the length pays for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from ctypes import addressof, c_int64
+from functools import reduce
+from math import prod
+from operator import or_
+from threading import Lock
+from typing import Any
+
+import numpy as np
+
+from hfield.kernels.arithmetic import Arithmetic
+from hfield.kernels.loops import Operand, module
+from hfield.native import compiling
+from hfield.native.pool import share, threads
+from hfield.straight_line import Program
+
+Array = np.ndarray[Any, np.dtype[Any]]
+Rows = tuple[Array, ...]
+
+PIECE = 1 << 16  # elements that a thread takes at a time
+MANY = 250_000  # from so many elements on a second thread is woken
+_lock = Lock()
+_announce = compiling.Announcer(
+    "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"
+)
+
+
+class Kernel:
+    """A program in an arithmetic, to be run over arrays.
+
+    Parameters
+    ----------
+    sides : sequence of tuples of names
+        For each operand, the names of its rows in the program.
+    constants : mapping
+        The numbers of the program's other inputs, the same for all elements.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        arithmetic: Arithmetic,
+        sides: Sequence[tuple[str, ...]],
+        constants: Mapping[str, int],
+    ) -> None:
+        self.program, self.arithmetic = program, arithmetic
+        self.literals = dict(constants) if arithmetic.literal else {}
+        named = {} if arithmetic.literal else constants
+        self.sides = (*sides, tuple(named)) if named else tuple(sides)
+        self.constants = tuple(np.array(x, arithmetic.dtype) for x in named.values())
+        self.tables = arithmetic.tables()
+        self._loops: dict[tuple[bool, ...], compiling.Function] = {}
+
+    def __call__(self, *operands: Rows) -> tuple[Rows, int]:
+        """Return the rows of the results, of the shape that the operands broadcast to, and the flags.
+
+        The rows of an operand have one shape and the arithmetic's type. Raises ValueError for shapes that
+        do not broadcast.
+        """
+        shapes = [rows[0].shape for rows in operands]
+        shape = shapes[0] if len(set(shapes)) == 1 else np.broadcast_shapes(*shapes)
+        n = prod(shape)
+        out = np.empty((len(self.program.outputs), *shape), self.arithmetic.dtype)
+        results = rows_of(out)
+        if n == 0:
+            return results, 0
+        singles = tuple(n > 1 and prod(s) == 1 for s in shapes)
+        straight = [
+            rows if single else _straightened(rows, shape)
+            for rows, single in zip(operands, singles, strict=True)
+        ]
+        if self.constants:
+            straight.append(self.constants)
+            singles = (*singles, True)
+        loop = self._loops.get(singles) or self._compiled(singles)
+        size = out.itemsize
+        rows, steps = list[Array](), list[int]()
+        for own, single in zip(straight, singles, strict=True):
+            rows += own
+            steps += [0 if single else size] * len(own)
+        rows += [*self.tables, *results]
+        steps += [0] * len(self.tables) + [size] * len(results)
+        return results, run(loop, n, tuple(rows), steps)
+
+    def prepare(self) -> None:
+        """Compile, or read from the disk, what arrays of one shape need, and one element with an array."""
+        count = len(self.sides) - bool(self.constants)
+        for single in range(-1, count if count > 1 else 0):
+            flags = tuple(n == single for n in range(count))
+            self._compiled(flags + (True,) * bool(self.constants))
+
+    def _compiled(self, singles: tuple[bool, ...]) -> compiling.Function:
+        with _lock:
+            if singles not in self._loops:
+                operands = tuple(map(Operand, self.sides, singles))
+                text = module(self.program, self.arithmetic, operands, self.literals)
+                address = compiling.compiled(text, "entry", True, _announce)
+                self._loops[singles] = compiling.function(address)
+        return self._loops[singles]
+
+
+def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:
+    """Run a loop over n elements, in as many threads as that pays for; return all flags together.
+
+    ``steps`` are the bytes from one element to the next in each row, 0 where one serves for all.
+    """
+    places = [address(row) for row in rows]
+    table = c_int64 * len(places)
+    if n < MANY or threads() == 1:
+        whole = table(*places)
+        return loop(n, addressof(whole))
+    starts = iter(range(0, n, PIECE))
+    told: list[int] = []
+
+    def work(_: int) -> bool:
+        for start in starts:
+            moved = [place + start * step for place, step in zip(places, steps, strict=True)]
+            here = table(*moved)
+            told.append(loop(min(PIECE, n - start), addressof(here)))
+        return False
+
+    share(work, n // PIECE, rows)
+    return reduce(or_, told)
+
+
+def rows_of(block: Array) -> Rows:
+    """Return the rows of an array as arrays, of no dimensions if need be."""
+    return tuple(block[n, ...] for n in range(len(block)))
+
+
+def _straightened(rows: Rows, shape: tuple[int, ...]) -> Rows:
+    """Return rows of this shape, each in one piece."""
+    return tuple(
+        row
+        if row.shape == shape and row.flags.c_contiguous and row.flags.aligned
+        else np.require(np.broadcast_to(row, shape), requirements=["C", "A"])
+        for row in rows
+    )
+
+
+def address(row: Array) -> int:
+    """Return where the first entry lies."""
+    place: int = row.__array_interface__["data"][0]
+    return place

@@ -1,0 +1,51 @@
+"""The programs that arrays of quaternions need beside those of the one formula: coordinate by coordinate."""
+
+from hfield.straight_line import FIRST, SECOND, Program, Step
+
+SCALAR = ("s1",)
+OTHER_SCALAR = ("s2",)
+
+
+def _each(operation: str, names: tuple[tuple[str, ...], ...]) -> Program:
+    """Return the program that does one thing to each coordinate."""
+    steps = tuple(Step(f"r{n}", operation, operands) for n, operands in enumerate(names))
+    inputs = tuple(dict.fromkeys(name for operands in names for name in operands))
+    return Program(inputs, steps, tuple(step.name for step in steps))
+
+
+SUM = _each("+", tuple(zip(FIRST, SECOND, strict=True)))
+DIFFERENCE = _each("-", tuple(zip(FIRST, SECOND, strict=True)))
+NEGATIVE = _each("neg", tuple((name,) for name in FIRST))
+SCALED = _each("*", tuple((name, *SCALAR) for name in FIRST))
+SCALAR_PRODUCT = _each("*", ((*SCALAR, *OTHER_SCALAR),))
+
+
+def with_denominators(program: Program) -> Program:
+    """Return a program of two elements with what happens to their denominators: they are multiplied."""
+    step = Step("d", "*", ("d1", "d2"))
+    return Program((*program.inputs, "d1", "d2"), (*program.steps, step), (*program.outputs, "d"))
+
+
+def _over_both(operation: str) -> Program:
+    """Return the sum or difference of two elements over their denominators."""
+    steps = []
+    for n, (x, y) in enumerate(zip(FIRST, SECOND, strict=True)):
+        steps += [Step(f"u{n}", "*", (x, "d2")), Step(f"v{n}", "*", (y, "d1"))]
+        steps.append(Step(f"r{n}", operation, (f"u{n}", f"v{n}")))
+    steps.append(Step("d", "*", ("d1", "d2")))
+    inputs = (*FIRST, *SECOND, "d1", "d2")
+    return Program(inputs, tuple(steps), ("r0", "r1", "r2", "r3", "d"))
+
+
+_CONJUGATE_AND_NORM = (*FIRST, "n1")
+_BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
+_INVERSE = tuple(Step(f"r{n}", "*", (name, "d1")) for n, name in enumerate(FIRST))
+FRACTIONS = {
+    "sum": (_over_both("+"), _BOTH),
+    "difference": (_over_both("-"), _BOTH),
+    # of the conjugate and the norm of the numerators, and of the denominator
+    "inverse": (
+        Program((*_CONJUGATE_AND_NORM, "d1"), _INVERSE, ("r0", "r1", "r2", "r3", "n1")),
+        (_CONJUGATE_AND_NORM, ("d1",)),
+    ),
+}

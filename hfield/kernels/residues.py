@@ -1,0 +1,176 @@
+"""Residues modulo n ≤ 2³²: multiplied and added unreduced as far as a word holds them, then reduced once.
+
+What stands for a residue carries bounds. Where a sum or a product could leave the word, the operand with the
+wider bounds is reduced first; so the product of Hamilton's quaternions needs one reduction a coordinate.
+The words are ``float`` (24 bits), ``double`` (53 bits) and ``i64``. Reducing multiplies by a rounded 1/n. For
+floating words ``⌊(x + ½)/n⌋`` is then exact: x + ½ lies 1/2 at least from every multiple of n, and while |x|
+stays below the limits here three roundings move ``(x + ½)/n`` by less than 1/(2n).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from hfield.kernels.arithmetic import Code, floating, raw_type, unsigned
+
+LIMITS = {"float": 2**20, "double": 2**49, "i64": 2**63}
+_OPERATIONS = {
+    "float": ("fadd contract", "fsub contract", "fmul contract"),
+    "double": ("fadd contract", "fsub contract", "fmul contract"),
+    "i64": ("add", "sub", "mul"),
+}
+
+
+class Bounded(NamedTuple):
+    """A value of the loop, and the least and greatest whole number that it may be."""
+
+    name: str
+    low: int
+    high: int
+
+    @property
+    def size(self) -> int:
+        """The greatest absolute value."""
+        return max(-self.low, self.high)
+
+
+@dataclass(frozen=True)
+class Residues:
+    """The ring ℤ/n; residues are read and written as 0 … n − 1."""
+
+    modulus: int
+    word: str
+
+    @classmethod
+    def modulo(cls, n: int) -> Residues:
+        """Return the arithmetic modulo n, in the word that is quickest."""
+        return cls(n, "float" if n <= 1 << 8 else "double" if n <= 1 << 23 else "i64")
+
+    vectorise = True
+    literal = False
+    declarations = (
+        "declare float @llvm.floor.f32(float)",
+        "declare double @llvm.floor.f64(double)",
+    )
+
+    def tables(self) -> tuple[Any, ...]:
+        """Return nothing: no tables are needed."""
+        return ()
+
+    @property
+    def dtype(self) -> str:
+        """The smallest unsigned integers that hold n − 1."""
+        return unsigned(self.modulus - 1)
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def load(self, code: Code, raw: str) -> Bounded:
+        """Read a residue; a large one as the representative next to 0, whose products fit."""
+        kind, n = raw_type(self.dtype), self.modulus
+        if self.word != "i64":
+            return Bounded(code.value(f"uitofp {kind} {raw} to {self.word}"), 0, n - 1)
+        x = code.value(f"zext {kind} {raw} to i64")
+        upper = code.value(f"icmp ugt i64 {x}, {n // 2}")
+        shift = code.value(f"select i1 {upper}, i64 {n}, i64 0")
+        return Bounded(code.value(f"sub i64 {x}, {shift}"), n // 2 - n + 1, n // 2)
+
+    def store(self, code: Code, x: Bounded) -> str:
+        """Reduce and write."""
+        name = self.reduced(code, x).name
+        how = "trunc" if self.word == "i64" else "fptoui"
+        return code.value(f"{how} {self.word} {name} to {raw_type(self.dtype)}")
+
+    def constant(self, code: Code, value: int) -> Bounded:
+        """Return a residue known beforehand."""
+        n = self.modulus
+        value = (value + n // 2) % n - n // 2
+        return Bounded(self.number(value), value, value)
+
+    def number(self, value: float) -> str:
+        """Write a number of this word."""
+        return str(value) if self.word == "i64" else floating(value, self.word)
+
+    # --- + − × ---------------------------------------------------------------------------------
+
+    def add(self, code: Code, x: Bounded, y: Bounded) -> Bounded:
+        """Return x + y."""
+        x, y = self._fitting(code, x, y, lambda x, y: x.size + y.size)
+        return self._result(code, 0, x, y, x.low + y.low, x.high + y.high)
+
+    def subtract(self, code: Code, x: Bounded, y: Bounded) -> Bounded:
+        """Return x − y."""
+        x, y = self._fitting(code, x, y, lambda x, y: x.size + y.size)
+        return self._result(code, 1, x, y, x.low - y.high, x.high - y.low)
+
+    def multiply(self, code: Code, x: Bounded, y: Bounded) -> Bounded:
+        """Return x·y."""
+        x, y = self._fitting(code, x, y, lambda x, y: x.size * y.size)
+        corners = [u * v for u in (x.low, x.high) for v in (y.low, y.high)]
+        return self._result(code, 2, x, y, min(corners), max(corners))
+
+    def negate(self, code: Code, x: Bounded) -> Bounded:
+        """Return −x."""
+        return self.subtract(code, Bounded(self.number(0), 0, 0), x)
+
+    def _result(
+        self, code: Code, which: int, x: Bounded, y: Bounded, low: int, high: int
+    ) -> Bounded:
+        line = f"{_OPERATIONS[self.word][which]} {self.word} {x.name}, {y.name}"
+        return Bounded(code.value(line), low, high)
+
+    def _fitting(self, code: Code, x: Bounded, y: Bounded, size: Any) -> tuple[Bounded, Bounded]:
+        """Reduce the operands, the wider one first, until the result fits the word."""
+        while size(x, y) >= LIMITS[self.word]:
+            same = x is y
+            if x.size >= y.size:
+                x = self.reduced(code, x, centred=self.word == "i64")
+                y = x if same else y
+            else:
+                y = self.reduced(code, y, centred=self.word == "i64")
+        return x, y
+
+    # --- reducing ------------------------------------------------------------------------------
+
+    def reduced(self, code: Code, x: Bounded, centred: bool = False) -> Bounded:
+        """Return the residue between 0 and n − 1, or one next to 0, of size at most n/2."""
+        most = self.modulus // 2 + self.modulus // 512 + 1
+        low, high = (-most, most) if centred else (0, self.modulus - 1)
+        if low <= x.low and x.high <= high:
+            return x
+        if self.word == "i64":
+            return self._reduced_integer(code, x, centred)
+        rest = self.divided(code, x)[1]
+        return Bounded(rest, 0, self.modulus - 1)
+
+    def divided(self, code: Code, x: Bounded) -> tuple[str, str]:
+        """Return quotient and remainder of a floating word by n."""
+        v, word, n = code.value, self.word, self.modulus
+        near = v(f"fmul contract {word} {x.name}, {floating(1 / n, word)}")
+        near = v(f"fadd contract {word} {near}, {floating(0.5 / n, word)}")
+        bits = "f32" if word == "float" else "f64"
+        quotient = v(f"call {word} @llvm.floor.{bits}({word} {near})")
+        whole = v(f"fmul contract {word} {quotient}, {floating(n, word)}")
+        return quotient, v(f"fsub contract {word} {x.name}, {whole}")
+
+    def _reduced_integer(self, code: Code, x: Bounded, centred: bool) -> Bounded:
+        """Subtract n times the quotient that floating division gives, which is at most 1 off."""
+        v, n = code.value, self.modulus
+        near = v(f"sitofp i64 {x.name} to double")
+        near = v(f"fmul double {near}, {floating(1 / n, 'double')}")
+        if centred:
+            near = v(f"fadd double {near}, {floating(0.5, 'double')}")
+        near = v(f"call double @llvm.floor.f64(double {near})")
+        quotient = v(f"fptosi double {near} to i64")
+        whole = v(f"mul i64 {quotient}, {n}")
+        rest = v(f"sub i64 {x.name}, {whole}")
+        if centred:
+            most = (
+                n // 2 + n // 512 + 1
+            )  # where the quotient lies near a half it may be rounded either way
+            return Bounded(rest, -most, most)
+        for below, limit, sign in (("slt", 0, "add"), ("sge", n, "sub")):
+            off = v(f"icmp {below} i64 {rest}, {limit}")
+            shift = v(f"select i1 {off}, i64 {n}, i64 0")
+            rest = v(f"{sign} i64 {rest}, {shift}")
+        return Bounded(rest, 0, n - 1)

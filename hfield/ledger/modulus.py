@@ -1,0 +1,203 @@
+"""Propositions about square roots in the base field: the modulus |q| = √N(q) and its law."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import chain
+from itertools import product as tuples
+from typing import Any
+
+from hfield.certificates.glossary import (
+    ALL_CHOICES_OF_ROOTS,
+    CHOICE_OF_ROOTS,
+    CLOSED_FIELD,
+    COMPLEX_ROOTS,
+    EXHAUSTION,
+    IDENTITY,
+    KULIKOV,
+    ORDERING,
+    PROVED,
+    REAL_ROOTS,
+    REFUTED,
+    SEARCH,
+    UNDECIDED,
+    UNIQUE_ROOTS,
+    WITNESS,
+)
+from hfield.ledger.facts import hamilton, texts
+from hfield.ledger.propositions import Statement, search_panel
+from hfield.product import Coordinates, multiply, norm
+from hfield.proving.decision import Decision
+from hfield.rings.base import INFINITY, Ring
+
+CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out
+
+# In characteristic 2 each norm is the square of the sum of the coordinates.
+SUM_OF_ALL = Statement("norm(q) == (q[0] + q[1] + q[2] + q[3])**2")
+
+
+@dataclass(frozen=True)
+class ModulusDefined:
+    """The modulus |q| = √N(q) exists in F for each q."""
+
+    text = "N(q) is a square in F for each q, so that |q| = √N(q) exists"
+    statement = "modulus-exists"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Look for a small q whose norm is no square; else say why every norm is one."""
+        if field is None:
+            return search_panel(self)
+        for q in chain(small_elements(field), self._norm_without_root(field)):
+            n = norm(hamilton(field), q)
+            if field.sqrt(n) is None:
+                step = f"N(q) = {field.text(n)} is not a square in {field}."
+                value = texts(field, q)
+                return Decision(
+                    REFUTED,
+                    WITNESS,
+                    witness={"q": value},
+                    steps=(step,),
+                    evidence={"kind": "no root", "value": value},
+                )
+        if field.characteristic == 2:
+            return replace(SUM_OF_ALL.decide(field), method=IDENTITY)
+        if field.closure:
+            step = f"{field} is {field.closure}, so every norm is a square."
+            return Decision(
+                PROVED,
+                CLOSED_FIELD,
+                steps=(step,),
+                assumes=(REAL_ROOTS if field.closure == "real closed" else COMPLEX_ROOTS,),
+                evidence={"kind": "closed"},
+            )
+        return Decision(UNDECIDED, SEARCH, tried=("norms of small elements",))
+
+    def _norm_without_root(self, F: Ring) -> Iterator[Coordinates]:
+        """Yield w + x·i whose norm is no square, over a finite field of odd order."""
+        if F.order is None or F.characteristic == 2:
+            return
+        target = next(n for n in F.elements() if F.sqrt(n) is None)
+        for w in F.elements():
+            x = F.sqrt(target - w * w)
+            if x is not None:
+                yield w, x, F.zero, F.zero
+                return
+
+
+def small_elements(F: Ring) -> list[Coordinates]:
+    """Return a few dozen quaternions with coordinates 0, 1 and the generators of F."""
+    values = [F.zero, F.one, *([F.gen] if F.gen_name else [])]
+    return [(w, x, y, z) for z, y, x, w in tuples(values, repeat=4)]
+
+
+@dataclass(frozen=True)
+class ModulusLaw:
+    """|pq| = |p||q|, or with ``operation`` "+" its spoilt twin |pq| = |p| + |q|.
+
+    √ is one fixed root for each square that has one, and the law holds if some choice makes it
+    hold. A choice x ↦ √x that is multiplicative exists exactly when F has characteristic 2 or −1 is
+    no square: otherwise √1 = √1·√1 gives √1 = 1, and √(−1)·√(−1) = −1 against √1.
+    """
+
+    operation: str = "*"
+
+    @property
+    def text(self) -> str:
+        """The law as printed, or its twin."""
+        return "|pq| = |p||q|" if self.operation == "*" else "|pq| = |p| + |q|"
+
+    @property
+    def statement(self) -> str:
+        """The law in the vocabulary of certificates."""
+        return f"modulus-law{{{self.operation}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Refute it on a few elements under every choice of their roots, or give the choice."""
+        if field is None:
+            return search_panel(self)
+        zero = field.zero
+        sample: list[Coordinates] = [(field.one, zero, zero, zero)]
+        iota = field.sqrt(field(-1))
+        if iota is not None:
+            sample.append((iota, zero, zero, zero))
+        bad = self._without_choice(field, sample)
+        if bad is not None:
+            steps = (
+                f"√1 = √1·√1 forces √1 = 1; then p, q break the law for each choice of the roots; "
+                f"all {2 ** len(sample)} choices were tried.",
+            )
+            evidence = {
+                "kind": "all choices",
+                "elements": [texts(field, q) for q in sample],
+                "roots": [field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
+            }
+            return Decision(
+                REFUTED, ALL_CHOICES_OF_ROOTS, witness=bad, steps=steps, evidence=evidence
+            )
+        if self.operation != "*":
+            return Decision(UNDECIDED, ALL_CHOICES_OF_ROOTS, tried=("roots of small norms",))
+        if field.characteristic == 2:
+            step = "In characteristic 2 a square has one root, for y² = z² means (y − z)² = 0."
+            return Decision(PROVED, UNIQUE_ROOTS, steps=(step,), evidence={"kind": "unique roots"})
+        if field.level.value == INFINITY:
+            step = "Take the root ≥ 0 in an order of F: products of such roots are such roots."
+            lines = (f"{field}: {field.level.reason}.", step)
+            return Decision(PROVED, ORDERING, steps=lines, evidence={"kind": "ordering"})
+        if field.order is not None:
+            return self._finite(field)
+        step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
+        return Decision(
+            PROVED,
+            CHOICE_OF_ROOTS,
+            steps=(step,),
+            assumes=(KULIKOV,),
+            evidence={"kind": "pure subgroup"},
+        )
+
+    def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, Any] | None:
+        """Return None if some choice satisfies the law, else p, q that break the choice √1 = 1."""
+        norms = {F.key(norm(hamilton(F), q)): norm(hamilton(F), q) for q in sample}
+        roots = {key: F.sqrt(n) for key, n in norms.items()} | {F.key(F.one): F.one}
+        bad: dict[str, Any] | None = None
+        for signs in tuples((1, -1), repeat=len(roots)):
+            chosen = {
+                key: r if s > 0 else -r for (key, r), s in zip(roots.items(), signs, strict=True)
+            }
+            failing = [
+                {"p": texts(F, p), "q": texts(F, q)}
+                for p, q in tuples(sample, repeat=2)
+                if not self._holds(F, chosen, p, q)
+            ]
+            if not failing:
+                return None
+            bad = bad or failing[-1]
+        return bad
+
+    def _holds(self, F: Ring, chosen: dict[Any, Any], p: Coordinates, q: Coordinates) -> bool:
+        c = hamilton(F)
+        m, n = (chosen[F.key(norm(c, x))] for x in (p, q))
+        product = chosen.get(F.key(norm(c, multiply(c, p, q))))
+        if product is None:
+            return True
+        return F.equal(product, m * n if self.operation == "*" else m + n)
+
+    def _finite(self, F: Ring) -> Decision:
+        """Choose the root that is itself a square; on small fields check all products too."""
+        steps = (
+            "Squaring takes F* two to one onto half of it, and −1 is no square: so of the two roots r, −r "
+            "exactly one is a square.",
+            "Take that one: products of squares are squares.",
+        )
+        evidence = {"kind": "square roots"}
+        if F.order is None or F.order > CHECKED_BELOW:
+            return Decision(PROVED, CHOICE_OF_ROOTS, steps=steps, evidence=evidence)
+        squares = {F.key(x * x) for x in F.elements()}
+        root = {F.key(x * x): x for x in F.elements() if F.key(x) in squares}
+        pairs = tuples(root.values(), repeat=2)
+        if set(root) != squares or not all(
+            F.equal(root[F.key(x * x * (y * y))], x * y) for x, y in pairs
+        ):
+            return Decision(UNDECIDED, EXHAUSTION, tried=steps)
+        checked = (*steps, f"Checked on all {len(root)}² pairs.")
+        return Decision(PROVED, EXHAUSTION, steps=checked, evidence=evidence)

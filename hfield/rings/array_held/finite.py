@@ -1,0 +1,57 @@
+"""Which arithmetic serves arrays over a finite ring: by its order, characteristic and degree."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hfield.factorisation import factorise
+from hfield.kernels.arithmetic import Arithmetic
+from hfield.kernels.binary_fields import binary_field
+from hfield.kernels.extension_fields import ExtensionField
+from hfield.kernels.logarithms import LogarithmicField
+from hfield.kernels.residues import Residues
+from hfield.native import compiling
+from hfield.product import Constants
+from hfield.rings.array_held.labels import LabelArrays
+from hfield.rings.holding import Batch
+
+WORD = 1 << 32  # the largest modulus whose residues multiply in one word
+BITS = 64  # the largest degree over GF(2) whose elements do
+LOGARITHMS_FROM = 4  # degrees: below, products of polynomials are quicker
+LOGARITHMS_UP_TO = 1 << 16  # elements: beyond, tables leave the caches
+POLYNOMIALS_UP_TO = 6  # degrees: beyond, compiling takes seconds
+
+
+def array_holding(ring: Any, constants: Constants) -> Batch:
+    """Return how arrays over ℤ/n or a finite field are held: as labels where an arithmetic serves them."""
+    arithmetic = arithmetic_of(ring)
+    return (
+        Batch(ring, constants) if arithmetic is None else LabelArrays(ring, constants, arithmetic)
+    )
+
+
+def arithmetic_of(ring: Any) -> Arithmetic | None:
+    """Return the arithmetic of the labels of a finite ring, or None where it is too large."""
+    q, p, n = ring.order, ring.characteristic, getattr(ring, "degree", 1)
+    if n == 1:
+        return Residues.modulo(q) if q <= WORD else None
+    if p == 2:
+        bits = sum(c << m for m, c in enumerate(ring.coefficients))
+        instruction = compiling.available() and compiling.processor_has("pclmul")
+        return binary_field(bits, instruction) if n <= BITS else None
+    coefficients = tuple(ring.coefficients)
+    if n >= LOGARITHMS_FROM and q <= LOGARITHMS_UP_TO:
+        return LogarithmicField(p, coefficients, primitive(ring))
+    if q <= WORD and n <= POLYNOMIALS_UP_TO:
+        return ExtensionField(p, coefficients)
+    return None
+
+
+def primitive(F: Any) -> int:
+    """Return the label of a generator of the multiplicative group of GF(pⁿ), n > 1; x itself if it is one."""
+    primes = factorise(F.order - 1)
+    for label in range(F.characteristic, F.order):
+        x = F.from_label(label)
+        if all(x ** ((F.order - 1) // p) != F.one for p in primes):
+            return label
+    raise AssertionError("the multiplicative group of a finite field is cyclic")

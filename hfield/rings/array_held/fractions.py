@@ -1,0 +1,152 @@
+"""Arrays over ℚ as five rows of 64-bit integers: four numerators over one denominator, in lowest terms.
+
+The basis is scaled as that of a single element is, so that the structure constants are integers.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import flint
+import numpy as np
+
+from hfield.errors import CoercionError
+from hfield.kernels import programs
+from hfield.kernels.calling import Rows, rows_of
+from hfield.kernels.fractions import lowest
+from hfield.product import Constants, Coordinates
+from hfield.rings.array_held.words import WORD, Sides, WordArrays, is_words, object_parts
+from hfield.rings.arrays import objects, one_shape
+from hfield.rings.base import Ring
+from hfield.rings.held.fractions import Fractions
+from hfield.rings.rational import is_plain_array
+from hfield.straight_line import FIRST, SECOND, Program
+
+
+class FractionArrays(WordArrays):
+    """Arrays over ℚ: ``(w, x, y, z, d)`` for (w + x·i′ + y·j′ + z·k′)/d, or four arrays of objects."""
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        super().__init__(ring, constants)
+        one = ring.holding(constants)
+        assert isinstance(one, Fractions)
+        self.one = one
+        self.integral = Constants(*(self.one.integers[name] for name in "atb"))
+
+    def _program(self, name: str) -> tuple[Program, Sides]:
+        if name in programs.FRACTIONS:
+            return programs.FRACTIONS[name]
+        program, sides = super()._program(name)
+        if name == "product":
+            return programs.with_denominators(program), _BOTH
+        return program, sides
+
+    def in_words(self, name: str, *operands: Rows) -> Rows | None:
+        """Run an operation and put what is no norm or trace in lowest terms."""
+        if name in ("norm", "trace", "adjoint", "conjugate", "negative"):
+            rows = super().in_words(name, *(p[:4] for p in operands))
+            if rows is not None and name in ("conjugate", "negative"):
+                return (*rows, operands[0][4])
+            return rows
+        rows = super().in_words(name, *operands)
+        return rows if rows is None or lowest(rows) else None
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def hold(self, coordinates: Coordinates) -> Rows:
+        """Hold four arrays of rational numbers, in words if they fit."""
+        w, x, y, z = coordinates
+        held = [self.one.hold(four) for four in zip(*(c.flat for c in (w, x, y, z)), strict=True)]
+        try:
+            block = np.array([[int(n) for n in h] for h in held], WORD).reshape(-1, 5)
+        except OverflowError:
+            return w, x, y, z
+        return rows_of(np.ascontiguousarray(block.T).reshape(5, *w.shape))
+
+    def read(self, values: tuple[Any, ...]) -> Rows:
+        """Hold four values that ℚ reads. Raises :class:`CoercionError`."""
+        if not self.one.is_scaled and all(is_whole(v) for v in values):
+            rows = one_shape([np.array(v, WORD) for v in values])
+            return (*rows, np.ones(rows[0].shape, WORD))
+        w, x, y, z = one_shape([self.ring.array(v) for v in values])
+        return self.hold((w, x, y, z))
+
+    def lift(self, coordinates: Coordinates) -> Rows:
+        """Hold one element as an array of no dimensions."""
+        w, x, y, z = map(self.ring.array, coordinates)
+        return self.hold((w, x, y, z))
+
+    def coordinates(self, held: Rows) -> Coordinates:
+        """Return the coordinates as arrays of flint's rational numbers."""
+        if not is_words(held):
+            return super().coordinates(held)
+        flat = zip(*(row.ravel().tolist() for row in held), strict=True)
+        parts = [self.one.coordinates(five) for five in flat]
+        shape = held[0].shape
+        columns = zip(*parts, strict=True) if parts else ([], [], [], [])
+        w, x, y, z = (objects(list(c), self.ring).reshape(shape) for c in columns)
+        return w, x, y, z
+
+    def single(self, p: Rows) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        w, x, y, z = (c[()] for c in self.coordinates(p))
+        return w, x, y, z
+
+    def part(self, p: Rows, index: Any) -> Rows:
+        """Return the elements at a numpy index."""
+        return super().part(p, index) if is_words(p) else object_parts(p, index)
+
+    def from_array(self, values: Any) -> Rows:
+        """Hold an array of shape (5, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
+        rows = self.checked_block(values, 5)
+        if not rows[4].all():
+            raise CoercionError("a denominator is 0: the last of the five rows must not contain 0")
+        rows = rows_of(np.array(rows))
+        if not lowest(rows):
+            raise CoercionError("−2^63 has no negative in 64 bits; expected numbers above it")
+        return rows
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def norm(self, p: Rows) -> Any:
+        """Return the reduced norms, an array of flint's rational numbers."""
+        return self._ratios("norm", p, 2)
+
+    def trace(self, p: Rows) -> Any:
+        """Return the reduced traces, an array of flint's rational numbers."""
+        return self._ratios("trace", p, 1)
+
+    def _ratios(self, name: str, p: Rows, power: int) -> Any:
+        rows = self.in_words(name, p)
+        if rows is None:
+            return self.by_arrays(name, p)
+        pairs = zip(rows[0].ravel().tolist(), p[4].ravel().tolist(), strict=True)
+        made = [flint.fmpq(n, d**power) for n, d in pairs]
+        return objects(made, self.ring).reshape(rows[0].shape)
+
+    def inverse(self, p: Rows) -> Rows | None:
+        """Return the inverses ``d·conj/N``, or None where some norm is 0."""
+        rows = self.in_words("adjoint", p)
+        if rows is not None:
+            if not rows[4].all():
+                return None
+            rows = super().in_words("inverse", rows, (p[4],))
+        if rows is not None and lowest(rows):
+            return rows
+        found = self.by_arrays("inverse", p)
+        return None if found is None else self.hold(found)
+
+    def units(self, p: Rows) -> Any:
+        """Tell which elements have an inverse."""
+        rows = self.in_words("norm", p)
+        return self.by_arrays("units", p) if rows is None else rows[0] != 0
+
+
+_BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
+
+
+def is_whole(values: Any) -> bool:
+    """Tell whether a value is an int, or an array of numpy's, that 64 bits hold."""
+    if type(values) is int:
+        return -(2**63) < values < 2**63
+    return is_plain_array(values) and values.dtype.kind in "ib"

@@ -1,0 +1,160 @@
+"""Arrays of quaternions as four rows of integers of one shape, parts of one block where we made them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from hfield.errors import CoercionError
+from hfield.kernels.calling import Rows, address, rows_of
+from hfield.product import Constants, Coordinates
+from hfield.rings.arrays import one_shape
+from hfield.rings.base import Ring
+from hfield.rings.holding import Batch, Holding
+
+Row = np.ndarray[Any, np.dtype[Any]]
+
+
+class RowArrays(Batch):
+    """What arrays held as four rows share; each ring has its own numbers in the rows.
+
+    ``held`` is a tuple of four numpy arrays of one shape and of the type ``dtype``.
+    """
+
+    dtype: str
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        Holding.__init__(self, ring, constants)
+
+    @cached_property
+    def plain(self) -> Batch:
+        """The holding that computes with arrays of the ring: the reference, and where there is no LLVM."""
+        return Batch(self.ring, self.constants)
+
+    def by_arrays(self, operation: str, *operands: Rows) -> Any:
+        """Do as the plain holding does, on arrays of the ring."""
+        return getattr(self.plain, operation)(*map(self.coordinates, operands))
+
+    # --- what a ring gives ---------------------------------------------------------------------
+
+    def row(self, values: Any) -> Row:
+        """Return a row of what the ring reads. Raises :class:`CoercionError` as the ring does."""
+        raise NotImplementedError
+
+    def ring_array(self, row: Row) -> Any:
+        """Return a row as an array of the ring."""
+        raise NotImplementedError
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def hold(self, coordinates: Coordinates) -> Rows:
+        """Hold four arrays of the ring, of one shape."""
+        return tuple(self.row(c) for c in coordinates)
+
+    def read(self, values: tuple[Any, ...]) -> Rows:
+        """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
+        return tuple(one_shape([self.row(v) for v in values]))
+
+    def lift(self, coordinates: Coordinates) -> Rows:
+        """Hold one element as an array of no dimensions."""
+        return self.hold(coordinates)
+
+    def coordinates(self, held: Rows) -> Coordinates:
+        """Return the coordinates as arrays of the ring."""
+        w, x, y, z = map(self.ring_array, held)
+        return w, x, y, z
+
+    def shape(self, p: Rows) -> tuple[int, ...]:
+        """Return the shape of the array."""
+        shape: tuple[int, ...] = p[0].shape
+        return shape
+
+    def part(self, p: Rows, index: Any) -> Rows:
+        """Return the elements at a numpy index; the rows are views where numpy makes them."""
+        return tuple(np.asarray(row[index]) for row in p)
+
+    def single(self, p: Rows) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        w, x, y, z = (self.ring.scalar(self.ring_array(row)) for row in p)
+        return w, x, y, z
+
+    def reshaped(self, p: Rows, shape: tuple[int, ...]) -> Rows:
+        """Return the elements in another shape."""
+        return tuple(row.reshape(shape) for row in p)
+
+    # --- what is equal -------------------------------------------------------------------------
+
+    def equal(self, p: Rows, q: Rows) -> Any:
+        """Tell where p = q."""
+        self._check(p, q, "compare")
+        return np.logical_and.reduce([np.equal(x, y) for x, y in zip(p, q, strict=True)])
+
+    def is_zero(self, p: Rows) -> Any:
+        """Tell where p = 0."""
+        return ~np.logical_or.reduce([row.astype(bool) for row in p])
+
+    # --- plain arrays --------------------------------------------------------------------------
+
+    def to_array(self, p: Rows) -> Row:
+        """Return the rows as one array of shape (4, …), read-only; without a copy if they are one already."""
+        block = _block(p)
+        out = np.stack(p) if block is None else block.view()
+        out.flags.writeable = False
+        return out
+
+    def from_array(self, values: Any) -> Rows:
+        """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
+        return self.checked_block(values, 4)
+
+    def checked_block(self, values: Any, count: int) -> Rows:
+        """Return the rows of an array of integers. Raises :class:`CoercionError`."""
+        block = np.asarray(values)
+        if block.ndim == 0 or block.shape[0] != count or block.dtype.kind not in "iu":
+            raise CoercionError(
+                f"an array of {block.dtype} of shape {block.shape} does not hold quaternions over "
+                f"{self.ring}: expected integers of shape ({count}, …), as to_array() returns them"
+            )
+        self.check_numbers(block)
+        return rows_of(block.astype(self.dtype, copy=False))
+
+    def check_numbers(self, block: Row) -> None:
+        """Refuse numbers that stand for no element."""
+
+
+def _block(rows: Rows) -> Row | None:
+    """Return the array of which these are all the rows, in order and in one piece, if there is one."""
+    first = rows[0]
+    block = first.base
+    if not isinstance(block, np.ndarray) or block.shape != (len(rows), *first.shape):
+        return None
+    if not block.flags.c_contiguous:
+        return None
+    for row, own in zip(rows, rows_of(block), strict=True):
+        if row.base is not block or row.strides != own.strides or address(row) != address(own):
+            return None
+    return block
+
+
+def inverses(
+    row: Row,
+    multiply: Callable[[Row, Row], Row],
+    invert: Callable[[Row], Row],
+    few: int = 8,
+) -> Row:
+    """Return the inverses of a row of units by three products an element and a few inversions.
+
+    Pairs are multiplied until few are left; the inverse of a pair's product times one of the pair is the
+    inverse of the other (P. L. Montgomery, Mathematics of Computation 48, 1987, as a tree).
+    """
+    n = len(row)
+    if n <= few:
+        return invert(row)
+    half = n // 2
+    left, right = row[:half], row[half : 2 * half]
+    products = np.concatenate([multiply(left, right), row[2 * half :]])
+    found = inverses(products, multiply, invert, few)
+    inverse = found[:half]
+    return np.concatenate([multiply(inverse, right), multiply(inverse, left), found[half:]])

@@ -1,0 +1,235 @@
+"""Arrays over ℤ as rows of 64-bit integers: overflow is noticed, and the computation goes on with objects."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from hfield.errors import CoercionError
+from hfield.kernels import programs
+from hfield.kernels.calling import Kernel, Rows
+from hfield.kernels.loops import Operand, written
+from hfield.kernels.whole_numbers import CheckedWholeNumbers, TooWideError, widest
+from hfield.native import compiling
+from hfield.product import Constants, Coordinates
+from hfield.rings.array_held.rows import Row, RowArrays
+from hfield.rings.arrays import objects
+from hfield.rings.base import Ring
+from hfield.rings.rational import is_plain_array
+from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
+
+OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
+Sides = tuple[tuple[str, ...], ...]
+WORD = np.dtype(np.int64)
+
+
+class WordArrays(RowArrays):
+    """What ℤ and ℚ share: rows of words, or four arrays of objects where a number is larger than a word.
+
+    An operation runs without checks where the operands are small, else again with every overflow noticed,
+    else on objects.
+    """
+
+    dtype = "i8"
+    integral: Constants  # the structure constants, as ints
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        super().__init__(ring, constants)
+        self.compiles = compiling.available()
+        self._kernels: dict[str, list[Kernel]] = {}
+
+    # --- loops ---------------------------------------------------------------------------------
+
+    def _program(self, name: str) -> tuple[Program, Sides]:
+        if name in _PROGRAMS:
+            return _PROGRAMS[name]
+        program = specialise(name, pattern(self.integral, lambda x, n: x == n))
+        return program, (FIRST, SECOND) if name == "product" else (FIRST,)
+
+    def kernels(self, name: str) -> list[Kernel]:
+        """Return the loops of an operation, the quick one first; none if the constants are too large."""
+        if name not in self._kernels:
+            program, sides = self._program(name)
+            given = zip(("a", "t", "b"), self.integral, strict=True)
+            literals = {n: x for n, x in given if n in program.inputs}
+            operands = tuple(Operand(side, False) for side in sides)
+            fits = partial(_fits, program, operands, literals)
+            quick = widest(fits)
+            found = [] if quick is None else [Kernel(program, quick, sides, literals)]
+            try:
+                fits(CheckedWholeNumbers())
+            except TooWideError:
+                found = []
+            else:
+                found.append(Kernel(program, CheckedWholeNumbers(), sides, literals))
+            self._kernels[name] = found
+        return self._kernels[name]
+
+    def in_words(self, name: str, *operands: Rows) -> Rows | None:
+        """Run an operation, or return None where it does not fit words."""
+        if self.compiles and all(is_words(p) for p in operands):
+            for kernel in self.kernels(name):
+                rows, told = kernel(*operands)
+                if not told:
+                    return rows
+        return None
+
+    def either(self, name: str, *operands: Rows) -> Rows:
+        """Run an operation in words, else on arrays of objects."""
+        rows = self.in_words(name, *operands)
+        return self.hold(self.by_arrays(name, *operands)) if rows is None else rows
+
+    def coordinates(self, held: Rows) -> Coordinates:
+        """Return the coordinates as arrays of objects."""
+        if not is_words(held):
+            w, x, y, z = held
+            return w, x, y, z
+        return super().coordinates(held)
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def product(self, p: Rows, q: Rows) -> Rows:
+        """Return p·q."""
+        self._check(p, q, "multiply")
+        return self.either("product", p, q)
+
+    def sum(self, p: Rows, q: Rows) -> Rows:
+        """Return p + q."""
+        self._check(p, q, "add")
+        return self.either("sum", p, q)
+
+    def difference(self, p: Rows, q: Rows) -> Rows:
+        """Return p − q."""
+        self._check(p, q, "subtract")
+        return self.either("difference", p, q)
+
+    def negative(self, p: Rows) -> Rows:
+        """Return −p."""
+        return self.either("negative", p)
+
+    def conjugate(self, p: Rows) -> Rows:
+        """Return the standard involution of p."""
+        return self.either("conjugate", p)
+
+    # --- what is equal -------------------------------------------------------------------------
+
+    def equal(self, p: Rows, q: Rows) -> Any:
+        """Tell where p = q."""
+        if is_words(p) and is_words(q):
+            return super().equal(p, q)
+        return self.by_arrays("equal", p, q)
+
+    def is_zero(self, p: Rows) -> Any:
+        """Tell where p = 0."""
+        return super().is_zero(p[:4]) if is_words(p) else self.by_arrays("is_zero", p)
+
+    def check_numbers(self, block: Row) -> None:
+        """Refuse numbers that a word does not hold."""
+        if block.dtype == np.uint64 and block.size and int(block.max()) >= 2**63:
+            raise CoercionError("numbers from 2^63 on are no int64: expected an array of int64")
+
+    def to_array(self, p: Rows) -> Row:
+        """Return the rows as one array of int64. Raises :class:`CoercionError` for larger numbers."""
+        if not is_words(p):
+            raise CoercionError(
+                f"the array over {self.ring} holds numbers of more than 64 bits, which no array of int64 "
+                "holds: pickle it"
+            )
+        return super().to_array(p)
+
+    def prepare(self) -> None:
+        """Compile every loop, or read it from the disk."""
+        for name in OPERATIONS:
+            for kernel in self.kernels(name):
+                kernel.prepare()
+
+
+class WholeArrays(WordArrays):
+    """Arrays over ℤ."""
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        super().__init__(ring, constants)
+        self.integral = Constants(*map(int, constants))
+
+    def row(self, values: Any) -> Row:
+        """Return a row of words, or of objects where a number is larger."""
+        if is_plain_array(values) and (
+            values.dtype.kind in "ib"
+            or (values.dtype.kind == "u" and not (values >= np.uint64(2**63)).any())
+        ):
+            return np.array(values, WORD)
+        made = objects(values, self.ring)
+        try:
+            return np.array([int(x) for x in made.ravel()], WORD).reshape(made.shape)
+        except OverflowError:
+            return made
+
+    def hold(self, coordinates: Coordinates) -> Rows:
+        """Hold four arrays, all as words or all as objects."""
+        return alike([self.row(c) for c in coordinates], self.ring_array)
+
+    def read(self, values: tuple[Any, ...]) -> Rows:
+        """Hold four values that ℤ reads. Raises :class:`CoercionError`."""
+        return alike(super().read(values), self.ring_array)
+
+    def ring_array(self, row: Row) -> Any:
+        """Return a row as an array of flint's integers."""
+        return row if row.dtype == object else objects(row, lambda n: self.ring(int(n)))
+
+    def norm(self, p: Rows) -> Any:
+        """Return the reduced norms, an array of flint's integers."""
+        rows = self.in_words("norm", p)
+        return self.by_arrays("norm", p) if rows is None else self.ring_array(rows[0])
+
+    def trace(self, p: Rows) -> Any:
+        """Return the reduced traces, an array of flint's integers."""
+        rows = self.in_words("trace", p)
+        return self.by_arrays("trace", p) if rows is None else self.ring_array(rows[0])
+
+    def inverse(self, p: Rows) -> Rows | None:
+        """Return the inverses, or None where some norm is neither 1 nor −1."""
+        rows = self.in_words("adjoint", p)
+        if rows is None:
+            found = self.by_arrays("inverse", p)
+            return None if found is None else self.hold(found)
+        *conjugate, norms = rows
+        if not (np.abs(norms) == 1).all():
+            return None
+        return tuple(np.asarray(row * norms) for row in conjugate)
+
+    def part(self, p: Rows, index: Any) -> Rows:
+        """Return the elements at a numpy index."""
+        return super().part(p, index) if is_words(p) else object_parts(p, index)
+
+
+def is_words(p: Rows) -> bool:
+    """Tell whether rows are of words, and not of objects."""
+    return p[0].dtype == WORD
+
+
+def alike(rows: Sequence[Row], as_objects: Any) -> Rows:
+    """Return rows of one kind: of objects if one is."""
+    if len({row.dtype for row in rows}) == 1:
+        return tuple(rows)
+    return tuple(map(as_objects, rows))
+
+
+def object_parts(p: Rows, index: Any) -> Rows:
+    """Return the entries of arrays of objects at an index, as arrays."""
+    return tuple(objects(row[index], lambda x: x) for row in p)
+
+
+def _fits(
+    program: Program, operands: tuple[Operand, ...], literals: dict[str, int], arithmetic: Any
+) -> object:
+    return written(program, arithmetic, operands, literals)
+
+
+_PROGRAMS: dict[str, tuple[Program, Sides]] = {
+    "sum": (programs.SUM, (FIRST, SECOND)),
+    "difference": (programs.DIFFERENCE, (FIRST, SECOND)),
+    "negative": (programs.NEGATIVE, (FIRST,)),
+}

@@ -1,0 +1,132 @@
+"""Elements over ℤ, ℚ and number fields as ints over one denominator, in lowest terms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import gcd, lcm
+from typing import Any
+
+import flint
+
+from hfield.product import Constants, Coordinates
+from hfield.rings.base import Ring
+from hfield.rings.held.compact import LARGE
+from hfield.rings.held.numerators import Held, Numerators
+from hfield.straight_line import named, parts
+
+Vector = tuple[Any, ...]  # of rational numbers
+
+
+class Fractions(Numerators):
+    """Elements over ℚ(s) as ints over one denominator.
+
+    Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
+    """
+
+    def __init__(
+        self,
+        ring: Ring,
+        constants: Constants,
+        relation: tuple[int, ...],
+        vector: Callable[[Any], Vector],
+        element: Callable[..., Any],
+    ) -> None:
+        """Take the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``."""
+        super().__init__(ring, constants)
+        self.degree = len(relation)
+        self._vector, self._element = vector, element
+        a, t, b = map(vector, constants)
+        self._m, self._k = _denominator(a + t), _denominator(b)
+        scaled = [c * self._m**2 for c in a], [c * self._m for c in t], [c * self._k**2 for c in b]
+        self.is_scaled = self._m != 1 or self._k != 1
+        self.integers: dict[str, int] = {}  # the constants in the scaled basis, and the relation
+        self.pattern = tuple(
+            self._named(name, [int(c.p) for c in values])
+            for name, values in zip("atb", scaled, strict=True)
+        )
+        self.relation = self._named("m", list(relation))
+
+    def _named(self, letter: str, values: list[int]) -> tuple[str, ...]:
+        """Return integers as the specialiser takes them, and remember those that it names."""
+        names = parts(letter, self.degree)
+        self.integers |= dict(zip(names, values, strict=True))
+        return tuple(named(v, name, int.__eq__) for name, v in zip(names, values, strict=True))
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def hold(self, coordinates: Coordinates) -> Held:
+        """Return the element with these coordinates in the field."""
+        scales = 1, self._m, self._k, self._m * self._k
+        vectors = map(self._vector, coordinates)
+        every = [c / s for v, s in zip(vectors, scales, strict=True) for c in v]
+        d = lcm(*(int(c.q) for c in every))
+        return lowest(*(int(c.p) * (d // int(c.q)) for c in every), d)
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        if (
+            self.degree == 1
+            and not self.is_scaled
+            and -LARGE < min(w, x, y, z) <= max(w, x, y, z) < LARGE
+        ):
+            return w, x, y, z, 1
+        held: Held = super().whole(w, x, y, z)
+        return held
+
+    def coordinates(self, held: Held) -> Coordinates:
+        """Return the four coordinates, elements of the field."""
+        element, m, k, n = self._element, self._m, self._k, self.degree
+        *every, d = held
+        if self.is_scaled:
+            scales = [s for s in (1, m, k, m * k) for _ in range(n)]
+            every = [c * s for c, s in zip(every, scales, strict=True)]
+        if n == 1:
+            w, x, y, z = every
+            return element(w, d), element(x, d), element(y, d), element(z, d)
+        w, x, y, z = (element(*every[at : at + n], d) for at in range(0, 4 * n, n))
+        return w, x, y, z
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def names(self) -> dict[str, Any]:
+        """Return the constants, and what puts fractions in lowest terms."""
+        tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
+        return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
+
+    def settle(self, names: list[str]) -> list[str]:
+        """Write how to return ints over d in lowest terms; one look tells whether they are large."""
+        listed = ", ".join(names)
+        return [
+            "if d == 1:",
+            f"    if SMALL < {names[0]} < LARGE:",
+            f"        return {listed}, d",
+            f"elif 0 < d < LARGE > {names[0]}:",
+            f"    g = gcd(d, {listed})",
+            "    if g == 1:",
+            f"        return {listed}, d",
+            f"    return {', '.join(f'{n}//g' for n in names)}, d//g",
+            f"return lowest({listed}, d)",
+        ]
+
+
+def _denominator(vector: Vector) -> int:
+    return lcm(*(int(c.q) for c in vector))
+
+
+def lowest(*fraction: Any) -> Held:
+    """Put integers over one denominator, which is the last, in lowest terms, and make that positive.
+
+    Large ones become flint's, which multiply faster from :data:`LARGE` on, the others Python's.
+    """
+    if all(-LARGE < c < LARGE for c in fraction):
+        g = gcd(*fraction) if fraction[-1] > 0 else -gcd(*fraction)
+        return tuple(int(c) // g for c in fraction)
+    large = [flint.fmpz(c) for c in fraction]
+    g = large[-1]
+    for c in large:
+        if g == 1:
+            break
+        g = g.gcd(c)
+    if large[-1] < 0:
+        g = -g
+    return tuple(c // g for c in large) if g != 1 else tuple(large)

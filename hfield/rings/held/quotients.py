@@ -1,0 +1,163 @@
+"""Elements over ℤ/n and over GF(p)[x]/(f) as four representatives; sums of products are reduced once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.product import Constants, Coordinates
+from hfield.rings.base import Ring
+from hfield.rings.held.compact import LARGE, Compact, function, statements
+from hfield.straight_line import BINARY, pattern, specialise
+
+if TYPE_CHECKING:
+    from hfield.rings.finite import ExtensionField
+    from hfield.rings.modular import Modular
+
+Held = tuple[Any, Any, Any, Any]
+
+
+class Quotients(Compact):
+    """Elements over R/(n), held as representatives that ``%`` makes unique."""
+
+    reduces_sums = True
+
+    def __init__(
+        self,
+        ring: Ring,
+        constants: Constants,
+        modulus: Any,
+        lift: Callable[[Any], Any],
+        project: Callable[[Any], Any],
+        invert: Callable[[Any], Any],
+    ) -> None:
+        """Take the maps from the ring to representatives and back.
+
+        ``invert`` returns a representative of the inverse or raises ValueError.
+        """
+        super().__init__(ring, constants)
+        self.modulus, self._lift, self._project, self._invert = modulus, lift, project, invert
+        self.lifted = Constants(*map(lift, constants))
+        self.pattern = pattern(constants, lambda x, k: ring.equal(x, ring(k)))
+
+    def hold(self, coordinates: Coordinates) -> Held:
+        """Return the element with these coordinates in the ring."""
+        w, x, y, z = map(self._lift, coordinates)
+        return w, x, y, z
+
+    def coordinates(self, held: Held) -> Coordinates:
+        """Return the four coordinates, flint's residues or field elements."""
+        w, x, y, z = map(self._project, held)
+        return w, x, y, z
+
+    def names(self) -> dict[str, Any]:
+        """Return the constants, the modulus, and the maps."""
+        tools = {"n": self.modulus, "project": self._project, "invert": self._invert}
+        return self.lifted._asdict() | tools
+
+    def source(self, operation: str) -> str:
+        """Return the text of an operation on four representatives."""
+        program = specialise(
+            "adjoint" if operation == "inverse" else operation,
+            self.pattern,
+            2 if self.ring.characteristic == 2 else 0,
+        )
+        operands = {"p": "w1, x1, y1, z1"}
+        if operation in ("norm", "trace"):
+            body = [*statements(program, ("s",)), "return project(s % n)"]
+        elif operation == "inverse":
+            body = [*statements(program, (*"wxyz", "s")), *INVERTED, REDUCED]
+        else:
+            multiplies = any(step.operation == "*" for step in program.steps)
+            last = REDUCED if self.reduces_sums or multiplies else "return w, x, y, z"
+            body = [*statements(program, (*"wxyz",)), last]
+        if operation in BINARY:
+            operands["q"] = "w2, x2, y2, z2"
+        return function(operation, operands, body)
+
+    def scaled(self, p: Held, s: Any) -> Held:
+        """Return s·p for an element s of the ring."""
+        (w, x, y, z), n, s = p, self.modulus, self._lift(s)
+        return w * s % n, x * s % n, y * s % n, z * s % n
+
+    def equal(self, p: Held, q: Held) -> bool:
+        """Tell whether p = q."""
+        return p == q
+
+    def is_zero(self, p: Held) -> bool:
+        """Tell whether p = 0."""
+        return p == (0, 0, 0, 0)
+
+
+INVERTED = [
+    "try:",
+    "    s = invert(s)",
+    "except ValueError:",
+    "    return None",
+    "w, x, y, z = w*s, x*s, y*s, z*s",
+]
+REDUCED = "return w % n, x % n, y % n, z % n"
+
+
+class Residues(Quotients):
+    """Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large."""
+
+    def __init__(self, ring: Modular, constants: Constants) -> None:
+        n, word = ring.modulus, ring.modulus < LARGE
+        super().__init__(
+            ring,
+            constants,
+            n if word else flint.fmpz(n),
+            lift=int if word else lambda x: flint.fmpz(int(x)),
+            project=ring.residue if word else lambda x: ring.residue(int(x)),
+            invert=lambda s: pow(int(s), -1, n),
+        )
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        n = self.modulus
+        return w % n, x % n, y % n, z % n
+
+    def key(self, p: Held) -> Held:
+        """Return p itself."""
+        return p
+
+
+class Polynomials(Quotients):
+    """Elements over GF(pⁿ) as four polynomials of degree below n."""
+
+    reduces_sums = False  # their degrees are small enough
+
+    def __init__(self, ring: ExtensionField, constants: Constants) -> None:
+        from hfield.rings.functions import polynomials_modulo
+
+        p = ring.characteristic
+        polynomial: Any = polynomials_modulo(p)
+        f = polynomial(ring.coefficients)
+
+        def invert(s: Any) -> Any:
+            common, inverse, _ = (s % f).xgcd(f)
+            if common != 1:
+                raise ValueError("0 has no inverse")
+            return inverse
+
+        super().__init__(
+            ring,
+            constants,
+            f,
+            lift=lambda x: polynomial([int(c) for c in x.to_list()]),
+            project=ring.context,
+            invert=invert,
+        )
+        self._constant: Callable[[int], Any] = lambda n: polynomial([n % p])
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        c = self._constant
+        return c(w), c(x), c(y), c(z)
+
+    def key(self, p: Held) -> tuple[tuple[int, ...], ...]:
+        """Return the coefficients."""
+        return tuple(tuple(map(int, c.coeffs())) for c in p)

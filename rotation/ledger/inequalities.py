@@ -1,0 +1,77 @@
+"""Which of two rational numbers is smaller, in the language of quaternions.
+
+A rational number d is positive exactly when −d is no norm over ℚ: norms are sums of four squares,
+and by Lagrange's theorem every d ≥ 0 is one. So ``a < b`` is the statement that no quaternion has
+the norm a − b: the prover shows it, and where it is wrong four squares are a counterexample.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from hfield.certificates.glossary import WITNESS
+from hfield.ledger.propositions import Every, Statement
+from hfield.proving.decision import REFUTED, Decision
+from hfield.rings import ring
+from hfield.rings.base import Ring
+from hfield.structure import four_squares
+from hfield.structure.rationals.whole_numbers import fraction
+
+
+@dataclass(frozen=True)
+class Less:
+    """``left < right`` for two closed terms, decided over ℚ."""
+
+    left: str
+    right: str
+    words: str = ""
+
+    @property
+    def text(self) -> str:
+        """The inequality, in words if there are any."""
+        return self.words or f"{self.left} < {self.right}"
+
+    @property
+    def statement(self) -> str:
+        """The inequality, as one about norms over ℚ."""
+        return f"norm(q) != {self.difference}"
+
+    @property
+    def difference(self) -> str:
+        """The term that is negative if the inequality holds."""
+        return f"({self.left}) - ({self.right})"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it over ℚ, which has to be the field. Raises CoercionError for another."""
+        base = field or ring("QQ")
+        left, right = (fraction(base(side)) for side in (self.left, self.right))
+        sides = ((self.left, left), (self.right, right))
+        steps = tuple(_valued(side, x) for side, x in sides if not side.replace(".", "").isdigit())
+        if left < right:
+            decision = Statement(self.statement).decide(base)
+            return replace(decision, steps=(*steps, *decision.steps))
+        gap = left - right
+        squares = four_squares(gap.numerator * gap.denominator)
+        witness = [str(Fraction(n, gap.denominator)) for n in squares]
+        return Decision(
+            REFUTED,
+            WITNESS,
+            witness={"q": witness},
+            steps=(
+                *steps,
+                f"their difference {gap} is not negative: it is a sum of squares over ℚ",
+            ),
+            evidence={"kind": "witness", "values": {"q": witness}, "field": base.name},
+        )
+
+
+def _valued(term: str, value: Fraction) -> str:
+    """Write a term with its value, and that to six digits."""
+    return f"{term} = {value}" + ("" if value.denominator == 1 else f" ≈ {float(value):.6g}")
+
+
+def between(low: str, value: str, high: str, name: str) -> Every:
+    """Return ``low < value < high``; ``name`` says what the value is."""
+    parts = (Less(low, value, f"{low} < {name}"), Less(value, high, f"{name} < {high}"))
+    return Every(parts, f"{low} < {name} < {high}")

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Runs the quick tests on the oldest dependencies that pyproject.toml allows, then on every other Python
+# from 3.11 on that is found here (what is not found is said). The peers that only tests need stay new.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+python -m venv "$folder/tools"
+"$folder/tools/bin/pip" install --quiet uv
+uv=$folder/tools/bin/uv
+
+try() { # NAME PYTHON [CONSTRAINTS]: an environment of its own, the quick tests in it
+    echo "== $1"
+    "$uv" venv --quiet --python "$2" "$folder/$1"
+    "$uv" pip install --quiet --python "$folder/$1/bin/python" '.[test]' ${3:+--constraints "$3"}
+    # A library's old version may meet a newer one's warnings; ours are errors in the ordinary run.
+    "$folder/$1/bin/python" -m pytest -n auto -m "not slow" -W ignore
+}
+
+"$uv" pip compile --quiet --resolution lowest-direct --python-version 3.11 pyproject.toml -o "$folder/oldest.txt"
+try oldest "$(command -v python3)" "$folder/oldest.txt"
+for minor in 12 13 14; do
+    if python=$(command -v "python3.$minor"); then
+        try "3.$minor" "$python"
+    else
+        echo "python3.$minor is not installed here: not tried"
+    fi
+done

@@ -1,0 +1,221 @@
+"""The checker's rings: units, signs, squares and roots, against values and products."""
+
+from fractions import Fraction
+from itertools import product
+
+import pytest
+
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.rationals import has_no_rational_root
+from hfield.certificates.work import bounded
+
+NEAR = (Fraction(10**6), Fraction(-(10**6)), Fraction(1, 10**6), Fraction(-1, 10**6))
+
+
+@pytest.mark.parametrize(
+    ("text", "numerator", "denominator"),
+    [
+        ("x", [0, 1], [1]),
+        ("-x", [0, -1], [1]),
+        ("1/x", [1], [0, 1]),
+        ("-7", [-7], [1]),
+        ("x**2 - 5*x**3", [0, 0, 1, -5], [1]),
+        ("(x - 1)/(x**3 + 2)", [-1, 1], [2, 0, 0, 1]),
+        ("(3 - x**2)/(x - x**2)", [3, 0, -1], [0, 1, -1]),
+    ],
+)
+def test_signs_of_functions_are_those_of_values(
+    text: str, numerator: list[int], denominator: list[int]
+) -> None:
+    field = read_field("QQ(x)")
+    values = []
+    for x in NEAR:
+        top, below = (sum(c * x**n for n, c in enumerate(f)) for f in (numerator, denominator))
+        values.append((top / below > 0) - (top / below < 0))
+    signs = [sign for sign in field.signs(field.read(text)) if sign is not None]
+    assert sorted(signs) == sorted(values)
+    assert field.sign(field.read(text)) == values[0]
+
+
+def test_signs_of_pairs_stand_together() -> None:
+    field = read_field("QQ(x)")
+    pairs = list(zip(field.signs(field.read("x")), field.signs(field.read("x - 1")), strict=True))
+    assert sorted(pairs) == sorted([(1, 1), (-1, -1), (1, -1), (-1, -1)])
+    assert field.signs(field.zero) == (0,) * 4
+    assert set(read_field("GF(3)(t)").signs(read_field("GF(3)(t)").one)) == {None}
+
+
+def test_signs_in_quadratic_fields() -> None:
+    for text, found in (("1 - sqrt(2)", (-1, 1)), ("3 + sqrt(2)", (1, 1)), ("0", (0, 0))):
+        field = read_field("QQ(sqrt(2))")
+        assert field.signs(field.read(text)) == found
+    real = read_field("RR")
+    assert real.signs(real.read("sqrt(2) - sqrt(3)")) == (-1,)
+    assert read_field("QQ(I)").signs(read_field("QQ(I)").one) == (None, None)
+    assert read_field("CC").sign(read_field("CC").one) is None
+
+
+def test_units() -> None:
+    integers, rationals = read_field("ZZ"), read_field("QQ")
+    assert [integers.inverse(Fraction(n)) for n in (-2, -1, 0, 1, 2)] == [None, -1, None, 1, None]
+    assert rationals.inverse(Fraction(-2)) == Fraction(-1, 2)
+    assert rationals.inverse(Fraction(0)) is None
+    polynomials, over_integers = read_field("QQ[x]"), read_field("ZZ[x,y]")
+    assert polynomials.inverse(polynomials.read("2")) == polynomials.read("1/2")
+    assert over_integers.inverse(over_integers.read("-1")) == over_integers.read("-1")
+    for ring, text in ((polynomials, "x"), (polynomials, "x + 1"), (over_integers, "2")):
+        assert ring.inverse(ring.read(text)) is None
+    assert polynomials.inverse(polynomials.zero) is None
+    assert polynomials.characteristic == 0
+    assert read_field("GF(3)[x]").characteristic == 3
+
+
+@pytest.mark.parametrize(
+    ("field", "text", "same"),
+    [
+        ("RR", "sqrt(1/2)", "1/2*sqrt(2)"),
+        ("RR", "sqrt(12) - sqrt(27)", "-sqrt(3)"),
+        ("RR", "sqrt(0)", "0"),
+        ("CC", "sqrt(-4)", "2*I"),
+        ("CC", "sqrt(-2)*sqrt(-3)", "-sqrt(6)"),
+        ("QQ(sqrt(5))", "sqrt(4/5)", "2/5*sqrt(5)"),
+        ("RR", "1/(1 + sqrt(2) + sqrt(3))", "(2 + sqrt(2) - sqrt(6))/4"),
+        ("QQ", "2 - 3 - 4", "-5"),
+        ("QQ", "2**-3 - 1/4", "-1/8"),
+        ("QQ", "1**10000", "1"),
+        ("GF(9, x^2+1)", "(1 - x)*(1 + x)", "2"),
+        ("GF(9, -x^2-1)", "x*x", "-1"),
+        ("GF(9, x*x + 2*x - 1)", "x*x", "x + 1"),
+        ("QQ[x]", "(x - 1)*(x + 1) - x**2", "-1"),
+        ("GF(4)(t)", "(t**2 - 1)/(t - 1)", "t + 1"),
+    ],
+)
+def test_elements_as_texts(field: str, text: str, same: str) -> None:
+    ring = read_field(field)
+    assert ring.equal(ring.read(text), ring.read(same))
+    assert not ring.equal(ring.read(text), ring.add(ring.read(same), ring.one))
+
+
+@pytest.mark.parametrize(
+    ("field", "text"),
+    [
+        *(("QQ", "1**10001"), ("QQ", "1**-10001"), ("QQ", "1/0"), ("QQ", "x"), ("QQ", "I")),
+        *(("ZZ", "1/2"), ("RR", "sqrt(-1)"), ("RR", "I"), ("QQ(sqrt(2))", "sqrt(3)")),
+        *(("QQ(I)", "sqrt(2)"), ("QQ", "1 == 1"), ("QQ", "q[0]"), ("GF(9)", "1/(x - x)")),
+        *(("QQ[x]", "1/x"), ("ZZ/6", "1/2"), ("QQ(x)", "1/(x - x)"), ("QQ", "2**10000**2")),
+    ],
+)
+def test_texts_that_name_no_element(field: str, text: str) -> None:
+    ring = read_field(field)
+    with pytest.raises(Rejected):
+        ring.read(text)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("GF(9, x^2+2)", "GF(9, x)", "GF(9, x^3+1)", "GF(9, 3*x^2+1)", "GF(9, x^2+y)"),
+        *("GF(6)", "ZZ/1", "ZZ/0", "QQ(sqrt(4))", "QQ(sqrt(8))", "QQ(sqrt(-1))", "QQ(i)(x)"),
+        *("QQ[x,x]", "QQ[e]", "ZZ/4[x]", "ZZ/4(x)", "QQ(x)(y)", "GF(4)(x)", "RR(x)", "QQ(or)"),
+        *("GF(9, 1/2)", "GF(9, x^-1)", "GF(9, (x^9)*(x^9))", "Q Q", "QQ(", "", "GF(9)[x]"),
+    ],
+)
+def test_names_that_name_no_ring(name: str) -> None:
+    with pytest.raises(Rejected), bounded():
+        read_field(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["QQ(x)", "GF(3)(t)", "QQ(I)", "QQ(sqrt(2))", "QQ(sqrt(-3))", "GF(9)", "GF(7)", "QQ"]
+)
+def test_products_of_an_element_with_itself_are_squares(name: str) -> None:
+    field = read_field(name)
+    letter = {"QQ(x)": "x", "GF(3)(t)": "t", "QQ(I)": "I", "GF(9)": "x"}.get(name, "2")
+    letter = name[3:-1] if "sqrt" in name else letter
+    elements = [
+        field.read(f"({a} + {b}*{letter})/{c}")
+        for a, b, c in product((0, 1, 2, -5), (0, 1, -3), (1, 2))
+    ]
+    squares = [field.mul(x, x) for x in elements]
+    assert all(map(field.is_square, squares))
+    if field.order is None:
+        prime = field.read("7" if field.characteristic == 0 else "2")
+        assert not any(
+            field.is_square(field.mul(prime, x)) for x in squares if not field.is_zero(x)
+        )
+    else:
+        roots = {field.mul(x, x) for x in field.elements()}
+        assert all(field.is_square(x) == (x in roots) for x in field.elements())
+
+
+def test_squares_of_other_fields() -> None:
+    for name, text, square in (
+        *(("RR", "2 - sqrt(3)", True), ("RR", "1 - sqrt(3)", False), ("RR", "0", True)),
+        *(("CC", "-2", True), ("CC", "sqrt(2) - I", True)),
+        *(("QQ(sqrt(2))", "2", True), ("QQ(sqrt(2))", "8", True), ("QQ(sqrt(2))", "-2", False)),
+        *(("QQ(sqrt(2))", "1 + sqrt(2)", False), ("QQ(sqrt(2))", "3 + 2*sqrt(2)", True)),
+        *(("QQ(I)", "-1", True), ("QQ(I)", "I", False), ("QQ(I)", "2*I", True)),
+        *(("QQ(x)", "x", False), ("QQ(x)", "x**3", False), ("QQ(x)", "(x**2 + 1)/4", False)),
+        *(("QQ(x)", "(x - 1)**4/(x + 1)**2", True), ("QQ(x)", "2*(x - 1)**2", False)),
+        *(("QQ", "4/9", True), ("QQ", "4/8", False), ("QQ", "-4", False), ("QQ", "8/4", False)),
+    ):
+        field = read_field(name)
+        assert field.is_square(field.read(text)) == square, (name, text)
+    for name in ("GF(2)(t)", "ZZ/9", "QQ[x]"):
+        ring = read_field(name)
+        with pytest.raises(Rejected):
+            ring.is_square(ring.read("1 + 1 + 1"))
+
+
+def times(*factors: list[int]) -> list[int]:
+    out = [1]
+    for f in factors:
+        new = [0] * (len(out) + len(f) - 1)
+        for (m, a), (n, b) in product(enumerate(out), enumerate(f)):
+            new[m + n] += a * b
+        out = new
+    return out
+
+
+EVERYWHERE = times([-2, 0, 1], [-3, 0, 1], [-6, 0, 1])  # a root modulo every prime, and none in ℚ
+
+
+@pytest.mark.parametrize("linear", [(1, 1), (6, 1), (-6, 1), (3, 2), (-5, 6), (7, 4), (36, 1)])
+def test_rational_roots_are_found_behind_roots_modulo_every_prime(linear: tuple[int, int]) -> None:
+    top, below = linear
+    assert has_no_rational_root(EVERYWHERE)
+    assert has_no_rational_root(times(EVERYWHERE, [2, 0, 5]))
+    assert not has_no_rational_root(times(EVERYWHERE, [-top, below]))
+    assert not has_no_rational_root(times([1, 0, 1], [-top, below]))
+    assert not has_no_rational_root([0, *EVERYWHERE])
+
+
+def test_levels() -> None:
+    for name, above in (
+        *(("GF(3)", 1), ("GF(7)", 1), ("GF(5)", 0), ("GF(9)", 0), ("GF(4)", 0), ("GF(27)", 1)),
+        *(("QQ(sqrt(-7))", 3), ("QQ(sqrt(-3))", 1), ("QQ(I)", 0), ("QQ(sqrt(-15))", 3)),
+        *(("GF(3)(t)", 1), ("GF(5)(t)", 0), ("QQ(sqrt(-2))", 1)),
+    ):
+        field = read_field(name)
+        assert [field.level_above(n) for n in range(1, 6)] == [n <= above for n in range(1, 6)], (
+            name
+        )
+    for name in ("QQ", "RR", "QQ(sqrt(2))", "QQ(x)"):
+        assert all(read_field(name).level_above(n) for n in (0, 1, 4, 1000))
+
+
+def grown(name: str, text: str) -> None:
+    field = read_field(name)
+    x = field.read(text)
+    with bounded():
+        for _ in range(40):
+            x = field.mul(x, x)
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("QQ", "2"), ("QQ", "1/2"), ("RR", "sqrt(2)/3"), ("QQ(x)", "x/2 + 1/3")]
+)
+def test_numbers_do_not_grow_without_end(name: str, text: str) -> None:
+    with pytest.raises(Rejected):
+        grown(name, text)

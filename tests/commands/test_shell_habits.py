@@ -1,0 +1,98 @@
+"""Completion, the doctor, searching for claims, and pages of a width that is asked for."""
+
+import json
+import subprocess
+from shutil import which
+
+import pytest
+
+from hfield.cli import main
+from hfield.commands import completion, doctor
+from hfield.commands.catalogue import names
+from hfield.commands.completion import SCRIPTS, candidates
+
+
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        (["pro"], ["prove"]),
+        (["help", "ver"], ["verify"]),
+        (["explain", "theorem-2"], ["theorem-2.1", "theorem-2.2", "theorem-2.3", "theorem-2.4"]),
+        (["prove", "x", "--field", "GF2"], ["GF2", "GF2t"]),
+        (["table", "--format", "la"], ["latex"]),
+        (["info", "--fa"], ["--factors"]),
+        (["eval", "i", "--algebra", "'["], ["'[1,t|GF(4)(t))'"]),
+        (["check", "a"], []),
+        (["nonsense", ""], []),
+    ],
+)
+def test_what_may_follow(words, offered):
+    assert candidates(words) == offered
+
+
+def test_at_first_all_commands(capsys):
+    assert set(names()) < set(candidates([""]))
+    assert main(["completion", "--words", "expo"]) == 0
+    assert capsys.readouterr().out == "export\n"
+
+
+@pytest.mark.parametrize("shell", SCRIPTS)
+def test_the_script_is_one_the_shell_reads(capsys, shell):
+    assert main(["completion", shell]) == 0
+    script = capsys.readouterr().out
+    if which(shell) is None:
+        pytest.skip(f"{shell} is not installed")
+    subprocess.run([shell, "-n"], input=script, text=True, check=True, timeout=20)
+
+
+def test_bash_completes(tmp_path):
+    if which("bash") is None or which("hfield") is None:
+        pytest.skip("bash or hfield is not on the path")
+    lines = [SCRIPTS["bash"], "COMP_WORDS=(hfield explain centr)", "COMP_CWORD=2", "_hfield"]
+    lines += ['echo "${COMPREPLY[@]}"']
+    said = subprocess.run(
+        ["bash"], input="\n".join(lines), text=True, capture_output=True, timeout=60
+    )
+    assert "centre" in said.stdout.split()
+
+
+@pytest.mark.parametrize("field", [f for f in completion.FIELDS if f != "universal"])
+def test_the_fields_offered_are_fields(field):
+    from hfield import ring
+
+    assert ring(field).is_field or field == "Z"
+
+
+def test_the_doctor_names_what_is_missing(capsys, monkeypatch):
+    monkeypatch.setattr(doctor, "_version", lambda name: None if name == "pyarrow" else "1.0")
+    monkeypatch.setattr(doctor, "which", lambda name: None)
+    assert main(["doctor"]) == 0
+    out = capsys.readouterr().out
+    assert "pip install 'hfield[survey]'" in out
+    assert "second judge" in out
+    monkeypatch.setattr(doctor, "_version", lambda name: None)
+    assert main(["doctor", "--format", "json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["needed"]["numpy"] is None
+
+
+def test_claims_are_searched_by_their_words(capsys):
+    assert main(["claims", "--search", "CENTRE", "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)["claims"]
+    assert "centre" in [claim["name"] for claim in found]
+    assert len(found) < 30
+    assert main(["claims", "--search", "no such word"]) == 0
+    assert "no claim speaks of" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["1.4.1", "twierdzenie 3", "lemat-1", "definition 2"])
+def test_numbers_of_the_thesis_name_claims(capsys, name):
+    assert main(["explain", name, "--field", "GF3"]) in (0, 1)
+    assert "thesis 1." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [["explain", "centre"], ["info", "(-1,-3|QQ)"], ["claims"]])
+def test_a_page_has_the_width_that_is_asked_for(capsys, monkeypatch, words):
+    monkeypatch.setenv("COLUMNS", "60")
+    assert main(words) == 0
+    assert [line for line in capsys.readouterr().out.splitlines() if len(line) > 60] == []

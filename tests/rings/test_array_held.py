@@ -1,0 +1,399 @@
+"""Arrays held as rows of integers: equal to the one formula on the ring's own arrays, bit by bit."""
+
+import copy
+import pickle
+import subprocess
+import sys
+from itertools import product as cartesian
+from random import Random
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from hfield import H, QuaternionAlgebra, ring
+from hfield.errors import CoercionError, NotInvertibleError
+from hfield.kernels.extension_fields import ExtensionField
+from hfield.kernels.logarithms import LogarithmicField
+from hfield.native import compiling
+from hfield.product import conjugate, multiply, norm, trace
+from hfield.rings.array_held.labels import LabelArrays
+from hfield.rings.array_held.rows import RowArrays
+
+# every arithmetic and word, at both ends of what it serves
+FINITE = [
+    "GF(2)", "GF(7)", "GF(251)", "GF(257)", "GF(65521)", "GF(8388617)", "GF(2147483647)",
+    "GF(4294967291)", "ZZ/6", "ZZ/256", "ZZ/8388608", "ZZ/4294967296",
+    "GF(4)", "GF(2^8, x^8+x^4+x^3+x+1)", "GF(2^9)", "GF(2^32)", "GF(2^33)", "GF(2^64)",
+    "GF(9, x^2+1)", "GF(7^3)", "GF(65521^2)", "GF(3^4)", "GF(3^5)", "GF(3^10)", "GF(37^4)",
+]  # fmt: skip
+COUNT = 25
+
+
+def constants(F, seed):
+    """Structure constants: Hamilton's, and some of every kind."""
+    rng = Random(seed)
+    return [(-1, -1, 0), tuple(F.random(rng) for _ in range(3))]
+
+
+def elements(F, rng, count):
+    """Random elements, and the least and greatest, of four coordinates."""
+    ends = [F.zero, F.one, -F.one]
+    return [
+        tuple(rng.choice(ends) if rng.random() < 0.3 else F.random(rng) for _ in range(4))
+        for _ in range(count)
+    ]
+
+
+def scalars(A, p, name):
+    """The norms or traces of an array; over finite rings as labels, for galois takes seconds a field."""
+    how = A.array_holding
+    if not isinstance(how, LabelArrays):
+        return [A.ring.scalar(x) for x in getattr(p, name)()]
+    return [A.ring.from_label(int(n)) for n in how.kernel(name)(p._held)[0][0]]
+
+
+def agrees(A, P, Q):
+    """Compare every operation on arrays with the formula on the coordinates of each element."""
+    F, c = A.ring, A.constants
+    p, q = (A(*map(list, zip(*four, strict=True))) for four in (P, Q))
+    assert isinstance(A.array_holding, RowArrays)
+
+    def same(array, expected):
+        found = [array[n].coordinates for n in range(len(expected))]
+        assert all(
+            F.equal(x, y)
+            for f, e in zip(found, expected, strict=True)
+            for x, y in zip(f, e, strict=True)
+        )
+
+    pairs = list(zip(P, Q, strict=True))
+    same(p * q, [multiply(c, x, y) for x, y in pairs])
+    same(p + q, [tuple(u + v for u, v in zip(x, y, strict=True)) for x, y in pairs])
+    same(p - q, [tuple(u - v for u, v in zip(x, y, strict=True)) for x, y in pairs])
+    same(-p, [tuple(-u for u in x) for x in P])
+    same(p.conjugate(), [conjugate(c, x) for x in P])
+    same(p * A(*Q[0]), [multiply(c, x, Q[0]) for x in P])
+    same(A(*Q[0]) * p, [multiply(c, Q[0], x) for x in P])
+    same(p**3, [multiply(c, multiply(c, x, x), x) for x in P])
+    for name, formula in (("norm", norm), ("trace", trace)):
+        found = scalars(A, p, name)
+        assert [F.key(x) for x in found] == [F.key(formula(c, x)) for x in P]
+    expected = [all(F.equal(u, v) for u, v in zip(x, y, strict=True)) for x, y in pairs]
+    assert (p == q).tolist() == expected
+    assert (p == p).all()
+    assert p.is_zero().tolist() == [all(map(F.is_zero, x)) for x in P]
+    units = [n for n, x in enumerate(P) if F.is_unit(norm(c, x))]
+    if units:
+        assert (p[units].inverse() * p[units] == 1).all()
+        assert (p[units] ** -2 * p[units] * p[units] == 1).all()
+    if len(units) < len(P):
+        first = next(n for n in range(len(P)) if n not in units)
+        with pytest.raises(NotInvertibleError, match=rf"at index \({first},\)"):
+            p.inverse()
+
+
+@pytest.mark.parametrize("name", FINITE)
+def test_finite_rings(name):
+    F, rng = ring(name), Random(name)
+    for a, b, t in constants(F, name):
+        agrees(QuaternionAlgebra(F, a, b, t), elements(F, rng, COUNT), elements(F, rng, COUNT))
+
+
+@pytest.mark.parametrize("name", ["GF(2)", "GF(3)", "GF(4)", "ZZ/4"])
+def test_every_product_of_a_small_ring(name):
+    F = ring(name)
+    every = list(F.elements())
+    four = list(cartesian(every, repeat=4))
+    for a, b, t in ((-1, -1, 0), (1, every[-1], 1), (every[-1], 0, every[-1])):
+        A = QuaternionAlgebra(F, a, b, t)
+        p = A(*map(list, zip(*four, strict=True)))
+        table = p.reshape(-1, 1) * p
+        keys = {tuple(F.key(x) for x in q): n for n, q in enumerate(four)}
+        index = np.array([keys[tuple(F.key(x) for x in q.coordinates)] for q in p])
+        assert index.tolist() == list(range(len(four)))
+        if name == "GF(4)":  # the formula on all pairs by galois, in one go
+            w, x, y, z = p.coordinates
+            c = [F.array(s) for s in A.constants]
+            rows = tuple(s.reshape(-1, 1) for s in (w, x, y, z))
+            expected = multiply(type(A.constants)(*c), rows, (w, x, y, z))
+            assert all((u == v).all() for u, v in zip(table.coordinates, expected, strict=True))
+        else:
+            labels = table.to_array().reshape(4, -1).T.tolist()
+            pairs = cartesian(four, repeat=2)
+            for found, (u, v) in zip(labels, pairs, strict=True):
+                assert found == [F.label(s) for s in multiply(A.constants, u, v)]
+
+
+SIZES = [0, 1, 2**15, 2**21, 2**30 - 1, 2**30, 2**31, 2**32, 2**62, 2**63 - 1, 2**63, 2**64, 2**100]
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("name", ["ZZ", "QQ"])
+def test_words_that_overflow(name, size):
+    F, rng = ring(name), Random(size)
+    for a, b, t in ((-1, -1, 0), (-1, -3, 0), (2, -3, 1), (10**5, -(10**6), 3), (2**63, 1, 0)):
+        P, Q = (
+            [
+                tuple(
+                    F(rng.choice((rng.randint(-size, size), size, -size, 0, 1))) for _ in range(4)
+                )
+                for _ in range(10)
+            ]
+            for _ in range(2)
+        )
+        agrees(QuaternionAlgebra(F, a, b, t), P, Q)
+
+
+@pytest.mark.parametrize("size", [9, 2**20, 2**31, 2**63, 2**70])
+def test_fractions(size):
+    F, rng = ring("QQ"), Random(size)
+    for a, b, t in (("-1", "-1", 0), ("-1/2", "-3/5", 0), ("1/3", "-2", "1/7")):
+        P, Q = (
+            [
+                tuple(
+                    F(rng.randint(-size, size)) / rng.choice((1, 2, 3, 5, size)) for _ in range(4)
+                )
+                for _ in range(10)
+            ]
+            for _ in range(2)
+        )
+        agrees(QuaternionAlgebra(F, F(a), F(b), F(t)), P, Q)
+
+
+@pytest.mark.parametrize("least", [-(2**63), 2**63 - 1])
+def test_the_ends_of_a_word(least):
+    A = H("ZZ")
+    q = A([least, 1], 0, 0, 0)
+    assert [int(x) for x in (q + q).coordinates[0]] == [2 * least, 2]
+    assert [int(x) for x in (-q).coordinates[0]] == [-least, -1]
+    assert [int(x) for x in (q * q).coordinates[0]] == [least * least, 1]
+    assert ((q * q) - (q * q)).is_zero().all()
+    assert [int(x) for x in q.norm()] == [least * least, 1]
+
+
+def test_wide_and_narrow_forms_of_one_array_are_equal():
+    for name in ("ZZ", "QQ"):
+        A = H(name)
+        q = A([1, -2, 3], [5, 6, 7], 0, -1)
+        big = A([2**70, 2**80, 1], 1, 2, 3)
+        back = q + big - big
+        assert (back == q).all()
+        assert (q == back).all()
+        assert (pickle.loads(pickle.dumps(big)) == big).all()
+        assert hash(back[1]) == hash(q[1])
+
+
+# --- shapes and strides ---------------------------------------------------------------------
+
+SHAPES = [(), (1,), (5,), (2, 3), (1, 3), (2, 1), (0,), (2, 0), (4, 1, 3)]
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    name=st.sampled_from(["GF(7)", "GF(2^8)", "ZZ", "QQ"]),
+    shapes=st.tuples(st.sampled_from(SHAPES), st.sampled_from(SHAPES)),
+    steps=st.tuples(st.sampled_from([1, 2, -1, -3]), st.sampled_from([1, 2, -1])),
+    seed=st.integers(0, 10**6),
+)
+def test_every_shape_and_stride(name, shapes, steps, seed):
+    A, rng = H(name), np.random.default_rng(seed)
+    arrays = []
+    for shape, step in zip(shapes, steps, strict=True):
+        wide = shape if not shape else (*shape[:-1], shape[-1] * abs(step))
+        block = A(*(rng.integers(0, 7, wide) for _ in range(4)))
+        arrays.append(block if not shape else block[..., ::step])
+    p, q = arrays
+    try:
+        shape = np.broadcast_shapes(p.shape, q.shape)
+    except ValueError:
+        with pytest.raises(CoercionError, match="shapes"):
+            p * q
+        return
+    found = p * q
+    assert found.shape == shape
+    if not found.shape:
+        assert found == p * q
+        return
+    w, x = (
+        np.broadcast_to(np.arange(np.prod(a.shape, dtype=int)).reshape(a.shape), shape)
+        for a in (p, q)
+    )
+    u, v = (a.reshape(-1) if a.shape else None for a in (p, q))
+    for index in np.ndindex(*shape):
+        left, right = (a if b is None else b[int(n[index])] for a, b, n in ((p, u, w), (q, v, x)))
+        assert found[index] == left * right
+
+
+def test_threads_share_long_arrays():
+    from hfield.native.pool import threads
+
+    A = H("GF(7)")
+    rng = np.random.default_rng(1)
+    p, q = (A.from_array(rng.integers(0, 7, (4, 300_001), dtype=np.uint8)) for _ in range(2))
+    before = threads()
+    try:
+        found = []
+        for number in (1, 3):
+            threads(number)
+            found.append((p * q, p * q[3]))
+    finally:
+        threads(before)
+    assert all((x == y).all() for x, y in zip(*found, strict=True))
+
+
+# --- what is asked of arrays alone ----------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["GF(7)", "GF(2^64)", "QQ", "ZZ", "QQ(sqrt(2))", "RDF"])
+@pytest.mark.parametrize("count", [1, 2, 3, 7, 8, 13])
+def test_sums_and_ordered_products(name, count):
+    A, rng = H(name), Random(count)
+    each = [A(*(rng.randint(-2, 2) for _ in range(4))) for _ in range(2 * count)]
+    columns = [[q.coordinates[n] for q in each] for n in range(4)]
+    p = A(*columns)
+    in_order = total = None
+    for q in each:
+        in_order = q if in_order is None else in_order * q
+        total = q if total is None else total + q
+    assert p.product() == A.product(p) == A.product(each) == in_order
+    assert p.sum() == total
+    table = p.reshape(2, count)
+    assert table.product() == in_order
+    rows = table.product(axis=1)
+    assert rows.shape == (2,)
+    assert rows[0] * rows[1] == in_order
+    assert (table.sum(0) == p[:count] + p[count:]).all()
+    assert p.dot(p) == (p * p).sum()
+    assert A.product([]) == 1
+    assert A([], 0, 0, 0).product() == 1
+    assert A([], 0, 0, 0).sum() == 0
+    with pytest.raises(CoercionError, match="no axis 2"):
+        table.sum(2)
+    with pytest.raises(CoercionError, match="single quaternion"):
+        each[0].sum()
+
+
+@pytest.mark.parametrize("name", [*FINITE, "ZZ", "QQ"])
+def test_arrays_of_integers_go_out_and_in(name, tmp_path):
+    F, rng = ring(name), Random(name)
+    A = QuaternionAlgebra(F, F.random(rng), F.random(rng))
+    q = A(*map(list, zip(*elements(F, rng, 12), strict=True))).reshape(3, 4)
+    block = q.to_array()
+    assert block.shape[1:] == (3, 4)
+    np.save(tmp_path / "q.npy", block)
+    for again in (
+        A.from_array(np.load(tmp_path / "q.npy")),
+        A.from_array(block.astype(np.int64) if block.max() < 2**63 else block),
+        pickle.loads(pickle.dumps(q)),
+        copy.deepcopy(q),
+    ):
+        assert again.shape == (3, 4)
+        assert (again == q).all()
+    product = q * q
+    assert np.shares_memory(product.to_array(), product.to_array())
+    if name != "QQ":  # which copies, to put it in lowest terms
+        assert np.shares_memory(A.from_array(product.to_array()).to_array(), product.to_array())
+
+
+def test_what_stands_for_no_elements_is_refused():
+    A = H("GF(7)")
+    for wrong in (
+        np.full((4, 2), 7),
+        np.full((4, 2), -1),
+        np.zeros((3, 2), int),
+        np.zeros((4, 2)),
+        5,
+    ):
+        with pytest.raises(CoercionError):
+            A.from_array(wrong)
+    with pytest.raises(CoercionError, match="denominator"):
+        H("QQ").from_array(np.zeros((5, 2), int))
+    with pytest.raises(CoercionError, match="64 bits"):
+        H("ZZ")([2**64], 0, 0, 0).to_array()
+    with pytest.raises(CoercionError, match="no form of integers"):
+        H("RR")([1], 0, 0, 0).to_array()
+
+
+def test_arrays_of_galois_are_shared():
+    import galois
+
+    for order, name in ((7, "GF(7)"), (256, "GF(2^8)"), (243, "GF(3^5)")):
+        field = galois.GF(order)
+        A = H(name)
+        four = [field.Random(5, seed=n) for n in range(4)]
+        q = A(*four)
+        assert all(np.shares_memory(x, y) for x, y in zip(four, q.coordinates, strict=True))
+        assert all(type(x) is type(y) for x, y in zip(four, q.coordinates, strict=True))
+        assert [int(x) for x in (q * q).coordinates[0]] == [
+            int(x)
+            for x in multiply(type(A.constants)(*map(A.ring.array, A.constants)), four, four)[0]
+        ]
+
+
+# --- arithmetics ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("p", "n"), [(3, 2), (3, 5), (5, 4), (7, 3)])
+def test_logarithms_and_polynomials_say_the_same_as_galois(p, n):
+    import galois
+
+    field = galois.GF(p**n)
+    F = ring(f"GF({p}^{n})")
+    arithmetic = LogarithmicField(p, tuple(F.coefficients), int(field.primitive_element))
+    logarithms, powers, _ = arithmetic.tables()
+    exponents = np.arange(p**n - 1)
+    labels = np.array(field.primitive_element**exponents)
+    assert (logarithms[labels] == exponents).all()
+    assert not powers[2 * (p**n - 1) :].any()
+    with pytest.raises(ValueError, match="does not generate"):
+        LogarithmicField(p, tuple(F.coefficients), 1).tables()
+    assert ExtensionField(p, tuple(F.coefficients)).dtype == arithmetic.dtype
+
+
+def test_without_machine_code_the_values_are_the_same():
+    code = (
+        "from hfield import H\n"
+        "from hfield.native import compiling\n"
+        "found = []\n"
+        "for name in ('GF(9)', 'ZZ/6', 'ZZ', 'QQ'):\n"
+        "    A = H(name); p = A([1, 2, 3], [4, 5, 1], 2, [1, 0, 2]); q = A(1, [2, 5, 1], 0, 3)\n"
+        "    found += [p * q, p + q, p - q, -p, p.conjugate(), p ** 3, p * 2, (p * q).sum()]\n"
+        "print(compiling.available(), [str(x[n]) if hasattr(x, 'shape') and x.shape else str(x)\n"
+        "    for x in found for n in range(3)])"
+    )
+    compiled, plain = (
+        subprocess.run(
+            [sys.executable, "-c", code],
+            capture_output=True,
+            text=True,
+            check=True,
+            env={**__import__("os").environ, "NUMBA_DISABLE_JIT": flag},
+        ).stdout.split(" ", 1)
+        for flag in ("0", "1")
+    )
+    assert (compiled[0], plain[0]) == ("True", "False")
+    assert compiled[1] == plain[1]
+
+
+def test_products_over_finite_fields_import_neither_galois_nor_numba():
+    code = (
+        "import sys; from hfield import H\n"
+        "for name in ('GF(7)', 'GF(2^8)', 'GF(3^5)', 'GF(2^64)'):\n"
+        "    A = H(name); q = A([1, 2, 4], 1, 0, 2); p = (q * q + 1).conjugate(); p == q; str(p[0])\n"
+        "    p.sum(); A.from_array(p.to_array()); (p[:1] * p)\n"
+        "print({'galois', 'numba', 'sympy'} & set(sys.modules))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
+
+
+def test_a_word_is_said_on_terminals_only(capsys, monkeypatch):
+    announcer = compiling.Announcer("compiling")
+    announcer()
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    announcer()
+    announcer()
+    assert capsys.readouterr().err == "compiling\n"

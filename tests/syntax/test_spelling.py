@@ -1,0 +1,111 @@
+"""What is printed can be typed: statements and elements with mathematical signs."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from hfield import GF, QQ, H, QuaternionAlgebra, prove, ring
+from hfield.errors import NotationError
+from hfield.ledger.propositions import Statement
+from hfield.ledger.registry import claims
+from hfield.proving.statements.printing import to_text, to_unicode
+from hfield.syntax import parse, plain, plain_element
+from tests.adversary.statement_generator import plain_statements
+
+
+def without_inverses(text):
+    """inv(x) is printed as x⁻¹, which reads as x**-1: the same value, another tree."""
+    return "inv(" in text or "**-" in text
+
+
+def statements_of_the_thesis():
+    for claim in claims():
+        for proposition in (claim.as_printed, claim.corrected):
+            if isinstance(proposition, Statement):
+                yield proposition.statement
+
+
+def test_every_statement_of_the_thesis_is_read_as_it_is_printed():
+    texts = list(statements_of_the_thesis())
+    assert len(texts) > 100
+    for text in texts:
+        tree = parse(text)
+        printed = to_unicode(tree)
+        if without_inverses(text):
+            assert to_unicode(parse(plain(printed))).replace("(q⁻¹)", "q⁻¹") == printed
+        else:
+            assert parse(plain(printed)) == tree
+
+
+def test_any_statement_is_read_as_it_is_printed():
+    for text in plain_statements(7, 600):
+        printed = to_unicode(parse(text))
+        assert to_unicode(parse(plain(printed))) == printed
+        typed = to_text(parse(text))
+        assert plain(typed) == typed  # plain letters stay as they are
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("q̄ = q", "conj(q) == q"),
+        ("ū·u ≠ 0", "conj(u)*u != 0"),
+        ("p₀ = 0 ⇒ q² = p⁻¹", "p[0] == 0 => q**2 == p**-1"),
+        ("not [p,q] = 0", "not comm(p,q) == 0"),
+        ("[[p,q]², r]", "comm(comm(p,q)**2, r)"),
+        ("(p·q)[1] = q[2]", "(p*q)[1] == q[2]"),
+        ("q⁻¹₀ = q²₃", "(q**-1)[0] == (q**2)[3]"),
+        ("N(p) = tr(q)", "norm(p) == trace(q)"),
+        ("p == q => p <=> q != 1", "p == q => p <=> q != 1"),
+    ],
+)
+def test_signs(text, meant):
+    assert plain(text) == meant
+
+
+def test_a_verdict_does_not_hang_on_the_spelling():
+    signed, typed = prove("p·q̄ = q·p̄", "QQ"), prove("p*conj(q) == q*conj(p)", "QQ")
+    assert signed.to_json() == typed.to_json()
+    assert signed.certificate == typed.certificate
+
+
+RINGS = ["QQ", "GF(9)", "QQ(sqrt(2))", "QQ(x)", "GF(7)", "ZZ/6"]
+
+
+@pytest.mark.parametrize("name", RINGS)
+@settings(deadline=None, max_examples=40)
+@given(st.data())
+def test_elements_are_read_as_they_are_printed(name, data):
+    F = ring(name)
+    A = H(F)
+    numbers = [F(data.draw(st.integers(-9, 9))) for _ in range(4)]
+    g = [F(x) * data.draw(st.integers(0, 3)) for x in F.names().values()]
+    q = A(*(x + y for x, y in zip(numbers, (g or [F(0)]) * 4, strict=False)))
+    if name == "QQ":
+        q = q / data.draw(st.integers(1, 9))
+    assert A(q.text("unicode")) == q
+    assert A(q.text()) == q
+
+
+def test_fractions_and_blanks():
+    A = QuaternionAlgebra(QQ, -1, -1)
+    assert A("1/5 − 2/5i") == A("1/5", "-2/5", 0, 0)
+    assert plain_element("2e + 3k - 2.5j") == "2*e + 3*k - 2.5*j"
+    assert A("(1+i)j") == A("j + k")
+    assert plain_element("x2i + 10*i") == "x2i + 10*i"
+
+
+@pytest.mark.parametrize(
+    ("text", "mend"),
+    [("ij", r"write i\*j"), ("2q", r"write 2\*q"), ("(1+i)j", r"write \* before j")],
+)
+def test_a_missing_sign_is_named(text, mend):
+    with pytest.raises(NotationError, match=mend):
+        prove(f"{text} == 0")
+
+
+def test_a_missing_sign_in_an_element_is_named():
+    with pytest.raises(NotationError, match=r"write i\*j"):
+        H(GF(3))("ij")
+    with pytest.raises(NotationError, match=r"write 2\*q"):
+        H(GF(3))("2q")
