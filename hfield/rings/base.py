@@ -57,6 +57,7 @@ class Ring(ABC):
     is_field: bool = False
     gen_name: str | None = None
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
+    arithmetic: str = ""  # what in hfield.structure knows the places of a field that has some
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
     # --- what an adapter must give -------------------------------------------------------------
@@ -186,7 +187,9 @@ class Ring(ABC):
 
     def holding(self, constants: Constants) -> Holding:
         """Return how elements of the algebra with these constants are held; by default as they are."""
-        return Holding(self, constants)
+        from hfield.rings.held.plain import Plain
+
+        return Plain(self, constants)
 
     def array_holding(self, constants: Constants) -> Batch:
         """Return how arrays of such elements are held; by default as four arrays of the ring."""
@@ -226,6 +229,20 @@ class Ring(ABC):
     def agree(self, x: Any, y: Any) -> bool:
         """Tell whether x = y as far as they are known."""
         return self.vanishes(x - y)
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is, as far as that is known."""
+        return self.is_field or self.fractions is not None
+
+    @property
+    def fractions(self) -> "Ring | None":
+        """The field of fractions of an integral domain that is no field, where it has a name."""
+        return None
+
+    def modulo(self, n: int) -> "Ring | None":
+        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
+        return None
 
     @property
     def residues_of(self) -> tuple["Ring", Any] | None:
@@ -309,6 +326,16 @@ class Ring(ABC):
 
     def __repr__(self) -> str:
         return self.name
+
+    @property
+    def latex_name(self) -> str:
+        """The name in LaTeX's mathematics."""
+        from hfield.rings.latex_names import latex_name
+
+        return latex_name(self.name)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex_name}$"
 
     def __reduce_ex__(self, protocol: Any) -> Any:
         """Pickle by name; a ring whose name :func:`hfield.ring` does not know, as any object."""

@@ -85,6 +85,15 @@ class Integers(_Ordered):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
 
+    @property
+    def fractions(self) -> Ring:
+        """ℚ."""
+        return QQ
+
+    def modulo(self, n: int) -> Ring:
+        """Return ℤ/n."""
+        return Zmod(n)
+
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints, as those over ℚ are."""
         from hfield.rings.held.fractions import Fractions
@@ -137,6 +146,7 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
+    arithmetic = "rationals.arithmetic_rationals.RationalArithmetic"
 
     def in_words(self) -> str:
         """Say what ℚ is."""

@@ -56,6 +56,21 @@ class PolynomialRing(Ring):
         """The first variable."""
         return self._gens[self.variables[0]]
 
+    @property
+    def is_domain(self) -> bool:
+        """Yes: the leading coefficient of a product is that of the factors, multiplied."""
+        return True
+
+    @property
+    def fractions(self) -> Ring | None:
+        """The rational functions, where they are offered: in one variable."""
+        from hfield.rings import ring
+
+        if len(self.variables) > 1:
+            return None
+        base = self.base.fractions or self.base
+        return ring(f"{base.name}({self.variables[0]})")
+
     def names(self) -> dict[str, Any]:
         """The variables."""
         return dict(self._gens)

@@ -120,6 +120,8 @@ REFUSED = {
     "QQ(sqrt(4/9))": "write QQ",
     "QQ(sqrt(x))": "expected an integer",
     "QQ(sqrt())": "sqrt",
+    "QQ(sqrt(2),x)": "write its polynomial",
+    "QQ[s]/(s^2-4)": "reducible",
     "GF(3)(sqrt(2))": "QQ only",
     "QQ(x)(y)": "rational functions",
     "RR(x,y)": "rational functions are over",

@@ -31,7 +31,7 @@ class FractionArrays(WordArrays):
         one = ring.holding(constants)
         assert isinstance(one, Fractions)
         self.one = one
-        self.integral = self.one.integral
+        self.integral = Constants(*(self.one.integers[name] for name in "atb"))
 
     def _program(self, name: str) -> tuple[Program, Sides]:
         if name in programs.FRACTIONS:
