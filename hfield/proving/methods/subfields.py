@@ -6,8 +6,9 @@ exact. What is false somewhere in a subfield is false over ℚ_p, and what exist
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from hfield.errors import HFieldError
 from hfield.product import Constants, conjugate, multiply, norm, trace
@@ -16,16 +17,19 @@ from hfield.proving.problem import Problem
 from hfield.rings import QQ, ring
 from hfield.rings.base import Ring
 from hfield.rings.local.field import LocalField
+from hfield.rings.local.roots import square_root
 from hfield.rings.radicands import reduced
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
 
+Evidence = Mapping[str, Any]
+NEAR = 6  # digits of a root
 FIELDS, SECONDS = 3, 5.0  # so many subfields are tried, for so long each
 SMALL = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
 
 
 def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision]) -> Decision | None:
-    """Return what is decided over some ℚ(√d) in ℚ_p and carries over, without a certificate, or None."""
+    """Return what is decided over some ℚ(√d) in ℚ_p and carries over, or None."""
     F, statement = problem.field, problem.statement
     if not isinstance(F, LocalField) or F.global_field != QQ or problem.setting.letters:
         return None
@@ -49,9 +53,19 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
                 },
                 steps=(step, *decision.steps),
                 scope=None,
-                evidence=None,
+                evidence=_evidence(F, K, d, decision),
             )
     return None
+
+
+def _evidence(F: LocalField, K: Ring, d: int, decision: Decision) -> Evidence | None:
+    """Return the witness with a number so near a root of d that Hensel's lemma finds one."""
+    if decision.evidence is None or decision.evidence.get("kind") != "witness":
+        return None
+    near = square_root(F, F(d), NEAR)
+    assert near is not None, "d is a square"
+    root = QQ.text(near.value)
+    return {"kind": "subfield", "field": K.name, "root": root, "witness": decision.evidence}
 
 
 def _read_back(texts: list[str]) -> list[str]:
