@@ -128,7 +128,7 @@ REFUSED = {
     "QQ(x,x)": "twice",
     "QQ(x,zeta5)": "reads like a constant",
     "GF(4)(s,x)": "already names the generator",
-    "GF(3)(t)[u]/(u^2-t^2)": r"reducible, \(t \+ u\)\*\(t \+ 2\*u\)",
+    "GF(3)(t)[u]/(u^2-t^2)": r"reducible.*t \+ u",
     "GF(3)(t)[u]/(u)": "degree from 2",
     "GF(3)(t)[u]/(t)": "degree from 2",
     "GF(3)(t)[u]/(u^2-1/u)": "no u in a denominator",
