@@ -117,7 +117,7 @@ def zero_divisors(setting: Setting) -> tuple[Any, ...]:
         out.append(multiply(c, found, unit))
     s, t = (trace(c, q) for q in out[-2:])  # of found·i and found·j
     nilpotent = multiply(c, found, (zero, t, zero - s, zero))
-    if not all(map(field.is_zero, nilpotent)):
+    if not all(map(field.vanishes, nilpotent)):
         out.append(nilpotent)
     try:  # an idempotent: q² = tr(q)·q when N(q) = 0
         factor = field.inverse(trace(c, found))
