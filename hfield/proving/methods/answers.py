@@ -1,7 +1,7 @@
 """Decisions put together from what the procedures found."""
 
 from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
-from hfield.proving.counterexamples.candidates import Assignment, witness_texts
+from hfield.proving.counterexamples.candidates import witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
