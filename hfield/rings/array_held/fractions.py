@@ -28,7 +28,9 @@ class FractionArrays(WordArrays):
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
-        self.one = Fractions(ring, constants)
+        one = ring.holding(constants)
+        assert isinstance(one, Fractions)
+        self.one = one
         self.integral = self.one.integral
 
     def _program(self, name: str) -> tuple[Program, Sides]:
@@ -138,6 +140,13 @@ class FractionArrays(WordArrays):
         """Tell which elements have an inverse."""
         rows = self.in_words("norm", p)
         return self.by_arrays("units", p) if rows is None else rows[0] != 0
+
+    def prepare(self) -> None:
+        """Compile every loop, or read it from the disk."""
+        super().prepare()
+        for kernel in self.kernels("inverse"):
+            kernel.prepare()
+        lowest(tuple(np.ones((5, 1), WORD)))
 
 
 _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))

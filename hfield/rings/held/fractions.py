@@ -48,6 +48,16 @@ class Fractions(Numerators):
         self._integral |= dict(zip(names, values, strict=True))
         return tuple(named(v, name, int.__eq__) for name, v in zip(names, values, strict=True))
 
+    @property
+    def is_scaled(self) -> bool:
+        """Whether i and j are held in multiples, to make the constants integers."""
+        return self._m != 1 or self._k != 1
+
+    @property
+    def integral(self) -> Constants:
+        """The constants of the scaled basis, ints: over ℤ and ℚ alone."""
+        return Constants(*(self._integral[letter] for letter in "atb"))
+
     # --- in and out ----------------------------------------------------------------------------
 
     def hold(self, coordinates: Coordinates) -> Held:
