@@ -244,6 +244,23 @@ class QuaternionAlgebra(Invariants):
         a, t, b = map(embedding(self.ring, L), self.constants)
         return QuaternionAlgebra(L, a, b, t)
 
+    def explain_product(self) -> None:
+        """Print the function that multiplies two elements: the one formula with these constants put in.
+
+        >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
+        # Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large.
+        # b = 4, n = 7
+        def product(p, q):
+            w1, x1, y1, z1 = p
+            w2, x2, y2, z2 = q
+            w = w1*w2 - x1*x2 + b*(y1*y2 + z1*z2)
+            x = w1*x2 + x1*w2 + b*(z1*y2 - y1*z2)
+            y = w1*y2 + y1*w2 - (x1*z2 - z1*x2)
+            z = w1*z2 + z1*w2 + x1*y2 - y1*x2
+            return w % n, x % n, y % n, z % n
+        """
+        print(self.holding.explain("product"))
+
     # --- identity and text ---------------------------------------------------------------------
 
     @cached_property

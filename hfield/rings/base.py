@@ -187,7 +187,9 @@ class Ring(ABC):
 
     def holding(self, constants: Constants) -> Holding:
         """Return how elements of the algebra with these constants are held; by default as they are."""
-        return Holding(self, constants)
+        from hfield.rings.held.plain import Plain
+
+        return Plain(self, constants)
 
     def array_holding(self, constants: Constants) -> Batch:
         """Return how arrays of such elements are held; by default as four arrays of the ring."""

@@ -11,7 +11,9 @@ import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
 from hfield.factorisation import factorise
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
 from hfield.rings.printing import blackboard, number_text, sum_text
@@ -178,6 +180,12 @@ class NumberField(Ring):
             return False
         roots = Embeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as integer vectors or polynomials over one denominator."""
+        from hfield.rings.held import number_fields
+
+        return number_fields.holding(self, constants)
 
     def random(self, rng: Random) -> Any:
         """Return a small random element; the same for the same seed."""

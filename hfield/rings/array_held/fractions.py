@@ -31,7 +31,7 @@ class FractionArrays(WordArrays):
         one = ring.holding(constants)
         assert isinstance(one, Fractions)
         self.one = one
-        self.integral = self.one.integral
+        self.integral = Constants(*(self.one.integers[name] for name in "atb"))
 
     def _program(self, name: str) -> tuple[Program, Sides]:
         if name in programs.FRACTIONS:
@@ -140,13 +140,6 @@ class FractionArrays(WordArrays):
         """Tell which elements have an inverse."""
         rows = self.in_words("norm", p)
         return self.by_arrays("units", p) if rows is None else rows[0] != 0
-
-    def prepare(self) -> None:
-        """Compile every loop, or read it from the disk."""
-        super().prepare()
-        for kernel in self.kernels("inverse"):
-            kernel.prepare()
-        lowest(tuple(np.ones((5, 1), WORD)))
 
 
 _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
