@@ -22,7 +22,7 @@ Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
 PIECE = 1 << 16  # elements that a thread takes at a time
-MANY = 250_000  # from so many elements on a second thread is woken
+MANY = 500_000  # from so many elements on a second thread is woken
 _lock = Lock()
 _announce = compiling.Announcer(
     "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"

@@ -134,7 +134,7 @@ class Modular(Ring):
 
     def roots(self, coefficients: Sequence[Any]) -> list[Any]:
         """Return the roots of a polynomial that is not 0. Raises :class:`UndecidedError`."""
-        return [self._make(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)]
+        return [self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)]
 
     @property
     def level(self) -> Known:

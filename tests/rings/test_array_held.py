@@ -231,7 +231,7 @@ def test_threads_share_long_arrays():
 
     A = H("GF(7)")
     rng = np.random.default_rng(1)
-    p, q = (A.from_array(rng.integers(0, 7, (4, 300_001), dtype=np.uint8)) for _ in range(2))
+    p, q = (A.from_array(rng.integers(0, 7, (4, 600_001), dtype=np.uint8)) for _ in range(2))
     before = threads()
     try:
         found = []

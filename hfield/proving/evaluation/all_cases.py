@@ -24,6 +24,9 @@ FEW_CASES = 1_500  # below, a loop is faster than loading numpy
 BLOCK = 1 << 18
 MAX_TABLE = 1 << 8  # elements of a ring whose products are tabulated
 MAX_PRIME = 1 << 16  # elements of a prime field whose inverses are
+MANY_CASES = (
+    10**5
+)  # from here on loops that are compiled, or read from the disk, pay for themselves
 
 
 def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple[str, int]]:
@@ -112,14 +115,15 @@ def _in_blocks(
 ) -> Assignment | None:
     import numpy as np
 
-    table = _table(field)
+    order: int = field.order or 0
+    table = _table(field, order ** len(places) >= MANY_CASES)
     world = _TableInterpretation(table)
     fixed = {text: world.element(constant(field, text)) for text in statement.constants}
     q, cases = len(table.elements), len(table.elements) ** len(places)
     for start in range(0, cases, BLOCK):
         if monotonic() > deadline:
             raise UndecidedError(f"time was over after {start} of {cases} cases")
-        index = np.arange(start, min(start + BLOCK, cases))
+        index = np.arange(start, min(start + BLOCK, cases), dtype=np.int32)  # at most MAX_CASES
         digits = []
         for _ in places:
             index, digit = np.divmod(index, q)
@@ -139,20 +143,25 @@ def _in_blocks(
 
 
 class _Table:
-    """The arithmetic of a finite ring on the indices of its elements."""
+    """The arithmetic of a finite ring on the indices of its elements, which are their labels if ``loops``."""
 
-    def __init__(self, field: Ring) -> None:
+    def __init__(self, field: Ring, loops: bool) -> None:
         import numpy as np
 
+        from hfield.rings.array_held.scalars import scalar_arrays
+
         self.field = field
+        self.loops = scalar_arrays(field) if loops else None
         self.elements = list(field.elements())
         self.prime = field.order == field.characteristic
         self.kind: Any = np.int64 if self.prime else np.uint16
+        if self.loops is not None:
+            self.kind = np.dtype(self.loops.dtype)
         self.index = {field.key(x): n for n, x in enumerate(self.elements)}
         if self.prime:  # the n-th element is then n·1
             self.elements = [field(n) for n in range(field.characteristic)]
             self.index = {field.key(x): n for n, x in enumerate(self.elements)}
-        else:
+        elif self.loops is None:
             find = self.index
             key = field.key
             self.sum = np.array(
@@ -186,17 +195,26 @@ class _Entries:
 
     def __add__(self, other: "_Entries") -> "_Entries":
         t, x, y = self.table, self.array, other.array
+        if t.loops is not None:
+            return _Entries(t, t.loops.sum(x, y))
         return _Entries(t, (x + y) % t.field.characteristic if t.prime else t.sum[x, y])
 
     def __neg__(self) -> "_Entries":
         t = self.table
+        if t.loops is not None:
+            return _Entries(t, t.loops.negative(self.array))
         return _Entries(t, -self.array % t.field.characteristic if t.prime else t.minus[self.array])
 
     def __sub__(self, other: "_Entries") -> "_Entries":
+        t = self.table
+        if t.loops is not None:
+            return _Entries(t, t.loops.difference(self.array, other.array))
         return self + -other
 
     def __mul__(self, other: "_Entries") -> "_Entries":
         t, x, y = self.table, self.array, other.array
+        if t.loops is not None:
+            return _Entries(t, t.loops.product(x, y))
         return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
 
 
@@ -237,5 +255,5 @@ class _TableInterpretation(Interpretation):
 
 
 @lru_cache(maxsize=16)
-def _table(field: Ring) -> _Table:
-    return _Table(field)
+def _table(field: Ring, loops: bool) -> _Table:
+    return _Table(field, loops)
