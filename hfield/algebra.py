@@ -244,6 +244,23 @@ class QuaternionAlgebra(Invariants):
         a, t, b = map(embedding(self.ring, L), self.constants)
         return QuaternionAlgebra(L, a, b, t)
 
+    def explain_product(self) -> None:
+        """Print the function that multiplies two elements: the one formula with these constants put in.
+
+        >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
+        # Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large.
+        # b = 4, n = 7
+        def product(p, q):
+            w1, x1, y1, z1 = p
+            w2, x2, y2, z2 = q
+            w = w1*w2 - x1*x2 + b*(y1*y2 + z1*z2)
+            x = w1*x2 + x1*w2 + b*(z1*y2 - y1*z2)
+            y = w1*y2 + y1*w2 - (x1*z2 - z1*x2)
+            z = w1*z2 + z1*w2 + x1*y2 - y1*x2
+            return w % n, x % n, y % n, z % n
+        """
+        print(self.holding.explain("product"))
+
     # --- identity and text ---------------------------------------------------------------------
 
     @cached_property
@@ -281,8 +298,16 @@ class QuaternionAlgebra(Invariants):
         ]
         return notation.table_text(BASIS, rows, style)
 
+    def latex(self) -> str:
+        """Write the symbol of the algebra, its constants over its field, in LaTeX."""
+        F = self.ring
+        a, t, b = (F.text(c, "latex") for c in self.constants)
+        constants = [a, b] if t in ("0", "1") else [a, b, t]
+        symbol = rf"\frac{{{','.join(constants)}}}{{{F.latex_name}}}"
+        return rf"\left({symbol}\right)" if t == "0" else rf"\left[{symbol}\right)"
+
     def _repr_latex_(self) -> str:
-        return f"${self.table_text('latex')}$"
+        return f"${self.latex()}\\qquad {self.table_text('latex')}$"
 
     def __reduce__(self) -> Any:
         a, t, b = map(self.ring.state, self.constants)

@@ -32,6 +32,7 @@ class Parent(Protocol):
     def __call__(self, *coordinates: Any) -> Quaternion: ...  # noqa: D102
     def scalar(self, x: Any) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
+    def latex(self) -> str: ...  # noqa: D102
 
 
 class Quaternion(ElementFacts, BatchMethods):
@@ -329,8 +330,8 @@ class Quaternion(ElementFacts, BatchMethods):
     def __repr__(self) -> str:
         return self.text("unicode")
 
-    def _repr_latex_(self) -> str:
-        return f"${self.text('latex')}$" if not self.is_batch else ""
+    def _repr_latex_(self) -> str | None:
+        return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
 
     def __reduce__(self) -> Any:
         state = self.ring.state

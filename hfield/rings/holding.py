@@ -47,6 +47,10 @@ class Holding:
         w, x, y, z = map(self.ring, values)
         return self.hold((w, x, y, z))
 
+    def explain(self, operation: str) -> str:
+        """Return the text of what computes an operation, such as ``product``."""
+        return f"# the formula of hfield.product, on the coordinates: {operation}"
+
     # --- elements to elements ------------------------------------------------------------------
 
     def product(self, p: Any, q: Any, /) -> Any:

@@ -69,6 +69,12 @@ class Modular(Ring):
 
         return ring("ZZ"), flint.fmpz(self.modulus)
 
+    def modulo(self, n: int) -> Ring | None:
+        """Return ℤ/n where n divides the modulus."""
+        from hfield.rings import ring
+
+        return None if self.modulus % n else ring(f"ZZ/{n}")
+
     def lift(self, x: Any) -> Any:
         """Return the residue between 0 and n − 1 as an integer."""
         return flint.fmpz(int(x))
@@ -134,7 +140,9 @@ class Modular(Ring):
 
     def roots(self, coefficients: Sequence[Any]) -> list[Any]:
         """Return the roots of a polynomial that is not 0. Raises :class:`UndecidedError`."""
-        return [self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)]
+        return [
+            self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)
+        ]
 
     @property
     def level(self) -> Known:

@@ -11,10 +11,12 @@ import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
 from hfield.factorisation import factorise
+from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.holding import Holding
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
-from hfield.rings.printing import number_text, sum_text
+from hfield.rings.printing import blackboard, number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.squares import minus_one
 
@@ -54,6 +56,10 @@ class NumberField(Ring):
     def degree(self) -> int:
         """The degree over ℚ."""
         return int(self.polynomial.degree())
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the number field {blackboard(self.name)} of degree {self.degree}"
 
     @property
     def gen(self) -> Any:
@@ -173,6 +179,12 @@ class NumberField(Ring):
             return False
         roots = Embeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as integer vectors or polynomials over one denominator."""
+        from hfield.rings.held import number_fields
+
+        return number_fields.holding(self, constants)
 
     def random(self, rng: Random) -> Any:
         """Return a small random element; the same for the same seed."""
@@ -334,6 +346,12 @@ class NumberField(Ring):
         from hfield.rings.number_field_places import all_places
 
         return all_places(self)
+
+    def completion(self, place: Any) -> Ring:
+        """Return an extension of ℚ_p at a prime ideal, RR or CC at an infinite place."""
+        from hfield.rings.local.completions import completion_of_number_field
+
+        return completion_of_number_field(self, place)
 
 
 def _divisors(n: int) -> list[int]:

@@ -38,6 +38,11 @@ class QuadraticField(Ring):
         self.gen_name = "I" if d == -1 else f"sqrt({d})"
         self.name = f"QQ({self.gen_name})"
 
+    def in_words(self) -> str:
+        """Say what the field is."""
+        root = "i), i² = −1" if self.d == -1 else f"√{self.d})".replace("-", "−")
+        return f"the quadratic number field ℚ({root}"
+
     @property
     def gen(self) -> Any:
         """The square root of d, the principal one."""
@@ -196,6 +201,12 @@ class QuadraticField(Ring):
         from hfield.rings.quadratic_places import all_places
 
         return all_places(self.d)
+
+    def completion(self, place: Any) -> Ring:
+        """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
+        from hfield.rings.local.completions import completion_of_quadratic
+
+        return completion_of_quadratic(self, place)
 
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""

@@ -19,15 +19,20 @@ from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import Rationals
+from hfield.rings.local.field import LocalField
 from hfield.rings.number_field import NumberField
 from hfield.rings.quadratic import QuadraticField
+from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 # Where the arithmetic of a kind is, imported when one of its fields is first asked.
 _KINDS: dict[type[Ring], str] = {
+    LocalField: "local_fields.arithmetic_local.LocalArithmetic",
     Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
+    RationalFunctions: "several_variables.arithmetic_several.SeveralArithmetic",
     FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
     QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
     NumberField: "number_fields.arithmetic_number_fields.NumberFieldArithmetic",
@@ -75,6 +80,7 @@ class GlobalField(ABC):
 
     ring: Any  # the field, of the class that stands in the table above
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
     finite_orders: ClassVar[Mapping[int, int] | None] = None
     """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
 
@@ -116,6 +122,13 @@ class GlobalField(ABC):
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
 
+    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+        """Say why an algebra that ramifies at the places has no zero divisors."""
+        shown = ", ".join(map(str, places))
+        return (
+            f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
+        )
+
     def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
         """Return constants (a, b) of an algebra that ramifies exactly at the places.
 
@@ -140,11 +153,31 @@ class GlobalField(ABC):
         """
 
     @abstractmethod
+    def residues(self, place: Any) -> Any:
+        """Return a finite place with its residue field, as in :mod:`hfield.rings.residues`.
+
+        None for an infinite place of a number field, and where the residue field is not finite.
+        """
+
     def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
         """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
 
-        None where it has a zero, or where the residue field is not finite.
+        None where it has a zero, and where :meth:`residues` has none.
         """
+        at = self.residues(place)
+        return None if at is None else unit_and_prime(at, *self._exact(c))
+
+    def hyperbolic_plane(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+        """Return q and u on whose span the norm has a zero over the completion, by Hensel's lemma.
+
+        None where it has none, and where :meth:`residues` has none; see :mod:`local_order`.
+        """
+        at = self.residues(place)
+        return None if at is None else hyperbolic_plane(at, *self._exact(c))
+
+    def _exact(self, c: Constants) -> tuple[Constants, Any]:
+        """Return the constants and 1 as numbers that the place computes with."""
+        return c, self.ring.one
 
     def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
         """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""

@@ -20,13 +20,15 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     field's or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0. ``factors``
     may name primes of the norms of a and b, which a quadratic field needs at a lone place above 2.
 
+    Over a local field, which has one place, None names it, too.
+
     Raises :class:`RingError` for a 0 and for a place that is none, and :class:`UndecidedError` over
     QQ(x), whose completions are not local fields.
 
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
     """
-    field = field_named_by(place=place) or field_named_by(a, b) or QQ
+    field = field_named_by(a, b, place=place) or QQ
     known = global_field(field)
     assert known is not None, "only fields with places are named"
     return known.hilbert_symbol(a, b, place, factors)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from abc import abstractmethod
 from collections.abc import Callable
 from functools import lru_cache, partial
 from textwrap import indent
 from typing import Any
 
+from hfield.errors import shorten
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.holding import Holding
@@ -68,11 +70,24 @@ class Compact(Holding):
     def names(self) -> dict[str, Any]:
         """Return what the free names of the source mean."""
 
+    def explain(self, operation: str) -> str:
+        """Return the source of an operation, after a line on what is held and one on the named constants."""
+        source = self.source(operation)
+        values = [
+            f"{name} = {shorten(value)}"
+            for name, value in self.names().items()
+            if re.fullmatch(r"[abtmn](_\d+)?", name) and re.search(rf"\b{name}\b", source)
+        ]
+        head = [(type(self).__doc__ or "").partition("\n")[0], ", ".join(values)]
+        return "\n".join([*(f"# {line}" for line in head if line), source])
+
     def _first_call(self, operation: str, *operands: Any) -> Any:
-        names = self.names()
-        function = _factory(operation, self.source(operation), tuple(names))(**names)
-        setattr(self, operation, function)
-        return function(*operands)
+        made = getattr(self, operation)
+        if isinstance(made, partial):  # and nobody kept what stood here before the first call
+            names = self.names()
+            made = _factory(operation, self.source(operation), tuple(names))(**names)
+            setattr(self, operation, made)
+        return made(*operands)
 
 
 @lru_cache(maxsize=1024)

@@ -18,7 +18,10 @@ Vector = tuple[Any, ...]  # of rational numbers
 
 
 class Fractions(Numerators):
-    """Elements over ``ℚ(s)`` with ``sⁿ = Σ relation[k]·sᵏ`` for integers; for ℚ and ℤ n = 1 and s = 0."""
+    """Elements over ℚ(s) as ints over one denominator.
+
+    Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
+    """
 
     def __init__(
         self,
@@ -35,7 +38,8 @@ class Fractions(Numerators):
         a, t, b = map(vector, constants)
         self._m, self._k = _denominator(a + t), _denominator(b)
         scaled = [c * self._m**2 for c in a], [c * self._m for c in t], [c * self._k**2 for c in b]
-        self._integral: dict[str, int] = {}
+        self.is_scaled = self._m != 1 or self._k != 1
+        self.integers: dict[str, int] = {}  # the constants in the scaled basis, and the relation
         self.pattern = tuple(
             self._named(name, [int(c.p) for c in values])
             for name, values in zip("atb", scaled, strict=True)
@@ -45,7 +49,7 @@ class Fractions(Numerators):
     def _named(self, letter: str, values: list[int]) -> tuple[str, ...]:
         """Return integers as the specialiser takes them, and remember those that it names."""
         names = parts(letter, self.degree)
-        self._integral |= dict(zip(names, values, strict=True))
+        self.integers |= dict(zip(names, values, strict=True))
         return tuple(named(v, name, int.__eq__) for name, v in zip(names, values, strict=True))
 
     # --- in and out ----------------------------------------------------------------------------
@@ -61,7 +65,8 @@ class Fractions(Numerators):
     def whole(self, w: int, x: int, y: int, z: int) -> Held:
         """Hold four ints."""
         if (
-            self.degree == self._m == self._k == 1
+            self.degree == 1
+            and not self.is_scaled
             and -LARGE < min(w, x, y, z) <= max(w, x, y, z) < LARGE
         ):
             return w, x, y, z, 1
@@ -72,7 +77,7 @@ class Fractions(Numerators):
         """Return the four coordinates, elements of the field."""
         element, m, k, n = self._element, self._m, self._k, self.degree
         *every, d = held
-        if m != 1 or k != 1:
+        if self.is_scaled:
             scales = [s for s in (1, m, k, m * k) for _ in range(n)]
             every = [c * s for c, s in zip(every, scales, strict=True)]
         if n == 1:
@@ -86,7 +91,7 @@ class Fractions(Numerators):
     def names(self) -> dict[str, Any]:
         """Return the constants, and what puts fractions in lowest terms."""
         tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
-        return super().names() | self._integral | tools | {"LARGE": LARGE, "SMALL": -LARGE}
+        return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
 
     def settle(self, names: list[str]) -> list[str]:
         """Write how to return ints over d in lowest terms; one look tells whether they are large."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class RationalFunctions(Numerators):
-    """Elements over a field of rational functions, on flint's polynomials."""
+    """Elements over F(t) as four polynomials over one denominator."""
 
     relation = ("0",)
 

@@ -68,7 +68,7 @@ def _powers(field: ExtensionField, elements: list[Any]) -> list[int]:
 
 
 class Labels(Compact):
-    """Elements over GF(q) of characteristic p."""
+    """Elements over a small GF(pⁿ) as four labels; products and sums are looked up."""
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:
         super().__init__(ring, constants)

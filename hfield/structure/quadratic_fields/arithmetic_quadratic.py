@@ -2,7 +2,6 @@
 
 import functools
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
 from typing import Any, ClassVar
 
 from hfield.errors import RingError, shorten
@@ -12,27 +11,23 @@ from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
+from hfield.rings.residues.prime_ideals import PrimeIdeal, prime_at
 from hfield.rings.surds import Surd
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
-from hfield.structure.minimise import Vector
-from hfield.structure.norm_forms.local_order import unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
 from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
     integral,
     is_local_square,
-    p_adic_root,
     pair,
     ramified_places_quadratic,
 )
-from hfield.structure.quadratic_fields.prime_ideals import primes_above
 from hfield.structure.quadratic_fields.slots_quadratic import common_slot
 from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
-from hfield.structure.rationals.prime_numbers import PrimePlace
 from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
 
@@ -96,22 +91,9 @@ class QuadraticArithmetic(GlobalField):
         _, x, y, z = (ring(u) for u in root)
         return -ring.gen, x, y, z
 
-    def unit_and_prime(self, c: Constants, place: QuadraticPlace) -> tuple[Vector, Vector] | None:
-        """Return u and j at a prime ideal; at one that splits, for rational numbers close by."""
-        if not place.prime:
-            return None
-        if place.root is None:
-            return unit_and_prime(primes_above(self.ring, place.prime)[0], c, self.ring.one)
-        return unit_and_prime(PrimePlace(place.prime), self._completed(c, place), Fraction(1))
-
-    def _completed(self, c: Constants, place: QuadraticPlace) -> Constants:
-        """Return rational numbers close to the images of the constants at a place that splits."""
-        pairs = [pair(self.ring, x) for x in c]
-        sizes = sum(
-            abs(n).bit_length() for u in pairs for x in u for n in (x.numerator, x.denominator)
-        )
-        root = p_adic_root(place, 2 * sizes // place.prime.bit_length() + 12)
-        return Constants(*(u + v * root for u, v in pairs))
+    def residues(self, place: QuadraticPlace) -> PrimeIdeal | None:
+        """Return the prime ideal with its residue field."""
+        return prime_at(self.ring, place) if place.prime else None
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by a common slot and three conics."""
