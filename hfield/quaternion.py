@@ -259,6 +259,8 @@ class Quaternion(ElementFacts, BatchMethods):
         how = self._how
         return held_by(self._algebra, how, how.conjugate(self._held))
 
+    conj = conjugate  # as the language calls it
+
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
         return self._how.norm(self._held)
@@ -282,6 +284,8 @@ class Quaternion(ElementFacts, BatchMethods):
         where = _first(~how.units(self._held))
         q = self._new(*how.single(how.part(self._held, where)))
         raise NotInvertibleError(f"at index {where} of the array: {q._failure()}")
+
+    inv = inverse
 
     def _failure(self) -> str:
         """Say why this single quaternion has no inverse."""

@@ -23,6 +23,8 @@ RINGS = (
     "GF(2^100)", "GF(100000000000000000039^2)",
     "QQ(sqrt(2))", "QQ(sqrt(5))", "QQ(sqrt(30))", "QQ(I)", "QQ(sqrt(-2))", "QQ(sqrt(-3))",
     "QQ(sqrt(-7))", "QQ(sqrt(-163))",
+    "QQ[s]/(s^3-2)", "QQ[x]/(x^2-3/2)", "QQ(sqrt(2),sqrt(3))", "QQ(zeta5)", "QQ(zeta7)+",
+    "QQ(root(2,3),zeta3)",
     "QQ(x)", "QQ(t)", "GF(2)(t)", "GF(5)(t)", "GF(4)(t)", "GF(9, x^2+1)(t)",
     "GF(100000000000000000039)(t)", "GF(7)(x)",
     "Qp(2)", "Qp(3)", "Qp(5)", "QQ(I)_(5, I-2)", "QQ(sqrt(2))_(2)", "QQ(sqrt(5))_(2)",

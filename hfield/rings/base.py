@@ -57,6 +57,7 @@ class Ring(ABC):
     is_field: bool = False
     gen_name: str | None = None
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
+    arithmetic: str = ""  # what in hfield.structure knows the places of a field that has some
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
     # --- what an adapter must give -------------------------------------------------------------

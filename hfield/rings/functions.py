@@ -43,6 +43,7 @@ class FunctionField(Ring):
     """
 
     is_field = True
+    arithmetic = "function_fields.arithmetic_functions.FunctionArithmetic"
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.gen_name = base, variable

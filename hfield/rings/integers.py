@@ -146,6 +146,7 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
+    arithmetic = "rationals.arithmetic_rationals.RationalArithmetic"
 
     def in_words(self) -> str:
         """Say what ℚ is."""

@@ -42,6 +42,7 @@ class NumberField(Ring):
 
     characteristic = 0
     is_field = True
+    arithmetic = "number_fields.arithmetic_number_fields.NumberFieldArithmetic"
 
     def __init__(self, polynomial: Any, name: str = "s") -> None:
         from hfield.rings.number_field_specs import irreducible, power_sum

@@ -32,6 +32,7 @@ class QuadraticField(Ring):
 
     characteristic = 0
     is_field = True
+    arithmetic = "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic"
 
     def __init__(self, d: int) -> None:
         self.d = d
@@ -239,3 +240,16 @@ def _from_sympy(x: Any) -> Any:
     from hfield.rings.closed import from_sympy
 
     return from_sympy(x)
+
+
+def common_quadratic_field(*elements: Any) -> Ring | None:
+    """Return ℚ(√d) for numbers with one root, or None without any; raises RingError for several."""
+    roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
+    if len(roots) > 1:
+        shown = " and ".join(map(shorten, elements))
+        raise RingError(f"{shown} lie in no common quadratic field")
+    if not roots:
+        return None
+    d = roots.pop()
+    factorise(d)  # the theory of places asks for a squarefree d
+    return QuadraticField(d)

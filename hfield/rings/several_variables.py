@@ -29,6 +29,7 @@ class RationalFunctions(Ring):
     """
 
     is_field = True
+    arithmetic = "several_variables.arithmetic_several.SeveralArithmetic"
 
     def __init__(self, polynomials: PolynomialRing) -> None:
         self.polynomials, self.base = polynomials, polynomials.base

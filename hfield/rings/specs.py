@@ -64,7 +64,7 @@ def _completed(s: str) -> tuple[str, str]:
     depth = 0
     for n, char in enumerate(s):
         depth += (char in "([") - (char in ")]")
-        if char == "_" and depth == 0 and s[:n] not in ("F", "FF", "GF"):
+        if char == "_" and depth == 0 and n and s[:n] not in ("F", "FF", "GF"):
             place = s[n + 1 :]
             bare = place.startswith("(") and place.endswith(")") and "," not in place
             return s[:n], place[1:-1] if bare else place

@@ -1,7 +1,7 @@
 """What structure asks of a field with places: one protocol, one object for each kind of field.
 
-A kind is a class of rings with the class of :class:`GlobalField` that knows its arithmetic, one line in the
-table below; ``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+A kind is a class of rings that names, as its ``arithmetic``, the class of :class:`GlobalField` that knows it;
+``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
 """
 
 from __future__ import annotations
@@ -17,34 +17,15 @@ from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
-from hfield.rings.integers import Rationals
-from hfield.rings.local.field import LocalField
-from hfield.rings.number_field import NumberField
-from hfield.rings.quadratic import QuadraticField
-from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimise import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
-# Where the arithmetic of a kind is, imported when one of its fields is first asked.
-_KINDS: dict[type[Ring], str] = {
-    LocalField: "local_fields.arithmetic_local.LocalArithmetic",
-    Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
-    RationalFunctions: "several_variables.arithmetic_several.SeveralArithmetic",
-    FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
-    QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
-    NumberField: "number_fields.arithmetic_number_fields.NumberFieldArithmetic",
-}
-
 
 def global_field(ring: Ring) -> GlobalField | None:
     """Return the arithmetic of a field with places, or None for a ring of any other kind."""
-    for known in type(ring).__mro__:
-        if known in _KINDS:
-            return _arithmetic(known).of(ring)
-    return None
+    return _arithmetic(ring.arithmetic).of(ring) if ring.arithmetic else None
 
 
 def known_field(ring: Ring) -> GlobalField:
@@ -55,18 +36,15 @@ def known_field(ring: Ring) -> GlobalField:
     return field
 
 
-def field_named_by(*elements: Any, place: Any = None) -> Ring | None:
-    """Return the field that elements or a place belong to, as the first kind says that knows them."""
-    for known in _KINDS:
-        field = _arithmetic(known).named_by(*elements, place=place)
-        if field is not None:
-            return field
-    return None
+def field_named_by(*things: Any) -> Ring | None:
+    """Return the field with places that the first of some elements and places belongs to."""
+    fields = (getattr(x, "field", None) for x in things)
+    return next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
 
 
 @cache
-def _arithmetic(known: type[Ring]) -> type[GlobalField]:
-    module, _, name = _KINDS[known].rpartition(".")
+def _arithmetic(where: str) -> type[GlobalField]:
+    module, _, name = where.rpartition(".")
     return getattr(import_module(f"hfield.structure.{module}"), name)  # type: ignore[no-any-return]
 
 
@@ -78,7 +56,7 @@ class GlobalField(ABC):
     factorisation out of reach, raises :class:`hfield.UndecidedError`.
     """
 
-    ring: Any  # the field, of the class that stands in the table above
+    ring: Any  # the field, of the class that names this one
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
     cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
     finite_orders: ClassVar[Mapping[int, int] | None] = None
@@ -91,11 +69,6 @@ class GlobalField(ABC):
     def of(cls, ring: Ring) -> GlobalField:
         """Return the arithmetic of a field of this kind; a kind with cases picks one here."""
         return cls(ring)
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of this kind that elements or a place belong to by their type, or None."""
-        return None
 
     # --- places and symbols --------------------------------------------------------------------
 

@@ -8,6 +8,7 @@ from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
+from hfield.rings.quadratic import common_quadratic_field
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import field_named_by, global_field
 
@@ -28,7 +29,7 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
     """
-    field = field_named_by(a, b, place=place) or QQ
+    field = field_named_by(a, b, place) or common_quadratic_field(a, b) or QQ
     known = global_field(field)
     assert known is not None, "only fields with places are named"
     return known.hilbert_symbol(a, b, place, factors)

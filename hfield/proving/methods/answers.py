@@ -1,5 +1,6 @@
 """Decisions put together from what the procedures found."""
 
+from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
 from hfield.proving.counterexamples.candidates import Assignment, witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
@@ -149,11 +150,11 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
 
 def _method(problem: Problem) -> str:
     if not problem.ring.is_exact:
-        return "floats, exact on small integers"
+        return FLOATS_EXACT
     node, infinite = problem.statement.node, problem.ring.order is None
     if _is_identity(node, True, infinite):
-        return "identity"
-    return "witness" if _is_identity(node, False, infinite) else "counterexample"
+        return IDENTITY
+    return WITNESS if _is_identity(node, False, infinite) else COUNTEREXAMPLE
 
 
 def implied(proof: Proof, problem: Problem) -> Decision:

@@ -32,6 +32,7 @@ class LocalField(Ring):
     """
 
     is_field = True
+    arithmetic = "local_fields.arithmetic_local.LocalArithmetic"
 
     def __init__(
         self, name: str, words: str, global_field: Ring, place: Any, residues: Any

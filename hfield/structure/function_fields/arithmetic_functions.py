@@ -11,7 +11,7 @@ from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.function_places import FunctionPlace, place_of_functions
-from hfield.rings.functions import FunctionField, Quotient
+from hfield.rings.functions import FunctionField
 from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
 from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.function_fields.conic_bundle import (
@@ -54,14 +54,6 @@ class FunctionArithmetic(GlobalField):
         if ring.base.order is None:
             return OverRationals(ring)
         return OverEven(ring) if ring.characteristic == 2 else OverOdd(ring)
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of a place or of a quotient."""
-        if isinstance(place, FunctionPlace):
-            return place.field
-        fields = (x.field for x in elements if isinstance(x, Quotient))
-        return next((F for F in fields if isinstance(F, FunctionField)), None)
 
     def read_place(self, text: Any) -> FunctionPlace:
         """Return a monic irreducible polynomial or infinity."""

@@ -10,7 +10,6 @@ from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, conjugate, multiply, norm, trace
 from hfield.rings.base import Ring
-from hfield.rings.local.element import LocalElement
 from hfield.rings.local.field import DIGITS, LocalField
 from hfield.rings.local.roots import hensel
 from hfield.structure.forms import NormalForm
@@ -33,11 +32,6 @@ class LocalArithmetic(GlobalField):
     def __init__(self, ring: Ring) -> None:
         super().__init__(ring)
         self.below = known_field(self.ring.global_field)
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of an element."""
-        return next((x.field for x in elements if isinstance(x, LocalElement)), None)
 
     def read_place(self, text: Any) -> Any:
         """Return the one place, from its text or from None. Raises :class:`RingError` for another."""

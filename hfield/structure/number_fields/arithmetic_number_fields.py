@@ -7,7 +7,6 @@ from typing import Any
 
 from hfield.factorisation import Factors, is_prime
 from hfield.product import Constants, Coordinates
-from hfield.rings.base import Ring
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import Place, place_of_number_field
@@ -40,13 +39,6 @@ class NumberFieldArithmetic(GlobalField):
     def __init__(self, ring: NumberField) -> None:
         super().__init__(ring)
         self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of a place or of the first element that has one."""
-        if isinstance(getattr(place, "field", None), NumberField):
-            return place.field  # type: ignore[no-any-return]
-        return next((x.field for x in elements if isinstance(x, FieldElement)), None)
 
     def read_place(self, text: Any) -> Place:
         """Return a prime ideal or an infinite place."""

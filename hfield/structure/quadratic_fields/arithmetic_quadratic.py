@@ -4,19 +4,21 @@ import functools
 from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
-from hfield.errors import RingError, shorten
-from hfield.factorisation import Factors, factorise, known_primes
+import flint
+
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Coordinates
-from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_places import Place
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
 from hfield.rings.residues.prime_ideals import PrimeIdeal, prime_at
-from hfield.rings.surds import Surd
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.structure.number_fields.slots_number_fields import from_ramification_number_field
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
 from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
@@ -38,21 +40,6 @@ class QuadraticArithmetic(GlobalField):
     # a root of unity of degree at most 2 over it has order 1 to 6, 8, 10 or 12
     finite_orders: ClassVar[Mapping[int, int]] = {2: 3, 3: 1, 5: 1}
 
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return ℚ(√d) for a place of it or for numbers with one root; raises RingError for several."""
-        if isinstance(place, QuadraticPlace):
-            return QuadraticField(place.d)
-        roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
-        if len(roots) > 1:
-            shown = " and ".join(map(shorten, elements))
-            raise RingError(f"{shown} lie in no common quadratic field")
-        if not roots:
-            return None
-        d = roots.pop()
-        factorise(d)  # the theory of places asks for a squarefree d
-        return QuadraticField(d)
-
     def read_place(self, text: Any) -> QuadraticPlace:
         """Return a prime ideal or an infinite place."""
         return place_of_quadratic(self.ring.d, text)
@@ -71,6 +58,18 @@ class QuadraticArithmetic(GlobalField):
     def discriminant(self, ramified: tuple[Any, ...]) -> tuple[QuadraticPlace, ...]:
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
+
+    def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
+        """Return constants found in ℚ[s]/(s² − d), which is the same field."""
+        field = NumberField(flint.fmpq_poly([-self.ring.d, 0, 1]))
+        same = [_place_in(field, self.read_place(v)) for v in places]
+        a, b = from_ramification_number_field(field, same)
+        return tuple(self._from_powers(x) for x in (a, b))
+
+    def _from_powers(self, x: Any) -> Any:
+        """Return u + v·s as u + v·√d."""
+        u, v = x.poly[0], x.poly[1]
+        return self.ring(u) + self.ring.gen * self.ring(v)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, or, for rational a and b, a square root of d over ℚ less √d."""
@@ -111,6 +110,15 @@ class QuadraticArithmetic(GlobalField):
         """Return a common slot built from local classes, and what solves conics with its primes."""
         e, primes = common_slot(self.ring, c, numbers)
         return e, functools.partial(_conic_point, self.ring, primes)
+
+
+def _place_in(field: NumberField, place: QuadraticPlace) -> Place:
+    """Return the place of ℚ[s]/(s² − d) where s goes to what √d goes to."""
+    if not place.prime:
+        return field.infinite_places()[place.index]
+    second = place.generators[1]
+    generator = field.gen * second.terms.get(place.d, 0) + second.terms.get(1, 0)
+    return next(P for P in field.primes_above(place.p) if generator in P)
 
 
 def _conic_point(field: QuadraticField, known: Iterable[int], c: Constants) -> tuple[Any, Any, Any]:

@@ -7,9 +7,7 @@ from typing import Any
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
-from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
-from hfield.rings.quotient import Quotient
 from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
 from hfield.structure.function_fields.inseparable import artin_schreier
@@ -38,18 +36,6 @@ class SeveralArithmetic(GlobalField):
     ring: RationalFunctions
     splits_if_unramified = False
     cited = "residues at prime polynomials (Gille and Szamuely, Central Simple Algebras, chapter 6)"
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of an element."""
-        return next(
-            (
-                x.field
-                for x in elements
-                if isinstance(x, Quotient) and isinstance(x.field, RationalFunctions)
-            ),
-            None,
-        )
 
     def read_place(self, text: Any) -> PolynomialPlace:
         """Return a place from a prime polynomial, its text, or ``1/x`` for infinity of x."""
