@@ -298,8 +298,16 @@ class QuaternionAlgebra(Invariants):
         ]
         return notation.table_text(BASIS, rows, style)
 
+    def latex(self) -> str:
+        """Write the symbol of the algebra, its constants over its field, in LaTeX."""
+        F = self.ring
+        a, t, b = (F.text(c, "latex") for c in self.constants)
+        constants = [a, b] if t in ("0", "1") else [a, b, t]
+        symbol = rf"\frac{{{','.join(constants)}}}{{{F.latex_name}}}"
+        return rf"\left({symbol}\right)" if t == "0" else rf"\left[{symbol}\right)"
+
     def _repr_latex_(self) -> str:
-        return f"${self.table_text('latex')}$"
+        return f"${self.latex()}\\qquad {self.table_text('latex')}$"
 
     def __reduce__(self) -> Any:
         a, t, b = map(self.ring.state, self.constants)

@@ -63,6 +63,7 @@ class Description:
             "schema": SCHEMA,
             "algebra": A.name,
             "field": F.name,
+            "field_in_words": F.in_words(),
             "characteristic": F.characteristic,
             "order_of_field": F.order,
             "level": level,
@@ -176,6 +177,7 @@ def _divide_or_split(d: Description) -> None:
         d.division, d.reason, d.assumes = True, answer.reason, answer.assumes
     elif answer is not None:
         d.division, d.splitting, d.zero_norm = False, answer, answer.zero_divisor
+        d.reason = answer.reason
     elif d.ramified:
         d.division, d.reason = True, f"it ramifies at {', '.join(map(str, d.ramified))}"
         del d.undecided["division"]

@@ -63,6 +63,8 @@ class Invariants(Hinted, Parent):
         """
         return tuple(self(*c) for c in structure.centre(*self._here()))
 
+    centre = center
+
     def is_commutative(self) -> bool:
         """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
         return structure.is_commutative(*self._here())

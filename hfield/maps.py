@@ -64,6 +64,11 @@ class LinearMap:
 
     __repr__ = __str__
 
+    def _repr_latex_(self) -> str:
+        rows = (rf"{x} \mapsto {q.text('latex')}" for x, q in zip("eijk", self.images, strict=True))
+        arrow = f"{self.source.latex()} \\to {self.target.latex()}"
+        return rf"${arrow}\colon\quad {', '.join(rows)}$"
+
 
 class Isomorphism(LinearMap):
     """An isomorphism of algebras; the relations and the determinant are checked when it is made.
@@ -84,7 +89,8 @@ class Isomorphism(LinearMap):
         for p, p_image in basis:
             for q, q_image in basis:
                 product = q_image * p_image if self.reverses else p_image * q_image
-                if self(p * q) != product:
+                rest = (self(p * q) - product).coordinates
+                if not all(self.target.ring.vanishes(x) for x in rest):
                     raise CoercionError(
                         f"{self} is no homomorphism: see the product of {p} and {q}"
                     )
@@ -115,11 +121,11 @@ class Splitting:
     """An isomorphism of ``algebra`` with the 2 × 2 matrices over its field, checked when found.
 
     ``i`` and ``j`` are the matrices of i and j (``I, J = A.split()`` unpacks them), ``images`` those
-    of e, i, j, k; ``zero_divisor`` is an element of norm 0.
+    of e, i, j, k; ``zero_divisor`` is an element of norm 0, and ``reason`` says why there is one.
     """
 
-    def __init__(self, algebra: Parent, found: splitting.Splitting, reason: str = "") -> None:
-        self.algebra, self.reason, self._found = algebra, reason, found
+    def __init__(self, algebra: Parent, found: splitting.Splitting) -> None:
+        self.algebra, self.reason, self._found = algebra, found.reason, found
         self.images = found.images
         self.i, self.j = found.i, found.j
         self.zero_divisor: Quaternion = algebra(*found.zero_divisor)
@@ -149,6 +155,12 @@ class Splitting:
         i, j = shown
         return f"{self.algebra} ≅ M₂({F}): i ↦ {i}, j ↦ {j}"
 
+    def _repr_latex_(self) -> str:
+        F = self.algebra.ring
+        i, j = (matrix_latex(F, m) for m in (self.i, self.j))
+        onto = rf"{self.algebra.latex()} \cong M_2({F.latex_name})"
+        return rf"${onto}\colon\quad i \mapsto {i},\ j \mapsto {j}$"
+
 
 class Division:
     """Why ``algebra`` is a division algebra: only 0 has norm 0, by ``method``, for the ``reason`` given.
@@ -169,6 +181,12 @@ class Division:
 
     def __repr__(self) -> str:
         return f"{self.algebra} is a division algebra: {self.reason}"
+
+
+def matrix_latex(F: Any, m: Sequence[Sequence[Any]]) -> str:
+    """Write a matrix in LaTeX's mathematics."""
+    rows = r" \\ ".join(" & ".join(F.text(x, "latex") for x in row) for row in m)
+    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
 
 
 def matrix_text(F: Any, m: Sequence[Sequence[Any]], style: str = "plain") -> str:

@@ -70,14 +70,16 @@ def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = ""
     """
     times = "*" if style == "plain" else ""
     minus = "−" if style == "unicode" else "-"
+    zero, one, minus_one = (F.key(F(n)) for n in (0, 1, -1))
     terms = []
     for x, letter in zip(q, (unit, *BASIS[1:]), strict=True):
-        if F.is_zero(x):
+        key = F.key(x)
+        if key == zero:
             continue
         text = F.text(x, style)
-        if letter and F.is_zero(x - F.one):
+        if letter and key == one:
             terms.append(letter)
-        elif letter and (text in ("-1", "−1") or (unit and F.is_zero(x + F.one))):
+        elif letter and (text in ("-1", "−1") or (unit and key == minus_one)):
             terms.append(f"{minus}{letter}")
         elif not letter:
             terms.append(text)

@@ -32,6 +32,7 @@ class Parent(Protocol):
     def __call__(self, *coordinates: Any) -> Quaternion: ...  # noqa: D102
     def scalar(self, x: Any) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
+    def latex(self) -> str: ...  # noqa: D102
 
 
 class Quaternion(ElementFacts, BatchMethods):
@@ -261,6 +262,8 @@ class Quaternion(ElementFacts, BatchMethods):
         how = self._how
         return held_by(self._algebra, how, how.conjugate(self._held))
 
+    conj = conjugate  # as the language calls it
+
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
         norm = self._how.norm
@@ -285,6 +288,8 @@ class Quaternion(ElementFacts, BatchMethods):
         where = _first(~how.units(self._held))
         q = self._new(*how.single(how.part(self._held, where)))
         raise NotInvertibleError(f"at index {where} of the array: {q._failure()}")
+
+    inv = inverse
 
     def _failure(self) -> str:
         """Say why this single quaternion has no inverse."""
@@ -333,8 +338,8 @@ class Quaternion(ElementFacts, BatchMethods):
     def __repr__(self) -> str:
         return self.text("unicode")
 
-    def _repr_latex_(self) -> str:
-        return f"${self.text('latex')}$" if not self.is_batch else ""
+    def _repr_latex_(self) -> str | None:
+        return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
 
     def __reduce__(self) -> Any:
         state = self.ring.state

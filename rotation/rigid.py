@@ -221,9 +221,11 @@ class RigidTransform:
             exponent = exponent[..., None]
         return self.from_exp_coords(self.as_exp_coords() * exponent)
 
-    def inv(self) -> Self:
+    def inverse(self) -> Self:
         """Return the inverse motions."""
         return self._of_rows(motions.INVERTED(self._q, self._t))
+
+    inv = inverse  # as scipy calls it
 
     def apply(self, points: Any, inverse: bool = False) -> Array:
         """Move points (…, 3): ``R·v + t``, or back again; the batch shapes broadcast.

@@ -128,9 +128,11 @@ class Rotation(Conversions):
             return self._of(quaternions.inverse(q) if exponent < 0 else q)
         return self._of(quaternions.power(self._q, exponent))
 
-    def inv(self) -> Self:
+    def inverse(self) -> Self:
         """Return the inverse rotations."""
         return self._of(quaternions.inverse(self._q))
+
+    inv = inverse  # as scipy calls it
 
     def outer(self, other: "Rotation") -> Self:
         """Return all products: the shape is ``self.shape + other.shape``.

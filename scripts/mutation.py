@@ -20,7 +20,7 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-CORE = ("core", "forged", "polynomials", "rejected")
+CORE = ("core", "forged", "messages", "polynomials", "rejected")
 CHECKER = (
     *(f"tests/certificates/test_{name}.py" for name in CORE),
     "tests/adversary/test_breaks.py",
@@ -102,11 +102,9 @@ FORGETTING = """
 def _forget():
     for name, module in list(sys.modules.items()):
         if name.startswith("hfield"):
-            for key, value in list(vars(module).items()):
+            for value in list(vars(module).values()):
                 if hasattr(value, "cache_clear"):
                     value.cache_clear()
-                elif key == "_proofs" and isinstance(value, dict):
-                    value.clear()
 """
 
 

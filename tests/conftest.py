@@ -32,7 +32,8 @@ SLOW = {
         "test_imports.py",
     ),
     *("warming.py", "test_figures.py", "test_fused.py", "test_defects.py", "test_isometry.py"),
-    "test_dask.py",
+    *("test_dask.py", "test_many_classes.py"),
+    "test_number_field_ramification.py",
 }
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 

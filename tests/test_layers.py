@@ -48,7 +48,7 @@ FLOORS = [
     {"rotation.wahba", "rotation.fused", "rotation.rigid_motions", "rotation.screws"},
     {"rotation.conversions"},
     {"rotation.rotation"},
-    {"rotation.interpolation", "rotation.alignment", "rotation.motion"},
+    {"rotation.interpolation", "rotation.alignment", "rotation.angular_velocity"},
     {"rotation.rigid", "rotation.swing", "rotation.conventions", "rotation.spline"},
     {"rotation.compat"},
     {"rotation.warming"},

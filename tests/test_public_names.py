@@ -7,9 +7,16 @@ import pytest
 NAMES = {
     "hfield": """
         CC CoercionError GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
-        NotInvertibleError NotationError Order QQ Quaternion QuaternionAlgebra RDF RR RingError
-        TooLargeError UndecidedError ZZ Zmod conj conjugator errors explain four_squares
-        hilbert_symbol inv norm places prove ring trace verify
+        NotInvertibleError NotationError NumberField Order QQ Quaternion QuaternionAlgebra RDF
+        RR RingError TooLargeError UndecidedError ZZ Zmod conj conjugator errors explain
+        four_squares hilbert_symbol inv norm places prove ring trace verify
+    """,
+    "rotation": """
+        DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError
+        RotationSpline Screw Slerp Squad T_q ZeroRotationError align align_points change_of_axes
+        convert_points convert_rotation integrate inverse_left_jacobian left_jacobian reflect2
+        reflection rotate rotate2 rotate_euler rotate_quat sclerp slerp squad swing_twist
+        threads warm_up
     """,
     "anim": """
         AnimationError Body Camera Clip Launch Look Model Motion PIPELINES Timeline Top
@@ -31,3 +38,33 @@ def test_the_public_names(package: str) -> None:
 def test_no_other_name_is_handed_out(package: str) -> None:
     with pytest.raises(AttributeError, match="nonsense"):
         _ = import_module(package).nonsense
+
+
+# One spelling of each thing at the surface, and what else it answers to.
+ALIASES = [
+    ("hfield", "QuaternionAlgebra", "center", "centre"),
+    ("hfield", "Quaternion", "conjugate", "conj"),
+    ("hfield", "Quaternion", "inverse", "inv"),
+    ("rotation", "Rotation", "inverse", "inv"),
+    ("rotation", "RigidTransform", "inverse", "inv"),
+]
+
+
+@pytest.mark.parametrize(("package", "kind", "name", "alias"), ALIASES)
+def test_aliases(package: str, kind: str, name: str, alias: str) -> None:
+    owner = getattr(import_module(package), kind)
+    assert getattr(owner, alias) is getattr(owner, name)
+    assert getattr(owner, name).__name__ == name
+
+
+def test_methods_functions_and_language_agree() -> None:
+    from hfield import QQ, H, conj, conjugator, inv, prove
+
+    p, q = H(QQ)(1, 2, 0, 1), H(QQ)(1, 0, 2, 1)
+    assert p.conj() == p.conjugate() == conj(p)
+    assert p.inv() == p.inverse() == inv(p)
+    x = conjugator(p, q)
+    assert x is not None
+    assert x == p.conjugator(q) == p.conjugacy(q).element
+    assert x * p * x.inv() == q
+    assert prove("norm(p) != 0 => p*inv(p) == e and conj(p) == norm(p)*inv(p)")

@@ -123,8 +123,8 @@ def time_left(seconds: float) -> str:
 
 def _sheet(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.commands.choices import look_of, motions_of
+    from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
-    from anim.output.place import file_place, refuse_early
     from anim.rendering import contact_sheet
 
     if path.suffix.lower() != ".png":
@@ -144,7 +144,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     """Write the page: the four models side by side, or the one named; for physics with curves."""
     from anim.commands.choices import camera_of, motions_of
     from anim.output import check
-    from anim.output.place import write_text
+    from anim.output.destination import write_text
     from anim.picture.look import colour
     from anim.viewer import Show, curves_of, page
 
@@ -174,7 +174,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 
 def _figures(args: Namespace, folder: Path) -> int:
     """Write the still pictures of sections 3.3 and 3.4."""
-    from anim.picture.thesis import NAMES, figures
+    from anim.picture.still_pictures import NAMES, figures
 
     there = next((name for name in NAMES if (folder / name).exists()), None)
     if there and not args.force:

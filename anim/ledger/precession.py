@@ -14,7 +14,7 @@ from hfield.ledger.real import Angles
 from hfield.syntax import Node, both, conj, names, norm, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal
-from rotation.ledger.order import Less, between
+from rotation.ledger.inequalities import Less, between
 from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, S, T, rodrigues
 from rotation.ledger.symbols import code, quaternion, read_as
 from rotation.ledger.symbols import equal as same_lists

@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from anim.errors import AnimationError
+from anim.output.destination import file_place, folder_place, refuse_early
 from anim.output.format import Film, Format, Samples, Write
 from anim.output.formats import FORMATS
-from anim.output.place import file_place, folder_place, refuse_early
 from hfield.errors import shorten
 
 PAGE = ".html"  # no film: the page draws for itself

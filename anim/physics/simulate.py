@@ -18,7 +18,7 @@ from rotation.matrices import to_matrix
 from rotation.quaternions import product
 
 if TYPE_CHECKING:
-    from anim.physics.splitting import Rates
+    from anim.physics.integrator import Rates
 
 Floats = NDArray[np.float64]
 
@@ -148,7 +148,7 @@ class HeavyTop:
 
     def states(self, times: Floats) -> Floats:
         """Return the states (n, 7) at instants (n,): attitudes and angular velocities in the body's axes."""
-        from anim.physics.splitting import visit_compiled
+        from anim.physics.integrator import visit_compiled
 
         kept, landed = self._followed
         return np.asarray(
@@ -181,7 +181,7 @@ class HeavyTop:
 
     @property
     def _rates(self) -> "Rates":
-        from anim.physics.splitting import Rates
+        from anim.physics.integrator import Rates
 
         body, launch = self.body, self.launch
         return Rates(
@@ -195,7 +195,7 @@ class HeavyTop:
     @cached_property
     def _followed(self) -> tuple[Floats, float]:
         """The states after every EVERY steps, and when the rim touched, or −1."""
-        from anim.physics.splitting import run_compiled
+        from anim.physics.integrator import run_compiled
 
         kept, landed = run_compiled(self.start, self.step, self.steps, EVERY, self._rates)
         return kept, float(landed)

@@ -14,6 +14,7 @@ from hfield.certificates.existence import cases, none_exists, place, terms
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import (
     COMMUTATIVE_RINGS,
+    COUNTEREXAMPLE,
     EXHAUSTION,
     FIELD,
     FIELDS,
@@ -117,8 +118,8 @@ def _counterexample(statement: Statement, setting: Setting, evidence: object) ->
 def _refuted(tree: Tree, infinite: bool) -> str:
     """Name the method of a refutation by what is refuted: an identity, or that equations have no solution."""
     if _is_identity(tree, True, infinite):
-        return "identity"
-    return "witness" if _is_identity(tree, False, infinite) else "counterexample"
+        return IDENTITY
+    return WITNESS if _is_identity(tree, False, infinite) else COUNTEREXAMPLE
 
 
 def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:

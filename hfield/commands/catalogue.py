@@ -24,6 +24,7 @@ COMMANDS = {
     "four-squares": "write an integer as a sum of four squares",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
+    "warm": "compile the loops over arrays beforehand",
     "doctor": "tell what is installed, what is missing and what it would add",
     "completion": "print the completion script of a shell",
     "repl": "an interactive session with e, i, j, k at hand",

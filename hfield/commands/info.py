@@ -87,8 +87,7 @@ def _primes(text: str | None) -> list[int] | None:
 def page(d: Description, width: int) -> list[str]:
     """Lay out the page in lines of at most ``width`` characters, tables apart."""
     A = d.algebra
-    name = shorten(A.name, width)
-    lines = [name, "─" * len(name), ""]
+    lines = [*_title(A.name, A.ring.in_words(), width), ""]
     lines += [f"  {',   '.join(shorten(relation, width // 2) for relation in d.relations)}", ""]
     table = [f" {line}" for line in A.table_text("unicode").splitlines()]
     if max(map(len, table)) > width:
@@ -100,6 +99,13 @@ def page(d: Description, width: int) -> list[str]:
             for label, text in rows:
                 lines += row(label, text, width)
     return lines
+
+
+def _title(name: str, ring: str, width: int) -> list[str]:
+    """Lay out the first line, which says what the base ring is, in words, and a rule under it."""
+    words = shorten(f"over {ring}", width - 20)
+    title = f"{shorten(name, width - len(words) - 2)}  {words}"
+    return [title, "─" * len(title)]
 
 
 def row(label: str, text: str, width: int) -> list[str]:

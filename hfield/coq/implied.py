@@ -10,8 +10,6 @@ from hfield.coq.cofactors import MismatchError, Reader, written
 from hfield.coq.formulas import Equation, Formula, Junction, equations
 from hfield.coq.terms import NotCoveredError, Terms
 
-MAX_ITEMS = 2_000
-
 
 @dataclass(frozen=True)
 class Evidence:

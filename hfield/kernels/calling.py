@@ -87,9 +87,11 @@ class Kernel:
         return results, run(loop, n, tuple(rows), steps)
 
     def prepare(self) -> None:
-        """Compile what two arrays of one shape need, or read it from the disk."""
+        """Compile, or read from the disk, what arrays of one shape need, and one element with an array."""
         count = len(self.sides) - bool(self.constants)
-        self._compiled((False,) * count + (True,) * bool(self.constants))
+        for single in range(-1, count if count > 1 else 0):
+            flags = tuple(n == single for n in range(count))
+            self._compiled(flags + (True,) * bool(self.constants))
 
     def _compiled(self, singles: tuple[bool, ...]) -> compiling.Function:
         with _lock:

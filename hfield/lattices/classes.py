@@ -26,7 +26,7 @@ from hfield.lattices.answers import rows_json
 from hfield.lattices.class_number import mass
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.order import Order, positive
+from hfield.lattices.order import Order, positive, prime
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
 from hfield.lattices.twosided import generators
 
@@ -218,7 +218,11 @@ class ClassSet:
     # --- Brandt matrices -----------------------------------------------------------------------------
 
     def neighbours(self, p: int) -> list[Counter[int]]:
-        """Return for each class how many right ideals of relative norm p in it belong to which class."""
+        """Return for each class how many right ideals of relative norm p in it belong to which class.
+
+        Raises :class:`LatticeError` for what is no prime.
+        """
+        p = prime(p)
         if p not in self._rows:
             if self.order._discriminant % p:
                 self._rows[p] = [

@@ -22,14 +22,17 @@ def hermite(den: int, matrix: Any) -> tuple[int, Any] | None:
 
     None when the rank is below 4.
     """
+    n = matrix.nrows()
+    if n < 4:
+        return None
     h = matrix.hnf()
-    top = h.entries()[:16]
-    if len(top) < 16 or not (top[0] and top[5] and top[10] and top[15]):
+    top = h.entries() if n == 4 else [h[i, j] for i in range(4) for j in range(4)]
+    if not (top[0] and top[5] and top[10] and top[15]):
         return None
     g = fmpz(den)
     for x in top:
         if g == 1:
-            return den, h if h.nrows() == 4 else fmpz_mat(4, 4, top)
+            return den, h if n == 4 else fmpz_mat(4, 4, top)
         if x:
             g = g.gcd(x)
     return den // int(g), fmpz_mat(4, 4, [x // g for x in top])

@@ -82,7 +82,7 @@ def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     other_den, other_rows, other_gram = second._reduced_ternary
     steps, form = next(ternary.reduced_bases(gram))
     images = list(ternary.reduced_bases(other_gram))
-    least, other_least = form[0][0] // 2, images[0][1][0][0] // 2
+    least, other_least = form[0] // 2, images[0][1][0] // 2
     if least != other_least:
         return None, (
             f"the least norm in the trace-0 part of ℤ + 2O is {least} for one and {other_least} for the other"

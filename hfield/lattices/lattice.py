@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpq, fmpz_mat
+from flint import fmpq, fmpz_mat, fmpz_poly
 
 from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, TooLargeError, shorten
 from hfield.lattices import enumeration, hermite
@@ -74,7 +74,7 @@ class Lattice:
 
     # --- what it is ------------------------------------------------------------------------------
 
-    @cached_property
+    @property
     def _regular(self) -> Regular:
         return regular(self.algebra)
 
@@ -307,12 +307,9 @@ class Lattice:
     def _content(self) -> tuple[Any, list[Any]]:
         """The gcd of all values of the norm, and the entries of its Gram matrix, both scaled."""
         entries = (self._regular.gram(self._matrix)).entries()
-        a, content, b, c, _, d, e, f, _, _, g, h, _, _, _, i = entries
-        for x in (a // 2, b, c, d // 2, e, f, g // 2, h, i // 2):
-            content = content.gcd(x)
-            if content == 1:
-                break
-        return content, entries
+        a, b, c, d, _, e, f, g, _, _, h, i, _, _, _, j = entries
+        form = [a // 2, b, c, d, e // 2, f, g, h // 2, i, j // 2]
+        return fmpz_poly(form).content(), entries  # the gcd of a list, as flint has it
 
     @cached_property
     def _even(self) -> Any:

@@ -18,8 +18,9 @@ from flint import fmpz_mat
 from hfield.errors import RingError
 from hfield.lattices.hermite import integral
 from hfield.product import Constants, conjugate, multiply, trace
+from hfield.rings.rational_places import INFINITE
 from hfield.structure.forms import discriminant
-from hfield.structure.rationals.hilbert_rationals import INFINITE, ramified_places_q
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 
 UNITS: list[Any] = [tuple(Fraction(int(m == n)) for n in range(4)) for m in range(4)]

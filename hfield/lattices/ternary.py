@@ -17,17 +17,17 @@ from hfield.lattices.enumeration import Gram, Vector
 Basis = tuple[Vector, Vector, Vector]
 
 
-def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, Gram]]:
-    """Yield each reduced basis, one of ±u for the first vector, and its Gram matrix.
+def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, tuple[int, ...]]]:
+    """Yield each reduced basis, one of ±u for the first vector, and its six inner products.
 
     The matrix that is given should be reduced by LLL already.
     """
     for u in _least(gram):
         b, c = _completed(u)
-        plane = _modulo(gram, u, (b, c))
-        _, steps = fmpz_mat(plane).lll(transform=True, rep="gram")
+        bb, bc, cc = _modulo(gram, u, b, c)
+        plane, steps = fmpz_mat(2, 2, [bb, bc, bc, cc]).lll(transform=True, rep="gram")
         b, c = (_sum((int(steps[n, 0]), b), (int(steps[n, 1]), c)) for n in (0, 1))
-        for x, y in _least(_modulo(gram, u, (b, c))):
+        for x, y in _least([[int(e) for e in row] for row in plane.tolist()]):
             _, s, t = _gcd(x, y)
             v, w = _sum((x, b), (y, c)), _sum((-t, b), (s, c))
             for e in (1, -1):
@@ -35,14 +35,14 @@ def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, Gram]]:
                     yield _rounded(gram, u, _sum((e, v)), _sum((f, w)))
 
 
-def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, Gram]:
+def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[int, ...]]:
     """Take v and u off in the one way that leaves coefficients in (−1/2, 1/2]."""
-    (vv, vw), _ = _modulo(gram, u, (v, w))
+    vv, vw, _ = _modulo(gram, u, v, w)
     w = _sum((1, w), (-_nearest(vw, vv), v))
     uu = _pair(gram, u, u)
     v, w = (_sum((1, x), (-_nearest(_pair(gram, u, x), uu), u)) for x in (v, w))
-    basis = (u, v, w)
-    return basis, [[_pair(gram, x, y) for y in basis] for x in basis]
+    uv, uw, vw = _pair(gram, u, v), _pair(gram, u, w), _pair(gram, v, w)
+    return (u, v, w), (uu, _pair(gram, v, v), _pair(gram, w, w), uv, uw, vw)
 
 
 def _least(gram: Gram) -> list[Vector]:
@@ -53,14 +53,11 @@ def _least(gram: Gram) -> list[Vector]:
     return [x for x, value in found if value == least]
 
 
-def _modulo(gram: Gram, u: Vector, vectors: tuple[Vector, Vector]) -> list[list[int]]:
-    """Return the Gram matrix of vectors without their parts along u, ``|u|²`` times too large."""
-    uu = _pair(gram, u, u)
-    along = [_pair(gram, u, x) for x in vectors]
-    return [
-        [uu * _pair(gram, x, y) - m * n for y, n in zip(vectors, along, strict=True)]
-        for x, m in zip(vectors, along, strict=True)
-    ]
+def _modulo(gram: Gram, u: Vector, x: Vector, y: Vector) -> tuple[int, int, int]:
+    """Return the inner products of x and y without their parts along u, ``|u|²`` times too large."""
+    uu, ux, uy = _pair(gram, u, u), _pair(gram, u, x), _pair(gram, u, y)
+    xx, xy, yy = _pair(gram, x, x), _pair(gram, x, y), _pair(gram, y, y)
+    return uu * xx - ux * ux, uu * xy - ux * uy, uu * yy - uy * uy
 
 
 def _completed(u: Vector) -> tuple[Vector, Vector]:
@@ -86,10 +83,13 @@ def _nearest(n: int, d: int) -> int:
 
 
 def _pair(gram: Gram, x: Vector, y: Vector) -> int:
-    return sum(
-        a * b * c for a, row in zip(x, gram, strict=True) for b, c in zip(row, y, strict=True)
-    )
+    (a, b, c), (_, d, e), (_, _, f) = gram
+    (p, q, r), (s, t, u) = x, y
+    return s * (a * p + b * q + c * r) + t * (b * p + d * q + e * r) + u * (c * p + e * q + f * r)
 
 
 def _sum(*terms: tuple[int, Vector]) -> Vector:
-    return tuple(sum(c * v[n] for c, v in terms) for n in range(3))
+    p = q = r = 0
+    for c, (x, y, z) in terms:
+        p, q, r = p + c * x, q + c * y, r + c * z
+    return p, q, r

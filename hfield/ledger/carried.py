@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from time import monotonic
 
 from hfield.errors import HFieldError
-from hfield.proving.counterexamples.candidates import Assignment
+from hfield.proving.clock import Clock
+from hfield.proving.counterexamples.candidates import Assignment, true_place
 from hfield.proving.decide import decide
 from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
-from hfield.proving.evaluation.interpretation import PrimeInterpretation, bind
-from hfield.proving.existence.terms import about, true_place
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators, read_statement
 from hfield.proving.statements.setting import read_setting
+from hfield.proving.statements.trees import conjunction
 from hfield.rings.base import Ring
-from hfield.syntax import Logic
 
 PLACES, SECONDS = 400, 5.0
 
@@ -58,8 +59,8 @@ def _satisfiable(formula: str, given: tuple[str, ...], characteristic: int) -> b
     setting, found = read_setting(None, None), _general(formula, given)
     if place is None or found is None:
         return False
-    world = PrimeInterpretation(characteristic)
-    bind(world, setting.constants, place)
+    world = Evaluator(PrimeScalars(characteristic), setting.trees, found[1].sorts)
+    world.bind(place)
     return all(world.truth(h) for h in found[1].hypotheses)
 
 
@@ -72,10 +73,5 @@ def _place(formula: str, given: tuple[str, ...]) -> Assignment | None:
     _, statement = found
     if not statement.hypotheses:
         return {}
-    node = statement.hypotheses[0]
-    for h in statement.hypotheses[1:]:
-        node = Logic("and", node, h)
-    setting = read_setting(None, None)
-    deadline = monotonic() + SECONDS
-    place: Assignment | None = true_place(about(statement, node), setting, PLACES, deadline)
-    return place
+    problem = Problem(statement, read_setting(None, None), Clock.of(SECONDS))
+    return true_place(problem.about(conjunction(statement.hypotheses)), PLACES)

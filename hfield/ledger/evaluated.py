@@ -8,10 +8,11 @@ from hfield.errors import HFieldError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.ledger.wording import STATED_FIELD
 from hfield.notation import element_text
-from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_unicode
-from hfield.proving.statements.setting import read_setting
+from hfield.proving.statements.setting import Setting, read_setting
 from hfield.proving.statements.trees import walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
@@ -41,28 +42,29 @@ def evaluated(
         read = read_statement(text, F, (), setting.letters, setting.constants)
         if read.exists or weight(read.node) > MOST_WEIGHT:
             return []
-        return list(_failures(_world(read, setting.constants, F, witness), read, F))[:MOST_LINES]
+        return list(_failures(_world(read, setting, F, witness), read, F))[:MOST_LINES]
     except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
         return []
 
 
 def _world(
     statement: Statement,
-    constants: tuple[str, str, str],
+    setting: Setting,
     F: Ring,
     witness: Mapping[str, Sequence[str]],
-) -> RingInterpretation:
+) -> Evaluator:
     """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
-    values = {text: F(text) for text in statement.constants}
+    fixed = {text: F(text) for text in statement.constants}
+    values = {}
     for unknown, _ in statement.unknowns:
         read = tuple(F(text) for text in witness[unknown])
         values[unknown] = read[0] if len(read) == 1 else read
-    world = RingInterpretation(F)
-    bind(world, constants, values)
+    world = Evaluator(RingScalars(F), setting.trees, statement.sorts, fixed)
+    world.bind(values)
     return world
 
 
-def _failures(world: RingInterpretation, statement: Statement, F: Ring) -> Iterator[str]:
+def _failures(world: Evaluator, statement: Statement, F: Ring) -> Iterator[str]:
     """Write the comparisons of the conclusion that are false."""
     for node in walk(statement.conclusion):
         if isinstance(node, Compare) and not world.truth(node):
@@ -75,7 +77,7 @@ def _failures(world: RingInterpretation, statement: Statement, F: Ring) -> Itera
                 yield _chain(left, x, node.op == "!=", y, right)
 
 
-def _side(world: RingInterpretation, node: Node, F: Ring) -> tuple[str, str]:
+def _side(world: Evaluator, node: Node, F: Ring) -> tuple[str, str]:
     """Return the text of a term and of its value, '' where it has none."""
     value, defined = world.term(node)
     if not defined:

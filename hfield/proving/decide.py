@@ -1,20 +1,18 @@
-"""The decision: which procedure is tried when, over one field or over all at once."""
+"""The way from a text to a verdict: read, choose, try, answer."""
 
-from collections.abc import Iterable
-from functools import lru_cache
-from time import monotonic
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from hfield.errors import TooLargeError
+from hfield.proving.clock import Clock
 from hfield.proving.decision import NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.definedness import algebra_exists
 from hfield.proving.existence import quantifiers
-from hfield.proving.methods import all_fields, one_ring
-from hfield.proving.statements.definedness import algebra_exists
-from hfield.proving.statements.language import Statement, read_statement
-from hfield.proving.statements.setting import Setting, read_setting
+from hfield.proving.methods import universal
+from hfield.proving.problem import Problem, remembered
+from hfield.proving.question import TIMEOUT, Question, read_question
 from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
-
-TIMEOUT = 30.0
 
 
 def decide(
@@ -32,42 +30,32 @@ def decide(
     :class:`NotationError` or :class:`RingError` for what cannot be read; never guesses: what no
     procedure settles is ``undecided``, with what was tried.
     """
-    return read_and_decide(statement, field, tuple(given), algebra, timeout)[2]
+    return answer(read_question(statement, field, given, algebra, timeout))
 
 
-def read_and_decide(
-    statement: str,
-    field: Ring | str | None,
-    given: tuple[str, ...],
-    algebra: str | None,
-    timeout: float,
-) -> tuple[Statement, Setting, Decision]:
-    """Decide as :func:`decide` does; return the statement and the setting as they were read too."""
-    setting = read_setting(field, algebra)
-    read = read_statement(statement, setting.field, given, setting.letters, setting.constants)
-    if is_risky(read, setting):
-        decision = decide_apart(statement, setting, given, algebra, timeout)
+def answer(question: Question) -> Decision:
+    """Answer a question, in a process of its own where a single step may take long."""
+    if is_risky(question.problem):
+        decision = decide_apart(question)
         if decision is not None:
-            return read, setting, decision
-    return read, setting, decide_statement(read, setting, timeout)
+            return decision
+    return answer_here(question)
 
 
-@lru_cache(maxsize=8192)
-def decide_statement(statement: Statement, setting: Setting, timeout: float = TIMEOUT) -> Decision:
-    """Decide a statement that has been read."""
-    deadline = monotonic() + timeout
-    decide_one = all_fields.decide if setting.field is None else one_ring.decide
-    exists = algebra_exists(statement, setting, deadline)
+def answer_here(question: Question) -> Decision:
+    """Answer a question in this process, whatever the risk."""
+    problem = replace(question.problem, clock=Clock.of(question.timeout))
+    return _decided(problem, problem.field, question.timeout)
+
+
+@remembered
+def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
+    """Try the method chosen, where the algebra exists; ``ring`` and ``timeout`` are for the memory."""
+    exists = algebra_exists(problem)
     if exists is False:
-        return _no_algebra(setting)
+        return _no_algebra(problem)
     try:
-        if statement.exists:
-            decision = quantifiers.decide(statement, setting, deadline, decide_one)
-        else:
-            decision = decide_one(statement, setting, deadline)
-            if decision.verdict == PROVED and statement.hypotheses:
-                vacuous = quantifiers.vacuous(statement, setting, deadline, decide_one)
-                decision = decision if vacuous is None else vacuous
+        decision = chosen(problem)(problem)
     except TooLargeError as error:
         return Decision(UNDECIDED, "none", tried=(str(error),))
     if exists is None and decision.verdict in (PROVED, VACUOUS):
@@ -76,8 +64,25 @@ def decide_statement(statement: Statement, setting: Setting, timeout: float = TI
     return decision
 
 
-def _no_algebra(setting: Setting) -> Decision:
+def chosen(problem: Problem) -> Callable[[Problem], Decision]:
+    """Return the method for a problem: by whether something is said to exist, and what is assumed."""
+    if problem.statement.exists:
+        return quantifiers.decide
+    return _with_hypotheses if problem.statement.hypotheses else universal.decide
+
+
+def _with_hypotheses(problem: Problem) -> Decision:
+    """Decide a statement without quantifier; what nothing satisfies is vacuous."""
+    decision = universal.decide(problem)
+    if decision.verdict != PROVED:
+        return decision
+    vacuous = quantifiers.vacuous(problem)
+    return decision if vacuous is None else vacuous
+
+
+def _no_algebra(problem: Problem) -> Decision:
     """Return the decision about an algebra whose structure constants are never defined."""
+    setting = problem.setting
     where = "any field" if setting.field is None else setting.field.name
     values = f" for any {', '.join(setting.letters)}" if setting.letters else ""
     why = f"there is no algebra {setting.algebra}: its constants are not defined in {where}{values}"

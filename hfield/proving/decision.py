@@ -42,6 +42,12 @@ def characteristics(primes: list[int]) -> str:
     return f"characteristics {sorted(primes)}"
 
 
+def counted(thing: str, n: int, number: bool = True) -> str:
+    """Return "1 case", "2 cases", or the word alone in singular or plural."""
+    word = thing if n == 1 else f"{thing}s"
+    return f"{n} {word}" if number else word
+
+
 @dataclass(frozen=True)
 class Decision:
     """A verdict and how it was reached; plain data throughout, so it pickles and prints as JSON.

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from hfield.proving.decide import TIMEOUT, read_and_decide
+from hfield.proving.decide import answer
 from hfield.proving.decision import (
     NOT_APPLICABLE,
     PROVED,
@@ -14,6 +14,7 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
+from hfield.proving.question import TIMEOUT, read_question
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting
@@ -140,6 +141,11 @@ class Answer:
     def __repr__(self) -> str:
         return str(self)
 
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(str(self))}</pre>"
+
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
 
@@ -190,5 +196,6 @@ def prove(
     True
     """
     hypotheses = tuple(map(plain, given))
-    read, setting, decision = read_and_decide(plain(statement), field, hypotheses, algebra, timeout)
-    return Answer(read, setting, decision)
+    question = read_question(plain(statement), field, hypotheses, algebra, timeout)
+    problem = question.problem
+    return Answer(problem.statement, problem.setting, answer(question))

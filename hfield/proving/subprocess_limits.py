@@ -7,14 +7,14 @@ things cannot be estimated: factoring structure constants of many digits, or com
 import json
 import subprocess
 import sys
-from collections.abc import Iterable
 from typing import Any
 
 from hfield.errors import HFieldError
 from hfield.proving.decision import UNDECIDED, Decision
-from hfield.proving.statements.language import Statement
-from hfield.proving.statements.setting import Setting
+from hfield.proving.problem import Problem
+from hfield.proving.question import Question
 from hfield.rings import ring
+from hfield.rings.base import Ring
 from hfield.syntax import weight
 
 MEMORY = 1 << 30
@@ -25,36 +25,30 @@ SLOW_WEIGHT = 60  # where roots of numbers are compared
 MAX_NAME = 24
 
 
-def is_risky(statement: Statement, setting: Setting) -> bool:
+def is_risky(problem: Problem) -> bool:
     """Tell whether deciding may take long in a single step, which no time limit could end."""
+    statement, field = problem.statement, problem.field
     heaviest = max(weight(n) for n in (*statement.hypotheses, statement.conclusion))
-    digits = sum(c.isdigit() for text in setting.constants for c in text)
-    field = setting.field
+    digits = sum(c.isdigit() for text in problem.setting.constants for c in text)
     if digits > MAX_DIGITS or heaviest > MAX_WEIGHT:
         return True
     if field is None:
         return False
-    slow = field.name in ("RR", "CC") and heaviest > SLOW_WEIGHT
+    slow = field.closure is not None and heaviest > SLOW_WEIGHT
     return slow or len(field.name) > MAX_NAME
 
 
-def decide_apart(
-    statement: str,
-    setting: Setting,
-    given: Iterable[str],
-    algebra: str | None,
-    timeout: float,
-) -> Decision | None:
+def decide_apart(question: Question) -> Decision | None:
     """Decide in another process; None when the field is a user's own, which has no name there."""
-    field = None if setting.field is None else setting.field.name
-    if field is not None and not _is_ours(field, setting):
+    field = question.problem.field
+    if field is not None and not _is_ours(field):
         return None
     request = {
-        "statement": statement,
-        "field": field,
-        "given": list(given),
-        "algebra": algebra,
-        "timeout": timeout,
+        "statement": question.text,
+        "field": None if field is None else field.name,
+        "given": question.given,
+        "algebra": question.algebra,
+        "timeout": question.timeout,
     }
     try:
         done = subprocess.run(
@@ -62,11 +56,11 @@ def decide_apart(
             input=json.dumps(request),
             capture_output=True,
             text=True,
-            timeout=timeout + GRACE,
+            timeout=question.timeout + GRACE,
             check=False,
         )
     except subprocess.TimeoutExpired:
-        return _given_up(f"the time of {timeout:g} s was over")
+        return _given_up(f"the time of {question.timeout:g} s was over")
     try:
         answer = json.loads(done.stdout)
     except ValueError:
@@ -74,9 +68,9 @@ def decide_apart(
     return from_json(answer)
 
 
-def _is_ours(name: str, setting: Setting) -> bool:
+def _is_ours(field: Ring) -> bool:
     try:
-        return type(ring(name)) is type(setting.field)
+        return type(ring(field.name)) is type(field)
     except HFieldError:
         return False
 

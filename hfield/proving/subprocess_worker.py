@@ -2,28 +2,10 @@
 
 import json
 import sys
-from collections.abc import Iterable
 from dataclasses import asdict
 
-from hfield.proving.decide import decide_statement
-from hfield.proving.decision import Decision
-from hfield.proving.statements.language import read_statement
-from hfield.proving.statements.setting import read_setting
-
-
-def decide_here(
-    statement: str,
-    field: str | None,
-    given: Iterable[str],
-    algebra: str | None,
-    timeout: float,
-) -> Decision:
-    """Decide in this process, whatever the risk."""
-    setting = read_setting(field, algebra)
-    read = read_statement(
-        statement, setting.field, tuple(given), setting.letters, setting.constants
-    )
-    return decide_statement(read, setting, timeout)
+from hfield.proving.decide import answer_here
+from hfield.proving.question import read_question
 
 
 def main(memory: int) -> None:
@@ -34,7 +16,8 @@ def main(memory: int) -> None:
         resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     except (ImportError, ValueError, OSError):  # not a Unix, or a lower limit holds already
         pass
-    json.dump(asdict(decide_here(**json.loads(sys.stdin.read()))), sys.stdout)
+    question = read_question(**json.loads(sys.stdin.read()))
+    json.dump(asdict(answer_here(question)), sys.stdout)
 
 
 if __name__ == "__main__":

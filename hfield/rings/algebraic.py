@@ -39,6 +39,10 @@ class AlgebraicNumbers(Ring):
         self.gen_name = None if self.is_real else "I"
         self.closure = "real closed" if self.is_real else "algebraically closed"
 
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
+
     @property
     def gen(self) -> Any:
         """The imaginary unit of CC; RR has no generator."""

@@ -57,6 +57,7 @@ class Ring(ABC):
     is_field: bool = False
     gen_name: str | None = None
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
+    arithmetic: str = ""  # what in hfield.structure knows the places of a field that has some
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
     # --- what an adapter must give -------------------------------------------------------------
@@ -66,6 +67,10 @@ class Ring(ABC):
         """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
 
     # --- what it gives where it can ------------------------------------------------------------
+
+    def in_words(self) -> str:
+        """Say what the ring is, for people: ``rational functions in z over ℚ``; by default its name."""
+        return self.name
 
     @property
     def gen(self) -> Any:
@@ -202,6 +207,43 @@ class Ring(ABC):
         """
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
 
+    def completion(self, place: Any) -> "Ring":
+        """Return the completion of a global field at a place, or at its text.
+
+        A local field at a finite place; RR or CC at an infinite one, for what is said of all real numbers
+        holds if it does for the algebraic ones (Tarski). Raises :class:`RingError` for a place of another
+        field, :class:`UndecidedError` where there are no places.
+
+        >>> from hfield import ring
+        >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
+        (Qp(5), QQ(I)_(5, I-2), RR)
+        """
+        raise UndecidedError(
+            f"{self.name} is not a global field: it has no places to complete it at"
+        )
+
+    def vanishes(self, x: Any) -> bool:
+        """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
+        return self.is_zero(x)
+
+    def agree(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y as far as they are known."""
+        return self.vanishes(x - y)
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is, as far as that is known."""
+        return self.is_field or self.fractions is not None
+
+    @property
+    def fractions(self) -> "Ring | None":
+        """The field of fractions of an integral domain that is no field, where it has a name."""
+        return None
+
+    def modulo(self, n: int) -> "Ring | None":
+        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
+        return None
+
     @property
     def residues_of(self) -> tuple["Ring", Any] | None:
         """The Euclidean ring R and the m for which this is R/m, None for any other ring.
@@ -284,6 +326,16 @@ class Ring(ABC):
 
     def __repr__(self) -> str:
         return self.name
+
+    @property
+    def latex_name(self) -> str:
+        """The name in LaTeX's mathematics."""
+        from hfield.rings.latex_names import latex_name
+
+        return latex_name(self.name)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex_name}$"
 
     def __reduce_ex__(self, protocol: Any) -> Any:
         """Pickle by name; a ring whose name :func:`hfield.ring` does not know, as any object."""

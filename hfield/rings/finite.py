@@ -33,6 +33,10 @@ class FiniteField(Ring):
     is_field = True
     parse_limit = FINITE_LIMIT
 
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the finite field of {shorten(self.order)} elements"
+
     @abstractmethod
     def label(self, x: Any) -> int:
         """Return galois's integer label of x: its coefficients as digits in base p."""

@@ -29,6 +29,10 @@ class Floats(Ring):
     is_field = True
     parse_limit = 100_000
 
+    def in_words(self) -> str:
+        """Say what the ring is."""
+        return "floating-point numbers, which are inexact"
+
     def __call__(self, x: Any) -> Any:
         """Turn a real number into the nearest float, read a text.
 

@@ -20,7 +20,7 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
-from hfield.rings.printing import quotient_text, sum_text
+from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.quotient import Quotient
 from hfield.rings.rational import rational, unwrap
 
@@ -43,6 +43,7 @@ class FunctionField(Ring):
     """
 
     is_field = True
+    arithmetic = "function_fields.arithmetic_functions.FunctionArithmetic"
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.gen_name = base, variable
@@ -51,6 +52,10 @@ class FunctionField(Ring):
         self._polynomial = _polynomials_over(base)
         self._one = self._polynomial([base.one])
         self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
 
     @property
     def gen(self) -> Any:
@@ -190,6 +195,12 @@ class FunctionField(Ring):
 
         return all_places(self)
 
+    def completion(self, place: Any) -> Ring:
+        """Return a field of Laurent series, over a finite field of constants."""
+        from hfield.rings.local.completions import completion_of_functions
+
+        return completion_of_functions(self, place)
+
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""
         return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
@@ -203,14 +214,13 @@ class FunctionField(Ring):
         return sum_text(reversed(terms), style)
 
 
-def build(base: Ring, variables: tuple[str, ...]) -> FunctionField:
+def build(base: Ring, variables: tuple[str, ...]) -> Ring:
     """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
     shown = f"{base}({','.join(variables)})"
     if len(variables) != 1:
-        raise RingError(
-            f"{shorten(shown)}: rational functions have one variable here; the polynomials "
-            f"QQ[{','.join(variables)}] have several"
-        )
+        from hfield.rings.several_variables import build as build_several
+
+        return build_several(base, variables)
     if not isinstance(base, (PrimeField, ExtensionField)) and base.name != "QQ":
         raise RingError(
             f"{shorten(shown)}: rational functions are over QQ or a finite field, as in QQ(x) or GF(4)(t)"

@@ -175,6 +175,9 @@ class Batch(Holding):
         """Hold what ``to_array`` returned. Raises :class:`CoercionError`."""
         return self.to_array(values)
 
+    def prepare(self) -> None:
+        """Compile what the operations need, if they need a compiler."""
+
     # --- arithmetic ----------------------------------------------------------------------------
 
     def product(self, p: Any, q: Any, /) -> Any:

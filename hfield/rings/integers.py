@@ -67,6 +67,10 @@ class Integers(_Ordered):
 
     name = "ZZ"
 
+    def in_words(self) -> str:
+        """Say what ℤ is."""
+        return "the integers ℤ"
+
     def __call__(self, x: Any) -> Any:
         """Turn a whole number into an element, read a text. Raises :class:`CoercionError`."""
         x = unwrap(x)
@@ -80,6 +84,15 @@ class Integers(_Ordered):
         if isinstance(number, Fraction):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
+
+    @property
+    def fractions(self) -> Ring:
+        """ℚ."""
+        return QQ
+
+    def modulo(self, n: int) -> Ring:
+        """Return ℤ/n."""
+        return Zmod(n)
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints, as those over ℚ are."""
@@ -133,6 +146,11 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
+    arithmetic = "rationals.arithmetic_rationals.RationalArithmetic"
+
+    def in_words(self) -> str:
+        """Say what ℚ is."""
+        return "the rational numbers ℚ"
 
     def __call__(self, x: Any) -> Any:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
@@ -185,6 +203,12 @@ class Rationals(_Ordered):
         yield "inf"
         yield from filter(is_prime, itertools.count(2))
 
+    def completion(self, place: Any) -> Ring:
+        """Return ℚ_p, or RR at infinity."""
+        from hfield.rings.local.completions import completion_of_rationals
+
+        return completion_of_rationals(place)
+
 
 class Residues(Modular):
     """ℤ/n for n ≥ 2, prime or not."""
@@ -211,6 +235,10 @@ class Residues(Modular):
         from hfield.rings.array_held.finite import array_holding
 
         return array_holding(self, constants)
+
+    def in_words(self) -> str:
+        """Say what ℤ/n is."""
+        return f"the integers modulo {shorten(self.modulus)}"
 
     def state(self, x: Any) -> Any:
         """Return the residue as an int."""

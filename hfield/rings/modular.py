@@ -69,6 +69,12 @@ class Modular(Ring):
 
         return ring("ZZ"), flint.fmpz(self.modulus)
 
+    def modulo(self, n: int) -> Ring | None:
+        """Return ℤ/n where n divides the modulus."""
+        from hfield.rings import ring
+
+        return None if self.modulus % n else ring(f"ZZ/{n}")
+
     def lift(self, x: Any) -> Any:
         """Return the residue between 0 and n − 1 as an integer."""
         return flint.fmpz(int(x))

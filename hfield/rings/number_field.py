@@ -16,7 +16,7 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
-from hfield.rings.printing import number_text, sum_text
+from hfield.rings.printing import blackboard, number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.squares import minus_one
 
@@ -42,6 +42,7 @@ class NumberField(Ring):
 
     characteristic = 0
     is_field = True
+    arithmetic = "number_fields.arithmetic_number_fields.NumberFieldArithmetic"
 
     def __init__(self, polynomial: Any, name: str = "s") -> None:
         from hfield.rings.number_field_specs import irreducible, power_sum
@@ -56,6 +57,10 @@ class NumberField(Ring):
     def degree(self) -> int:
         """The degree over ℚ."""
         return int(self.polynomial.degree())
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the number field {blackboard(self.name)} of degree {self.degree}"
 
     @property
     def gen(self) -> Any:
@@ -342,6 +347,12 @@ class NumberField(Ring):
         from hfield.rings.number_field_places import all_places
 
         return all_places(self)
+
+    def completion(self, place: Any) -> Ring:
+        """Return an extension of ℚ_p at a prime ideal, RR or CC at an infinite place."""
+        from hfield.rings.local.completions import completion_of_number_field
+
+        return completion_of_number_field(self, place)
 
 
 def _divisors(n: int) -> list[int]:

@@ -27,7 +27,7 @@ def build(s: str) -> Ring | None:
     Raises :class:`RingError`.
     """
     if m := _QUOTIENT.fullmatch(s):
-        from hfield.rings.specs import variables
+        from hfield.rings.variables import variables
 
         (name,) = variables(f"QQ[{shorten(m[1])}]", m[1])
         return NumberField(m[2], name)

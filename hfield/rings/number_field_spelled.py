@@ -55,8 +55,7 @@ class SpelledField(NumberField):
         if self.degree < 2:
             raise RingError(f"{shorten(name)} is QQ itself: write QQ")
         self._images = images
-        simple = [n.text for n in numbers if n.text.isidentifier()]
-        self.gen_name = simple[0] if len(numbers) == 1 and simple else None
+        self.gen_name = self.text(self.gen)
 
     def _adjoin(self, images: list[Any], number: Number) -> list[Any]:
         """Make θ a generator of the field with one more number; return the images of all numbers."""

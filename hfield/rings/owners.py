@@ -19,7 +19,7 @@ def owner(x: Any) -> str | None:
     if isinstance(x, flint.fq_default):
         p, n = int(x.polynomial().modulus()), len(x.to_list())
         return f"GF({p**n})"
-    if kind == "Quotient":
+    if kind in ("Quotient", "FieldElement"):
         return str(x.field)
     if kind.endswith("_mpoly"):
         return f"the polynomials in {','.join(x.context().names())} ({kind})"

@@ -20,7 +20,7 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.modular import WORD
-from hfield.rings.printing import from_unicode, number_text, sum_text
+from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
 
 MAX_VARIABLES = 64
@@ -47,10 +47,29 @@ class PolynomialRing(Ring):
         self._gens = dict(zip(variables, self.context.gens(), strict=True))
         self._type = type(self.context.gens()[0])
 
+    def in_words(self) -> str:
+        """Say what the ring is."""
+        return f"polynomials in {', '.join(self.variables)} over {blackboard(self.base.name)}"
+
     @property
     def gen(self) -> Any:
         """The first variable."""
         return self._gens[self.variables[0]]
+
+    @property
+    def is_domain(self) -> bool:
+        """Yes: the leading coefficient of a product is that of the factors, multiplied."""
+        return True
+
+    @property
+    def fractions(self) -> Ring | None:
+        """The rational functions, where they are offered: in one variable."""
+        from hfield.rings import ring
+
+        if len(self.variables) > 1:
+            return None
+        base = self.base.fractions or self.base
+        return ring(f"{base.name}({self.variables[0]})")
 
     def names(self) -> dict[str, Any]:
         """The variables."""
@@ -74,7 +93,7 @@ class PolynomialRing(Ring):
                 f"{shorten(number_text(number))} is not in {self.name}; QQ[…] has it"
             )
         try:
-            return self._constant(self.base(x if number is None else number))
+            return self.constant(self.base(x if number is None else number))
         except CoercionError:
             raise self.refuse(x) from None
 
@@ -85,7 +104,8 @@ class PolynomialRing(Ring):
         functions = {"/": self.divide, "**": self.power}
         return syntax.Reader(self, self.names(), functions, self.name, 10**6).read(text)
 
-    def _constant(self, c: Any) -> Any:
+    def constant(self, c: Any) -> Any:
+        """Return the constant polynomial of an element of the base ring, or of a coefficient of flint."""
         return self.context.constant(int(c) if self.characteristic else c)
 
     def constant_part(self, x: Any) -> Any:
@@ -114,7 +134,7 @@ class PolynomialRing(Ring):
                 f"{shorten(self.text(x))} is not constant, so it has no inverse in {self.name}"
             )
         try:
-            return self._constant(self.base.inverse(self.constant_part(x)))
+            return self.constant(self.base.inverse(self.constant_part(x)))
         except NotInvertibleError as error:
             raise NotInvertibleError(f"{error}, nor in {self.name}") from None
 
@@ -159,7 +179,7 @@ class PolynomialRing(Ring):
 
     def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return constants whose squares add up to −1."""
-        return tuple(self._constant(c) for c in self.base.minus_one_as_squares())
+        return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
 
     @property
     def orderings(self) -> Known:
@@ -179,7 +199,7 @@ class PolynomialRing(Ring):
         out = self.context.constant(0)
         for _ in range(3):
             exponents = tuple(rng.choice((0, 0, 1, 2)) for _ in self.variables)
-            c = self._constant(self.base.random(rng))
+            c = self.constant(self.base.random(rng))
             out += c * self.context.from_dict({exponents: 1})
         return out
 

@@ -8,6 +8,7 @@ from typing import Any
 import flint
 
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 _DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
@@ -49,6 +50,11 @@ def power_text(name: str, n: int, style: str) -> str:
     if style == "unicode":
         return name + str(n).translate(SUPERSCRIPTS)
     return f"{name}^{{{n}}}" if style == "latex" else f"{name}^{n}"
+
+
+def blackboard(name: str) -> str:
+    """Return the name of a ring with ℚ and ℤ as they are written on the blackboard."""
+    return re.sub(r"\bQQ", "ℚ", re.sub(r"\bZZ", "ℤ", name))
 
 
 def number_text(x: int | Fraction | Any, style: str = "plain") -> str:

@@ -32,11 +32,17 @@ class QuadraticField(Ring):
 
     characteristic = 0
     is_field = True
+    arithmetic = "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic"
 
     def __init__(self, d: int) -> None:
         self.d = d
         self.gen_name = "I" if d == -1 else f"sqrt({d})"
         self.name = f"QQ({self.gen_name})"
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        root = "i), i² = −1" if self.d == -1 else f"√{self.d})".replace("-", "−")
+        return f"the quadratic number field ℚ({root}"
 
     @property
     def gen(self) -> Any:
@@ -197,6 +203,12 @@ class QuadraticField(Ring):
 
         return all_places(self.d)
 
+    def completion(self, place: Any) -> Ring:
+        """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
+        from hfield.rings.local.completions import completion_of_quadratic
+
+        return completion_of_quadratic(self, place)
+
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""
         return str(x.text(style, imaginary=self.d == -1))
@@ -228,3 +240,16 @@ def _from_sympy(x: Any) -> Any:
     from hfield.rings.closed import from_sympy
 
     return from_sympy(x)
+
+
+def common_quadratic_field(*elements: Any) -> Ring | None:
+    """Return ℚ(√d) for numbers with one root, or None without any; raises RingError for several."""
+    roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
+    if len(roots) > 1:
+        shown = " and ".join(map(shorten, elements))
+        raise RingError(f"{shown} lie in no common quadratic field")
+    if not roots:
+        return None
+    d = roots.pop()
+    factorise(d)  # the theory of places asks for a squarefree d
+    return QuadraticField(d)

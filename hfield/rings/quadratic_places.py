@@ -8,6 +8,7 @@ import flint
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import is_prime, remove
+from hfield.rings.base import Ring
 from hfield.rings.surds import Surd, as_surd, from_rational
 
 
@@ -32,6 +33,13 @@ class QuadraticPlace:
 
     def __repr__(self) -> str:
         return str(self)
+
+    @property
+    def field(self) -> Ring:
+        """The field that it is a place of."""
+        from hfield.rings.quadratic import QuadraticField
+
+        return QuadraticField(self.d)
 
     # --- an infinite place -----------------------------------------------------------------------
 

@@ -11,18 +11,13 @@ from importlib import import_module
 from hfield.errors import RingError, shorten
 from hfield.rings.base import Ring
 from hfield.rings.printing import from_unicode
+from hfield.rings.variables import variables
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
-    "QQ(I)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]",
+    "QQ(I)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]", "Qp(5)", "GF(9)((t))",
 )  # fmt: skip
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
-
-BASIS = ("e", "i", "j", "k")
-WORDS = {
-    *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
-    *("sqrt", "cbrt", "root"),
-}
 
 _SYMBOLS = str.maketrans(
     {"ζ": "zeta", "ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"}
@@ -43,12 +38,17 @@ def build(text: str) -> Ring:
     s = from_unicode("".join(text.translate(_SYMBOLS).split())).replace("**", "^")
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
+    base, place = _completed(s)
+    if place:
+        return build(base).completion(place)
     if s.startswith("Q"):
         from hfield.rings.number_field_specs import build as build_number_field
 
         number_field = build_number_field(s)
         if number_field is not None:
             return number_field
+    if m := re.fullmatch(r"(.+)\[([^\W\d_]\w*)\]/\((.+)\)", s):
+        return _quotient(build(m[1]), m[2], m[3])
     head, groups = _split(s)
     found = _base(head, groups)
     if found is None:
@@ -57,6 +57,18 @@ def build(text: str) -> Ring:
     for opening, inner in rest:
         made = _polynomials(made, inner) if opening == "[" else _extension(made, inner)
     return made
+
+
+def _completed(s: str) -> tuple[str, str]:
+    """Split ``QQ_5`` or ``QQ(I)_(5,I-2)`` into a global field and the text of a place, if there is one."""
+    depth = 0
+    for n, char in enumerate(s):
+        depth += (char in "([") - (char in ")]")
+        if char == "_" and depth == 0 and n and s[:n] not in ("F", "FF", "GF"):
+            place = s[n + 1 :]
+            bare = place.startswith("(") and place.endswith(")") and "," not in place
+            return s[:n], place[1:-1] if bare else place
+    return s, ""
 
 
 def _split(s: str) -> tuple[str, Groups]:
@@ -89,6 +101,8 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
         return getattr(import_module(f"hfield.rings.{_NAMED[long]}"), long), groups
     if head in ("GF", "F", "FF") and groups and groups[0][0] == "(":
         return _finite(groups[0][1]), groups[1:]
+    if head in ("Qp", "QQp"):
+        return _p_adic(groups), groups[1:]
     if head in ("Zmod", "ZZ/", "Z/") and groups and re.fullmatch(r"-?\d+", groups[0][1]):
         return _residues(groups[0][1]), groups[1:]
     if m := re.fullmatch(r"ZZ?/?(-?\d+)(ZZ?)?", head):
@@ -101,6 +115,22 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
     if head in ("Qsqrt", "QQsqrt") and groups:
         return _extension(build("QQ"), f"sqrt({groups[0][1]})"), groups[1:]
     return None
+
+
+def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
+    """Return ``base[u]/(f)``."""
+    from hfield.rings.extensions import build as build_extension
+
+    (name,) = variables(f"{base}[{shorten(variable)}]", variable, base, adjoined=False)
+    return build_extension(base, name, polynomial)
+
+
+def _p_adic(groups: Groups) -> Ring:
+    if not groups:
+        raise RingError("Qp needs its prime: write Qp(5) for the 5-adic numbers")
+    from hfield.rings.local.completions import p_adic_numbers
+
+    return p_adic_numbers(groups[0][1])
 
 
 def _residues(n: str) -> Ring:
@@ -129,40 +159,18 @@ def _extension(base: Ring, inner: str) -> Ring:
         return build_quadratic((m[1] or m[2]) if m else "-1")
     from hfield.rings.functions import build as build_functions
 
-    return build_functions(base, variables(f"{base}({shorten(inner)})", inner, base))
+    if inner.startswith("(") and inner.endswith(")"):  # Laurent series
+        names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
+        return build_functions(base, names).completion(names[0])
+    names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
+    return build_functions(base, names)
 
 
 def _polynomials(base: Ring, inner: str) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
 
-    return build_polynomials(base, variables(f"{base}[{shorten(inner)}]", inner, base))
-
-
-def variables(what: str, inner: str, base: Ring | None = None) -> tuple[str, ...]:
-    """Read names of variables, none of which means anything else. Raises :class:`RingError`."""
-    names = tuple(inner.split(","))
-    for name in names:
-        if not re.fullmatch(r"[^\W\d_]\w*", name):
-            raise RingError(f"{what}: {shorten(name)!r} is not the name of a variable such as x")
-        if name in BASIS:
-            unit = "; the imaginary unit is QQ(I)" if name == "i" else ""
-            raise RingError(
-                f"{what}: the variable {name!r} would clash with the basis e, i, j, k of the "
-                f"quaternions; choose another letter{unit}"
-            )
-        if name in WORDS:
-            raise RingError(f"{what}: {name!r} is a word of the language; choose another name")
-        if name == "I":
-            raise RingError(f"{what}: I is the imaginary unit, in QQ(I); choose another name")
-        if base is not None and name in base.names():
-            free = next(x for x in "tsuvxyz" if x not in base.names())
-            raise RingError(
-                f"{what}: {name!r} already names the generator of {base}; choose another letter, "
-                f"such as {free}"
-            )
-    if len(set(names)) < len(names):
-        raise RingError(f"{what}: a variable occurs twice; expected different names")
-    return names
+    names = variables(f"{base}[{shorten(inner)}]", inner, base, adjoined=False)
+    return build_polynomials(base, names)
 
 
 def _unknown(s: str) -> RingError:

@@ -10,8 +10,8 @@ from fractions import Fraction
 
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply
+from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.structure.minimise import Conic, Lattice, half_discriminant, minimise
-from hfield.structure.rationals.prime_numbers import PrimePlace
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:

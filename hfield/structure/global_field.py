@@ -1,7 +1,7 @@
 """What structure asks of a field with places: one protocol, one object for each kind of field.
 
-A kind is a class of rings with the class of :class:`GlobalField` that knows its arithmetic, one line in the
-table below; ``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+A kind is a class of rings that names, as its ``arithmetic``, the class of :class:`GlobalField` that knows it;
+``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
 """
 
 from __future__ import annotations
@@ -17,29 +17,15 @@ from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
-from hfield.rings.integers import Rationals
-from hfield.rings.number_field import NumberField
-from hfield.rings.quadratic import QuadraticField
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimise import Vector
+from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
-
-# Where the arithmetic of a kind is, imported when one of its fields is first asked.
-_KINDS: dict[type[Ring], str] = {
-    Rationals: "rationals.arithmetic_rationals.RationalArithmetic",
-    FunctionField: "function_fields.arithmetic_functions.FunctionArithmetic",
-    QuadraticField: "quadratic_fields.arithmetic_quadratic.QuadraticArithmetic",
-    NumberField: "number_fields.arithmetic_number_fields.NumberFieldArithmetic",
-}
 
 
 def global_field(ring: Ring) -> GlobalField | None:
     """Return the arithmetic of a field with places, or None for a ring of any other kind."""
-    for known in type(ring).__mro__:
-        if known in _KINDS:
-            return _arithmetic(known).of(ring)
-    return None
+    return _arithmetic(ring.arithmetic).of(ring) if ring.arithmetic else None
 
 
 def known_field(ring: Ring) -> GlobalField:
@@ -50,18 +36,15 @@ def known_field(ring: Ring) -> GlobalField:
     return field
 
 
-def field_named_by(*elements: Any, place: Any = None) -> Ring | None:
-    """Return the field that elements or a place belong to, as the first kind says that knows them."""
-    for known in _KINDS:
-        field = _arithmetic(known).named_by(*elements, place=place)
-        if field is not None:
-            return field
-    return None
+def field_named_by(*things: Any) -> Ring | None:
+    """Return the field with places that the first of some elements and places belongs to."""
+    fields = (getattr(x, "field", None) for x in things)
+    return next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
 
 
 @cache
-def _arithmetic(known: type[Ring]) -> type[GlobalField]:
-    module, _, name = _KINDS[known].rpartition(".")
+def _arithmetic(where: str) -> type[GlobalField]:
+    module, _, name = where.rpartition(".")
     return getattr(import_module(f"hfield.structure.{module}"), name)  # type: ignore[no-any-return]
 
 
@@ -73,8 +56,9 @@ class GlobalField(ABC):
     factorisation out of reach, raises :class:`hfield.UndecidedError`.
     """
 
-    ring: Any  # the field, of the class that stands in the table above
+    ring: Any  # the field, of the class that names this one
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
     finite_orders: ClassVar[Mapping[int, int] | None] = None
     """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
 
@@ -85,11 +69,6 @@ class GlobalField(ABC):
     def of(cls, ring: Ring) -> GlobalField:
         """Return the arithmetic of a field of this kind; a kind with cases picks one here."""
         return cls(ring)
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of this kind that elements or a place belong to by their type, or None."""
-        return None
 
     # --- places and symbols --------------------------------------------------------------------
 
@@ -116,6 +95,13 @@ class GlobalField(ABC):
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
 
+    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+        """Say why an algebra that ramifies at the places has no zero divisors."""
+        shown = ", ".join(map(str, places))
+        return (
+            f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
+        )
+
     def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
         """Return constants (a, b) of an algebra that ramifies exactly at the places.
 
@@ -140,11 +126,31 @@ class GlobalField(ABC):
         """
 
     @abstractmethod
+    def residues(self, place: Any) -> Any:
+        """Return a finite place with its residue field, as in :mod:`hfield.rings.residues`.
+
+        None for an infinite place of a number field, and where the residue field is not finite.
+        """
+
     def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
         """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
 
-        None where it has a zero, or where the residue field is not finite.
+        None where it has a zero, and where :meth:`residues` has none.
         """
+        at = self.residues(place)
+        return None if at is None else unit_and_prime(at, *self._exact(c))
+
+    def hyperbolic_plane(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+        """Return q and u on whose span the norm has a zero over the completion, by Hensel's lemma.
+
+        None where it has none, and where :meth:`residues` has none; see :mod:`local_order`.
+        """
+        at = self.residues(place)
+        return None if at is None else hyperbolic_plane(at, *self._exact(c))
+
+    def _exact(self, c: Constants) -> tuple[Constants, Any]:
+        """Return the constants and 1 as numbers that the place computes with."""
+        return c, self.ring.one
 
     def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
         """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""

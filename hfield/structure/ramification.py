@@ -8,6 +8,7 @@ from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
+from hfield.rings.quadratic import common_quadratic_field
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import field_named_by, global_field
 
@@ -20,13 +21,15 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     field's or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0. ``factors``
     may name primes of the norms of a and b, which a quadratic field needs at a lone place above 2.
 
+    Over a local field, which has one place, None names it, too.
+
     Raises :class:`RingError` for a 0 and for a place that is none, and :class:`UndecidedError` over
     QQ(x), whose completions are not local fields.
 
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
     """
-    field = field_named_by(place=place) or field_named_by(a, b) or QQ
+    field = field_named_by(a, b, place) or common_quadratic_field(a, b) or QQ
     known = global_field(field)
     assert known is not None, "only fields with places are named"
     return known.hilbert_symbol(a, b, place, factors)

@@ -47,7 +47,9 @@ from hfield.syntax.tree import (
     Number,
     Operand,
     Power,
+    children,
     number,
+    rebuild,
 )
 
 __all__ = [
@@ -69,6 +71,7 @@ __all__ = [
     "Power",
     "Reader",
     "both",
+    "children",
     "comm",
     "conj",
     "either",
@@ -83,6 +86,7 @@ __all__ = [
     "parse",
     "plain",
     "plain_element",
+    "rebuild",
     "scalar",
     "unequal",
     "vector",

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 Operand: TypeAlias = "Node | int | float | Fraction"
 
@@ -19,8 +20,11 @@ class Node:
     >>> p, q = Name("p"), Name("q")
     >>> p * (q + 1) == Binary("*", p, Binary("+", q, Number(1)))
     True
+
+    ``below`` names the fields in which a kind of node has other nodes, in the order of the text.
     """
 
+    below: ClassVar[tuple[str, ...]] = ()
     position: int = field(default=0, compare=False, kw_only=True)
 
     def __add__(self, other: Operand) -> Node:
@@ -92,6 +96,7 @@ class Name(Node):
 class Negate(Node):
     """``-operand``."""
 
+    below = ("operand",)
     operand: Node
 
 
@@ -99,6 +104,7 @@ class Negate(Node):
 class Binary(Node):
     """``left op right`` with op one of ``+ - * /``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -108,6 +114,7 @@ class Binary(Node):
 class Power(Node):
     """``base ** exponent``."""
 
+    below = ("base",)
     base: Node
     exponent: int
 
@@ -124,6 +131,7 @@ class Call(Node):
 class Index(Node):
     """``base[index]``, a coordinate."""
 
+    below = ("base",)
     base: Node
     index: int
 
@@ -132,6 +140,7 @@ class Index(Node):
 class Compare(Node):
     """``left op right`` with op ``==`` or ``!=``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -141,6 +150,7 @@ class Compare(Node):
 class Not(Node):
     """``not operand``."""
 
+    below = ("operand",)
     operand: Node
 
 
@@ -148,6 +158,7 @@ class Not(Node):
 class Logic(Node):
     """``left op right`` with op one of ``and or => <=>``."""
 
+    below = ("left", "right")
     op: str
     left: Node
     right: Node
@@ -157,5 +168,26 @@ class Logic(Node):
 class Exists(Node):
     """``exists names: body``."""
 
+    below = ("body",)
     names: tuple[str, ...]
     body: Node
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """Return the nodes directly below ``node``.
+
+    >>> from hfield.syntax import parse
+    >>> len(children(parse("p*q == 1")))
+    2
+    """
+    if isinstance(node, Call):
+        return node.arguments
+    return tuple(getattr(node, name) for name in node.below)
+
+
+def rebuild(node: Node, parts: Sequence[Node]) -> Node:
+    """Return a node like ``node`` with other nodes below it, as many as its :func:`children`."""
+    if isinstance(node, Call):
+        return replace(node, arguments=tuple(parts))
+    changes: dict[str, Any] = dict(zip(node.below, parts, strict=True))
+    return replace(node, **changes) if changes else node

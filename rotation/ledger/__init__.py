@@ -5,7 +5,7 @@ from hfield.ledger.document import load
 from rotation.ledger import (
     complex_numbers,
     euler,
-    letter,
+    letter_t,
     matrix_functions,
     orthogonal,
     performance,
@@ -22,7 +22,7 @@ CLAIMS: tuple[Claim, ...] = (
         __name__,
         "chapter2.toml",
         plane.COMPUTED
-        | letter.COMPUTED
+        | letter_t.COMPUTED
         | reflections.COMPUTED
         | complex_numbers.COMPUTED
         | euler.COMPUTED

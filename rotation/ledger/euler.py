@@ -6,9 +6,9 @@ The angles φ, θ, ψ are the points (p₀, p₁), (p₂, p₃), (q₀, q₁) of
 from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
+from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Every, Only, Statement
 from hfield.ledger.real import REAL, Angles
-from hfield.ledger.roots import ModulusDefined
 from hfield.syntax import Node, both, implies, names, parse
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (

@@ -8,7 +8,7 @@ from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Over, Statement
 from rotation.ledger import generator, second_test, tables
-from rotation.ledger.order import Less, between
+from rotation.ledger.inequalities import Less, between
 from rotation.ledger.tables import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2
 
 SAVING = "the per cent by which the matrices' mean of test 1 is shorter"

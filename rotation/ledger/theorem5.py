@@ -12,10 +12,10 @@ norm is a square), is the axis of a half turn.
 """
 
 from hfield.ledger.document import Propositions
+from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.multilinear import IsBasis
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import Angles
-from hfield.ledger.roots import ModulusDefined
 from hfield.syntax import Node, both, implies
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (

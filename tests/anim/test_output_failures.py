@@ -14,7 +14,7 @@ import pytest
 
 from anim.errors import AnimationError
 from anim.output import Film, check, open_film
-from anim.output.place import file_place
+from anim.output.destination import file_place
 from anim.rendering import Scene, render
 from tests.anim.films import FILM, FRAMES, SIZE, decoded
 

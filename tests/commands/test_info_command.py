@@ -46,6 +46,24 @@ def test_pages(capsys, text, lines):
         assert line in out
 
 
+@pytest.mark.parametrize(
+    ("ring", "words"),
+    [
+        ("QQ(z)", "rational functions in z over ℚ"),
+        ("GF(4)(t)", "rational functions in t over GF(4)"),
+        ("QQ(sqrt(-7))", "the quadratic number field ℚ(√−7)"),
+        ("QQ(I)", "the quadratic number field ℚ(i), i² = −1"),
+        ("ZZ[a,b]", "polynomials in a, b over ℤ"),
+        ("ZZ/6", "the integers modulo 6"),
+    ],
+)
+def test_the_first_line_says_in_words_what_the_ring_is(capsys, ring, words):
+    first = page(capsys, "info", f"(-1,-1|{ring})").splitlines()[0]
+    assert first == f"(-1,-1|{ring})  over {words}"
+    data = json.loads(page(capsys, "info", f"(-1,-1|{ring})", "--format", "json"))
+    assert data["field_in_words"] == words
+
+
 def test_factors_that_are_known_spare_the_factorisation(capsys):
     p, q = 10**60 + 7, 10**61 + 93  # 3 and 1 modulo 4
     data = json.loads(
@@ -98,7 +116,9 @@ def test_json_is_read_back(capsys):
 def test_info_goes_to_a_file_and_refuses_what_is_no_algebra(capsys, tmp_path):
     target = tmp_path / "page.txt"
     assert page(capsys, "info", "(-1,-3|QQ)", "-o", str(target)) == ""
-    assert target.read_text(encoding="utf-8").startswith("(-1,-3|QQ)\n")
+    assert target.read_text(encoding="utf-8").startswith(
+        "(-1,-3|QQ)  over the rational numbers ℚ\n"
+    )
     for words in (["info", "QQ"], ["info", "(1|QQ)"], ["info", "(1,x|QQ)"], ["info"]):
         status, out, err = run(capsys, *words)
         assert (status, out) == (2, "")

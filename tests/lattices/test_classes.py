@@ -145,6 +145,15 @@ def test_orders_that_are_no_eichler_orders() -> None:
     assert len(O.class_set()) > 1
 
 
+def test_neighbours_at_what_is_no_prime() -> None:
+    C = algebra(37).maximal_order().class_set()
+    for p in (4, 1, 0, -2, "x", 2.0):
+        with pytest.raises(LatticeError, match="not a prime"):
+            C.neighbours(p)
+        with pytest.raises(LatticeError, match="not a prime"):
+            list(C.edges(p))
+
+
 def test_edges_of_the_isogeny_graph() -> None:
     C = algebra(37).maximal_order().class_set()
     edges = list(C.edges(2))

@@ -50,8 +50,6 @@ def forget() -> None:
     """Empty every cache of the package, which remembers what the true product decided."""
     for name, module in list(sys.modules.items()):
         if name.startswith("hfield"):
-            for key, value in vars(module).items():
+            for value in vars(module).values():
                 if hasattr(value, "cache_clear") and value is not claims:
                     value.cache_clear()
-                elif key in ("_kept", "_proofs") and isinstance(value, dict):  # the prover's memory
-                    value.clear()

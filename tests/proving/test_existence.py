@@ -7,12 +7,12 @@ import pytest
 from hfield.proving.decide import decide
 from hfield.proving.existence.case_distinction import by_linear_algebra
 from hfield.proving.existence.linear_systems import linear_cases
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.syntax import parse
 from tests.proving.small_rings import RINGS, holds
 
-FAR = float("inf")
 LINEAR = [
     ("exists u: u + s == 0", None, "proved"),
     ("exists u: p - u*3 == q", None, "refuted"),
@@ -137,7 +137,7 @@ def test_cases_are_exact_where_all_is_linear():
         "exists x: x*s != y",
     ):
         setting = read_setting("GF(3)")
-        cases, exact = linear_cases(read_statement(statement, setting.field), setting, FAR)
+        cases, exact = linear_cases(Problem(read_statement(statement, setting.field), setting))
         assert exact
         when = " or ".join(f"({case.when})" for case in cases)
         assert holds(f"({statement.split(': ')[1]}) => ({when})", ring), statement
@@ -167,6 +167,6 @@ def test_a_place_is_named_where_nothing_exists():
 
 def test_what_is_not_linear_is_left_alone():
     setting = read_setting("QQ")
-    read = read_statement("exists s: s**2 == y", setting.field)
-    assert linear_cases(read, setting, FAR) == ([], False)
-    assert by_linear_algebra(read, setting, FAR, None) == (None, None)
+    problem = Problem(read_statement("exists s: s**2 == y", setting.field), setting)
+    assert linear_cases(problem) == ([], False)
+    assert by_linear_algebra(problem) == (None, None)

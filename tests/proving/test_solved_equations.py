@@ -9,6 +9,7 @@ from hfield.certificates.check import Rejected, check
 from hfield.proving import prove as proving
 from hfield.proving.decide import decide
 from hfield.proving.existence.closed_equations import closed_solutions
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.rings.roots import residue_roots
@@ -52,6 +53,13 @@ def test_textbook(text: str, field: str | None, verdict: str) -> None:
     assert answer.certificate is not None, answer.why_no_certificate
 
 
+def test_residues_of_other_moduli_say_nothing() -> None:
+    """That 3 is no sum of two squares modulo 4 does not matter to an odd modulus."""
+    n = 3 + 4 * 10**15
+    assert decide(f"exists s, t: s**2 + t**2 == {n}", f"ZZ/{3 * P}").verdict != "refuted"
+    assert decide(f"exists s, t: s**2 + t**2 == {n}", f"ZZ/{4 * P}").verdict == "refuted"
+
+
 def test_without_a_certificate() -> None:
     """That x has no inverse in ℚ[x] is decided, and no certificate is pretended."""
     answer = proving.prove("exists s: x*s == 1", "QQ[x]")
@@ -71,7 +79,7 @@ def test_linear_equations_over_residues(n: int) -> None:
             for s, t in product(range(n), repeat=2)
             if (a * s + b * t - c) % n == 0 and (d * s + 3 * t - 2) % n == 0
         ]
-        found = closed_solutions(statement, setting)
+        found = closed_solutions(Problem(statement, setting))
         assert found.none is not bool(places), text
         assert {(int(x["s"]), int(x["t"])) for x in found.places} <= set(places), text
 

@@ -3,7 +3,8 @@
 import pytest
 
 from hfield.proving.decide import decide
-from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import Sort, read_statement
 from hfield.proving.statements.setting import read_setting
 from tests.proving.statements import DEPENDS, FALSE, FIELD_NAMES, FIELDS, UNIVERSAL
@@ -21,8 +22,9 @@ def true_at(statement, field, algebra, witness):
     for name, sort in read.unknowns:
         coordinates = tuple(F(text) for text in witness[name])
         values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
-    world = RingInterpretation(F)
-    bind(world, setting.constants, values)
+    fixed = {text: F(text) for text in read.constants}
+    world = Evaluator(RingScalars(F), setting.trees, read.sorts, fixed)
+    world.bind(values)
     hypotheses = all(world.truth(h) for h in read.hypotheses)
     return not hypotheses or world.truth(read.conclusion)
 

@@ -38,6 +38,16 @@ CANONICAL = {
     "GF(9, x^2+1)(t)": ["GF(9,x^2+1)(t)"],
     "ZZ[a,b,c]": ["ZZ[ a, b, c ]", "Z[a,b,c]"],
     "QQ[x,y]": ["Q[x,y]"],
+    "QQ(x,y)": ["Q(x, y)"],
+    "GF(4)(s,t)": ["GF4(s,t)", "GF(2^2)( s , t )"],
+    "GF(3)(t)[u]/(u^2+2*t^3+t)": ["GF(3)(t)[u]/(u^2-t^3+t)", "GF3t[u]/(-u²+t^3-t)"],
+    "QQ(x)[u]/(u^2-1/x*u-x)": ["QQ(x)[u]/(x*u^2 - u - x^2)"],
+    "Qp(5)": ["QQ_5", "Q_5", "Qp( 5 )", "QQp(5)", "ℚ_5"],
+    "GF(9)((t))": ["GF9((t))", "GF(9)(t)_t", "GF(9)(t)_(t)"],
+    "QQ(I)_(5, I-2)": ["QI_(5,I-2)"],
+    "QQ(sqrt(2))_(3)": ["QQ(sqrt(2))_3", "QQ(sqrt(8))_3"],
+    "GF(3)(t)_(t^2+1)": ["GF3t_(t^2+1)"],
+    "GF(3)(t)_inf": ["GF(3)(t)_∞"],
     "GF(5)[x,y]": ["GF5[x,y]"],
 }
 
@@ -110,10 +120,35 @@ REFUSED = {
     "QQ(sqrt(4/9))": "write QQ",
     "QQ(sqrt(x))": "expected an integer",
     "QQ(sqrt())": "sqrt",
-    "QQ(sqrt(2),sqrt(3))": "expected an integer",
+    "QQ(sqrt(2),x)": "write its polynomial",
+    "QQ[s]/(s^2-4)": "reducible",
     "GF(3)(sqrt(2))": "QQ only",
     "QQ(x)(y)": "rational functions",
-    "QQ(x,y)": "one variable",
+    "RR(x,y)": "rational functions are over",
+    "QQ(x,x)": "twice",
+    "QQ(x,zeta5)": "reads like a constant",
+    "GF(4)(s,x)": "already names the generator",
+    "GF(3)(t)[u]/(u^2-t^2)": r"reducible.*t \+ u",
+    "GF(3)(t)[u]/(u)": "degree from 2",
+    "GF(3)(t)[u]/(t)": "degree from 2",
+    "GF(3)(t)[u]/(u^2-1/u)": "no u in a denominator",
+    "GF(3)(t)[u]/(u^2-w)": "cannot be read",
+    "GF(9)(t)[u]/(u^2-t^2)": "its discriminant is a square",
+    "GF(4)(t)[u]/(u^3-t)": "not decided over",
+    "ZZ[u]/(u^2-2)": "extensions are taken of",
+    "Qp": r"write Qp\(5\)",
+    "QQp": r"write Qp\(5\)",
+    "Qp(6)": r"6 = 2 \* 3 is not a prime",
+    "Qp(1)": "1 is not a prime",
+    "Qp(x)": "expected a prime number",
+    "Qp(-5)": "expected a prime number",
+    "QQ_6": "not a place of QQ",
+    "QQ(x)_x": "no local field",
+    "QQ(I)_5": "names no single place",
+    "GF(3)(t)_(t^2-1)": "not a place of GF",
+    "QQ(sqrt(2))_inf-": "at inf- is RR with",
+    "GF(9)((x))": "already names the generator",
+    "GF(9)((zeta))": "reads like a constant",
     "GF(4)(x)": "already names the generator",
     "ZZ(x)": "rational functions are over",
     "RR(x)": "rational functions are over",
@@ -136,6 +171,84 @@ REFUSED = {
     "QQ(" * 500: "closing",
     "__import__('os')": "there is no ring|brackets|variable",
 }
+
+
+READ_LIKE_CONSTANTS = [
+    "zeta5",
+    "zeta_5",
+    "omega",
+    "alpha",
+    "beta2",
+    "pi",
+    "phi",
+    "tau",
+    "Qp",
+    "QQ5",
+    "Q5",
+    "GF9",
+    "F9",
+    "Z6",
+    "i5",
+    "i_5",
+    "j2",
+    "e1",
+    "E",
+    "I5",
+    "root2",
+    "sqrt_2",
+    "golden",
+    "inf",
+    "oo",
+    "exp",
+    "lambda",
+    "R",
+    "Q",
+    "Zmod",
+    "π",
+    "ω",
+    "ζ5",
+]
+
+
+@pytest.mark.parametrize("name", READ_LIKE_CONSTANTS)
+@pytest.mark.parametrize("base", ["QQ", "GF(5)"])
+def test_what_reads_like_a_constant_is_no_variable_in_round_brackets(base, name):
+    if base == "QQ" and name in ("zeta5", "zeta_5", "ζ5"):
+        assert ring(f"{base}({name})").degree == 4
+        return
+    with pytest.raises(RingError, match="reads like a constant") as error:
+        ring(f"{base}({name})")
+    assert f"{base}(t)" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "x",
+        "t",
+        "z",
+        "u_2",
+        "x1",
+        "a",
+        "b",
+        "abc",
+        "y",
+        "z2",
+        "p",
+        "q",
+        "T",
+        "X",
+        "w",
+        "pt",
+        "factor",
+    ],
+)
+def test_what_reads_like_a_variable_is_one(name):
+    assert ring(f"QQ({name})").gen_name == name
+
+
+def test_square_brackets_always_hold_variables():
+    assert ring("QQ[alpha,zeta5]").variables == ("alpha", "zeta5")
 
 
 @pytest.mark.parametrize("text", REFUSED, ids=lambda s: s[:30] or "empty")

@@ -15,7 +15,7 @@ from hfield.ledger.claim import NO_FIELD, Claim, decide
 from hfield.rings import ring
 from hfield.syntax import names, parse
 from rotation.ledger import generator, tables
-from rotation.ledger.order import Less, between
+from rotation.ledger.inequalities import Less, between
 from rotation.ledger.symbols import code, coordinates, equal, read_as
 from tests.ledger.spoilt_thesis import spoilt_thesis
 

@@ -6,11 +6,11 @@ from structure_cases import constants
 from hfield.errors import RingError, UndecidedError
 from hfield.product import norm
 from hfield.rings import ring
+from hfield.rings.residues.prime_polynomials import ResidueField
 from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.function_fields.conic_bundle import RamifiedError, solve_conic_functions
 from hfield.structure.function_fields.hilbert_functions import ramified_places_functions
-from hfield.structure.function_fields.residue_field import ResidueField
 from hfield.structure.ramification import place, ramified_places, reduced_discriminant
 
 

@@ -12,6 +12,14 @@ from hfield.factorisation import is_prime, remove
 from hfield.product import Constants, multiply
 from hfield.rings import ring
 from hfield.rings.quadratic_places import places_above
+from hfield.rings.residues.prime_ideals import (
+    Inert,
+    conjugate,
+    coordinates,
+    norm,
+    omega,
+    primes_above,
+)
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimise import Conic
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
@@ -21,14 +29,6 @@ from hfield.structure.quadratic_fields.hilbert_quadratic import (
     integral,
     is_local_square,
     pair,
-)
-from hfield.structure.quadratic_fields.prime_ideals import (
-    Inert,
-    conjugate,
-    coordinates,
-    norm,
-    omega,
-    primes_above,
 )
 from hfield.structure.quadratic_fields.slots_quadratic import common_slot
 from hfield.structure.single_elements.square_roots import square_roots

@@ -42,7 +42,7 @@ class ShadedBody:
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
         """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
-        from anim.picture.kernels import paint
+        from anim.picture.rasterising import paint
 
         seen = view.project_with_depth(self._points)
         box = canvas.touch(seen[:, :2], 0)

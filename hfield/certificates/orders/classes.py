@@ -19,7 +19,6 @@ def need_class_set(order: Lattice, ideals: list[Lattice]) -> None:
     seen: dict[Key, int] = {}
     total = Fraction(0)
     for number, ideal in enumerate(ideals):
-        charge(200)
         if not ideal.products_lie_in(order, ideal):
             reject(f"lattice {number} is no right ideal of the order")
         need_locally_principal(ideal, order)

@@ -124,7 +124,7 @@ def transposed(rows: Rows) -> Rows:
 def hermite(rows: Iterable[Sequence[int]]) -> Rows:
     """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` for a rank below 4."""
     rest = [list(row) for row in rows]
-    cost = 4 + max(x.bit_length() for row in rest for x in row) // 256
+    cost = 1 + max(x.bit_length() for row in rest for x in row) // 128
     found: list[list[int]] = []
     for c in range(4):
         pool = [row for row in rest if row[c]]

@@ -5,7 +5,6 @@
 four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
 """
 
-import re
 from collections.abc import Callable
 from fractions import Fraction
 from math import gcd
@@ -26,27 +25,33 @@ from hfield.certificates.glossary import (
 from hfield.certificates.orders.algebra import Algebra, times
 from hfield.certificates.orders.classes import need_class_set
 from hfield.certificates.orders.enumeration import short_vectors
-from hfield.certificates.orders.lattice import Element, Lattice, inverse, rational_rows, root
+from hfield.certificates.orders.lattice import Element, Lattice, inverse, root
 from hfield.certificates.orders.local_types import (
     discriminant,
     eichler_symbol,
     factored,
     need_locally_principal,
-    need_order,
+)
+from hfield.certificates.orders.reading import (
+    a_lattice,
+    a_rational,
+    a_side,
+    a_whole_number,
+    an_element,
+    an_order,
+    another_basis,
+    given_lattice,
+    rows_of,
 )
 from hfield.certificates.rejection import (
-    MAX_DIGITS,
     a_list,
     an_integer,
     an_object,
     kind_of,
     reject,
     shown,
-    texts,
 )
 from hfield.certificates.statement import Setting
-
-SIDES = ("left", "right")
 
 
 def establish_lattices(
@@ -64,80 +69,7 @@ def establish_lattices(
 
 def meaning_of_lattices(word: str, parts: tuple[str, ...]) -> Any:
     """Return what such a statement says, however it is written; a basis is not changed."""
-    return word, tuple(_values(part) if "|" in part else part for part in parts)
-
-
-# --- reading --------------------------------------------------------------------------------------
-
-
-def _rational(text: str) -> Fraction:
-    m = re.fullmatch(r"\s*(-?[0-9]+)(?:/([0-9]+))?\s*", text)
-    if m is None or max(len(m[1]), len(m[2] or "")) > MAX_DIGITS:
-        reject(f"{shown(text)!r} is no rational number that is read")
-    denominator = int(m[2] or 1)
-    if not denominator:
-        reject(f"{shown(text)!r} divides by 0")
-    return Fraction(int(m[1]), denominator)
-
-
-def _integer(text: str, what: str) -> int:
-    x = _rational(text)
-    if x.denominator != 1:
-        reject(f"{what} must be an integer")
-    return x.numerator
-
-
-def _values(text: str) -> tuple[tuple[Fraction, ...], ...]:
-    rows = tuple(tuple(_rational(x) for x in row.split(",")) for row in text.split("|"))
-    if len(rows) != 4 or any(len(row) != 4 for row in rows):
-        reject("a lattice is written as four rows of four numbers")
-    return rows
-
-
-def _lattice(algebra: Algebra, text: str) -> Lattice:
-    found = Lattice(algebra, *rational_rows(_values(text)))
-    _ = found.key  # of rank 4
-    return found
-
-
-def _order(algebra: Algebra, text: str) -> Lattice:
-    order = _lattice(algebra, text)
-    need_order(order)
-    return order
-
-
-def _side(text: str) -> str:
-    if text not in SIDES:
-        reject(f"the side must be left or right, found {shown(text)!r}")
-    return text
-
-
-def _given_rows(value: object, algebra: Algebra) -> Lattice:
-    """Read a lattice of the evidence, ``den`` and ``rows``."""
-    data = an_object(value, "den rows", "a lattice")
-    rows = [
-        tuple(an_integer(x, "an entry") for x in a_list(row, "a row"))
-        for row in a_list(data["rows"], "rows")
-    ]
-    if len(rows) != 4 or any(len(row) != 4 for row in rows):
-        reject("a lattice has four rows of four integers")
-    return Lattice(algebra, an_integer(data["den"], "a denominator", 1), tuple(rows))
-
-
-def _basis_of(lattice: Lattice, value: object) -> Lattice:
-    """Read another basis of a lattice."""
-    found = _given_rows(value, lattice.algebra)
-    if found.key != lattice.key:
-        reject("these rows are no basis of the lattice that is run through")
-    return found
-
-
-def _element(value: object) -> Element:
-    found = [_rational(x) for x in texts(value, "an element")]
-    if len(found) != 4:
-        reject("an element has four coordinates")
-    den, rows = rational_rows([found])
-    return Element(den, rows[0])
+    return word, tuple(rows_of(part) if "|" in part else part for part in parts)
 
 
 # --- orders and ideals ------------------------------------------------------------------------------
@@ -145,9 +77,9 @@ def _element(value: object) -> Element:
 
 def _is_order(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     an_object(evidence, "kind", "the evidence")
-    order = _order(algebra, parts[0])
+    order = an_order(algebra, parts[0])
     n = discriminant(order)
-    if n != _integer(parts[1], "a discriminant"):
+    if n != a_whole_number(parts[1], "a discriminant"):
         reject("this order has another reduced discriminant")
     if len(parts) == 3:
         if parts[2] != "maximal":
@@ -160,12 +92,12 @@ def _is_order(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Fin
 
 def _is_ideal(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     an_object(evidence, "kind", "the evidence")
-    ideal, order = _lattice(algebra, parts[0]), _order(algebra, parts[2])
-    factors = (order, ideal) if _side(parts[1]) == "left" else (ideal, order)
+    ideal, order = a_lattice(algebra, parts[0]), an_order(algebra, parts[2])
+    factors = (order, ideal) if a_side(parts[1]) == "left" else (ideal, order)
     if not factors[0].products_lie_in(factors[1], ideal):
         reject(f"this is no {parts[1]} ideal of the order")
     need_locally_principal(ideal, order)
-    if ideal.norm != _rational(parts[3]):
+    if ideal.norm != a_rational(parts[3]):
         reject("this ideal has another norm")
     return Finding(FIELD, IDEAL)
 
@@ -175,8 +107,8 @@ def _is_ideal(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Fin
 
 def _are_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind element", "the evidence")
-    side, c = _side(parts[0]), _element(data["element"])
-    first, second = (_lattice(algebra, part) for part in parts[1:])
+    side, c = a_side(parts[0]), an_element(data["element"])
+    first, second = (a_lattice(algebra, part) for part in parts[1:])
     # left ideals go into each other by factors on the right
     if first.times(c, "right" if side == "left" else "left").key != second.key:
         reject("the element does not carry the first lattice to the second")
@@ -185,8 +117,8 @@ def _are_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: object) 
 
 def _are_not_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind", "the evidence", "between")
-    side = _side(parts[0])
-    first, second = (_lattice(algebra, part) for part in parts[1:])
+    side = a_side(parts[0])
+    first, second = (a_lattice(algebra, part) for part in parts[1:])
     size = root(second.volume / first.volume)
     between = first.into(second, side)
     if size is None or (size / between.norm).denominator != 1:
@@ -197,7 +129,7 @@ def _are_not_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: obje
         return Finding(FIELD, NORM)
     if "between" not in data:
         reject("the elements that are run through need a basis, under the key 'between'")
-    basis = _basis_of(between, data["between"])
+    basis = another_basis(between, data["between"])
     wanted = 2 * size * basis.unit
     for _, value in short_vectors(basis.gram, int(wanted)):
         if value == wanted:
@@ -207,8 +139,8 @@ def _are_not_equivalent(algebra: Algebra, parts: tuple[str, ...], evidence: obje
 
 def _are_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind element", "the evidence")
-    first, second = (_order(algebra, part) for part in parts)
-    x = _element(data["element"])
+    first, second = (an_order(algebra, part) for part in parts)
+    x = an_element(data["element"])
     if first.times(x, "left").key != second.times(x, "right").key:
         reject("the element does not conjugate the first order into the second")
     return Finding(FIELD, ELEMENT)
@@ -216,7 +148,7 @@ def _are_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) 
 
 def _are_not_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind", "the evidence", "trace norm bases")
-    first, second = (_order(algebra, part) for part in parts)
+    first, second = (an_order(algebra, part) for part in parts)
     if discriminant(first) != discriminant(second):
         return Finding(FIELD, DISCRIMINANT)
     data = an_object(evidence, "kind trace norm bases", "the evidence")
@@ -225,7 +157,7 @@ def _are_not_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: obje
     if len(bases) != 2:
         reject("there is one basis for each of the two orders")
     numbers = [
-        len(_with_trace_and_norm(_basis_of(order, basis), trace, norm))
+        len(_with_trace_and_norm(another_basis(order, basis), trace, norm))
         for order, basis in zip((first, second), bases, strict=True)
     ]
     if numbers[0] == numbers[1]:
@@ -250,8 +182,8 @@ def _with_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[tuple[in
 
 def _is_embedded(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind element", "the evidence")
-    order, d = _order(algebra, parts[0]), _integer(parts[1], "a discriminant")
-    x = _element(data["element"])
+    order, d = an_order(algebra, parts[0]), a_whole_number(parts[1], "a discriminant")
+    x = an_element(data["element"])
     if not order.holds(x.den, [x.row]):
         reject("the element is not in the order")
     trace = Fraction(times([x.row], algebra.form)[0][0], algebra.scale * x.den)
@@ -273,10 +205,10 @@ def _is_optimal(order: Lattice, x: Element) -> bool:
 
 def _is_not_embedded(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind basis", "the evidence")
-    order, d = _order(algebra, parts[0]), _integer(parts[1], "a discriminant")
+    order, d = an_order(algebra, parts[0]), a_whole_number(parts[1], "a discriminant")
     if d >= 0 or d % 4 > 1:
         reject("a negative discriminant is 0 or 1 modulo 4")
-    basis = _basis_of(order, data["basis"])
+    basis = another_basis(order, data["basis"])
     trace = d % 2
     for row in _with_trace_and_norm(basis, trace, (trace - d) // 4):
         if _is_optimal(order, Element(basis.den, row)):
@@ -289,9 +221,9 @@ def _is_not_embedded(algebra: Algebra, parts: tuple[str, ...], evidence: object)
 
 def _is_class_set(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind classes", "the evidence")
-    order = _order(algebra, parts[0])
-    ideals = [_given_rows(value, algebra) for value in a_list(data["classes"], "classes", 1)]
-    if len(ideals) != _integer(parts[1], "the number of classes"):
+    order = an_order(algebra, parts[0])
+    ideals = [given_lattice(value, algebra) for value in a_list(data["classes"], "classes", 1)]
+    if len(ideals) != a_whole_number(parts[1], "the number of classes"):
         reject(f"{len(ideals)} classes are given, which is not the number that is stated")
     need_class_set(order, ideals)
     return Finding(FIELD, BY_MASS).citing(MASS)

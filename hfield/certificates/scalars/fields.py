@@ -4,6 +4,7 @@ from functools import lru_cache
 
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars import (
+    completions,
     finite,
     floats,
     functions,
@@ -20,6 +21,7 @@ from hfield.certificates.scalars.ring import Ring
 MAX_NAME = 4_000
 # One module a kind: its ``read`` returns the ring of a name, or None; the first that knows it is asked.
 KINDS = (
+    completions,
     rationals,
     floats,
     surds,

@@ -22,6 +22,7 @@ from hfield.certificates.glossary import (
     ORDERING,
     REAL_ROOTS,
     SUM_OF_SQUARES,
+    UNIQUE_ROOTS,
     WITNESS,
     ZERO_NORM,
 )
@@ -189,13 +190,11 @@ def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence
     _identity("norm(p*q) == norm(p)*norm(q)", setting)
     p = field.characteristic
     if kind == "unique roots" and p == 2:
-        return Finding(
-            FIELD, kind
-        )  # y² = z² means (y − z)² = 0, so the product of the roots is the root
+        # y² = z² means (y − z)² = 0, so the product of the roots is the root
+        return Finding(FIELD, UNIQUE_ROOTS)
     if kind == "ordering" and field.is_ordered:
-        return Finding(
-            FIELD, kind
-        )  # the roots that are not negative: their products are not negative
+        # the roots that are not negative: their products are not negative
+        return Finding(FIELD, ORDERING)
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
         if field.order > MAX_TRIED:

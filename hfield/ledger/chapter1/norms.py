@@ -2,8 +2,8 @@
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.facts import Division
+from hfield.ledger.modulus import ModulusDefined, ModulusLaw
 from hfield.ledger.propositions import Negation, Statement
-from hfield.ledger.roots import ModulusDefined, ModulusLaw
 
 COMPUTED = {
     "C1.3.1-a": Propositions(as_printed=ModulusDefined()),

@@ -4,24 +4,19 @@ Small values come first, so that the witness found is one that people can check 
 prime field on Python's numbers, then small elements of the field, zero divisors among them.
 """
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import islice
-from time import monotonic
 from typing import Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
 from hfield.product import Constants, conjugate, multiply, trace
-from hfield.proving.evaluation.compiled import Truth, World, compile_statement
-from hfield.proving.evaluation.interpretation import (
-    Interpretation,
-    PrimeInterpretation,
-    RingInterpretation,
-    bind,
-)
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
 from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 from hfield.syntax import weight
 
@@ -29,57 +24,39 @@ Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
 
 
-def holds(world: Interpretation, statement: Statement) -> bool:
-    """Tell whether hypotheses ⇒ conclusion is true under the values that ``world`` is bound to."""
-    if not all(world.truth(h) for h in statement.hypotheses):
-        return True
-    return bool(world.truth(statement.conclusion))
-
-
 class Searcher:
-    """Evaluates a statement at many places; ``wanted`` is the truth value looked for."""
+    """Evaluates the statement of a problem at many places; ``wanted`` is the truth value looked for."""
 
     def __init__(
-        self,
-        statement: Statement,
-        constants: tuple[str, str, str],
-        world: World,
-        deadline: float,
-        wanted: bool = False,
+        self, problem: Problem, scalars: PrimeScalars | RingScalars, wanted: bool = False
     ) -> None:
-        self.statement, self.constants, self.world = statement, constants, world
-        self.deadline, self.wanted = deadline, wanted
-        self.fixed: Assignment = {}
-        if isinstance(world, RingInterpretation):
-            self.fixed = {text: constant(world.ring, text) for text in statement.constants}
-        self.compiled: Truth | None = None
-        self.defined = True
-        if not any(c.isalpha() for text in constants for c in text):
-            self.defined = bool(bind(world, constants, self.fixed))
-            self.compiled = compile_statement(statement, world, self.fixed)
+        self.problem, self.wanted = problem, wanted
+        fixed: Assignment = {}
+        if isinstance(scalars, RingScalars):
+            own = problem.statement.constants
+            fixed = {text: constant(scalars.ring, text) for text in own}
+        trees, sorts = problem.setting.trees, problem.statement.sorts
+        self.evaluator = Evaluator(scalars, trees, sorts, fixed)
+        self.holds = self.evaluator.function(problem.matrix)
+        self.moving = bool(problem.letters)  # the structure constants, with the place
+        self.exists = self.moving or bool(self.evaluator.bind({}))
 
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether the algebra exists there and the statement has the wanted truth value."""
-        if self.compiled is not None:
-            return self.defined and self.compiled(assignment) is self.wanted
-        if not bind(self.world, self.constants, {**self.fixed, **assignment}):
+        """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
+        try:
+            exists = self.evaluator.bind(assignment) if self.moving else self.exists
+            return bool(exists) and self.holds(assignment) is self.wanted
+        except UndecidedError:  # a local field knows its roots to some digits only
             return False
-        return holds(self.world, self.statement) is self.wanted
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
         """Return the first assignment with the wanted truth value, before the deadline."""
         for assignment in assignments:
-            if monotonic() > self.deadline:
+            if self.problem.is_late:
                 return None
             if self.test(assignment):
                 return assignment
         return None
-
-
-def letters_in(statement: Statement, constants: tuple[str, str, str]) -> frozenset[str]:
-    """Return the unknowns that are structure constants: 0 is the last value they are given."""
-    texts = " ".join(constants)
-    return frozenset(name for name in statement.sorts if re.search(rf"\b{name}\b", texts))
 
 
 def by_weight(
@@ -158,11 +135,13 @@ def small_scalars(field: Ring) -> tuple[Any, ...]:
 
 
 @lru_cache(maxsize=256)
-def zero_divisors(field: Ring, constants: tuple[str, str, str]) -> tuple[Any, ...]:
-    """Return elements of norm 0, if the field is known to have some in this algebra."""
+def zero_divisors(setting: Setting) -> tuple[Any, ...]:
+    """Return elements of norm 0, if the field is known to have some in the algebra."""
     from hfield.structure.norm_forms.zero_norms import zero_norm
 
-    c = Constants(*(constant(field, text) for text in constants))
+    field = setting.field
+    assert field is not None
+    c = Constants(*(constant(field, text) for text in setting.constants))
     try:
         found = zero_norm(field, c).element
     except UndecidedError:
@@ -189,11 +168,12 @@ def zero_divisors(field: Ring, constants: tuple[str, str, str]) -> tuple[Any, ..
     )
 
 
-def pool(field: Ring, constants: tuple[str, str, str]) -> list[Any]:
+def pool(problem: Problem) -> list[Any]:
     """Return a few telling quaternions: 0, the basis, zero divisors, small combinations."""
+    field = problem.ring
     zero, one = field.zero, field.one
     basis = [tuple(one if n == m else zero for n in range(4)) for m in range(4)]
-    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(field, constants)]
+    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(problem.setting)]
     for x in small_scalars(field)[2:6]:
         out.extend([(x, zero, zero, zero), (zero, x, zero, zero), (zero, one, x, zero)])
     return out
@@ -213,73 +193,47 @@ def from_pool(
                 yield dict(zip(names, chosen, strict=True))
 
 
-def prime_search(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    p: int,
-    limit: int,
-    deadline: float,
-    wanted: bool = False,
-) -> Assignment | None:
+def prime_search(problem: Problem, p: int, limit: int, wanted: bool = False) -> Assignment | None:
     """Search the prime field of characteristic p; a witness there is one over every extension.
 
-    Fields of one characteristic share the answer, so it is kept unless the time ran out.
+    Fields of one characteristic share the answer.
     """
-    if statement.constants:
-        return None
-    key = (statement, constants, p, limit, wanted)
-    if key not in _kept:
-        found = _prime_search(statement, constants, p, limit, deadline, wanted)
-        if found is None and monotonic() > deadline:
-            return None
-        if len(_kept) >= MAX_KEPT:
-            _kept.clear()
-        _kept[key] = found
-    return _kept[key]
+    return None if problem.statement.constants else _prime_search(problem, p, limit, wanted)
 
 
-_kept: dict[Any, Assignment | None] = {}
-MAX_KEPT = 8_192
-
-
-def _prime_search(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    p: int,
-    limit: int,
-    deadline: float,
-    wanted: bool,
-) -> Assignment | None:
+@remembered
+def _prime_search(problem: Problem, p: int, limit: int, wanted: bool) -> Assignment | None:
     scalars = prime_scalars(p)
-    if not p and too_heavy(statement, MAX_FAST):
+    if not p and too_heavy(problem.statement, MAX_FAST):
         scalars = scalars[:3]
-    seeker = Searcher(statement, constants, PrimeInterpretation(p), deadline, wanted)
-    letters = letters_in(statement, constants)
-    places = by_weight(statement.unknowns, scalars, 12, letters)
+    seeker = Searcher(problem, PrimeScalars(p), wanted)
+    places = by_weight(problem.statement.unknowns, scalars, 12, problem.letters)
     return seeker.first(islice(places, limit))
 
 
-def ring_search(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    field: Ring,
-    limit: int,
-    deadline: float,
-    wanted: bool = False,
-) -> Assignment | None:
-    """Search small elements of the field, and its zero divisors."""
+def ring_search(problem: Problem, limit: int, wanted: bool = False) -> Assignment | None:
+    """Search small elements of the ring, and its zero divisors."""
+    field, statement = problem.ring, problem.statement
     if field.order is None and too_heavy(statement, MAX_SLOW if field.gen_name else MAX_FAST):
         return None
-    seeker = Searcher(statement, constants, RingInterpretation(field), deadline, wanted)
+    seeker = Searcher(problem, RingScalars(field), wanted)
     scalars = small_scalars(field)
-    letters = letters_in(statement, constants)
-    places = by_weight(statement.unknowns, scalars, 12, letters)
-    if letters:
+    places = by_weight(statement.unknowns, scalars, 12, problem.letters)
+    if problem.letters:
         return seeker.first(islice(places, 2 * limit))
-    found = seeker.first(
-        islice(from_pool(statement.unknowns, pool(field, constants), scalars), limit)
-    )
+    found = seeker.first(islice(from_pool(statement.unknowns, pool(problem), scalars), limit))
     return seeker.first(islice(places, limit)) if found is None else found
+
+
+def true_place(problem: Problem, limit: int) -> Assignment | None:
+    """Return values that make the statement true, or None."""
+    field = problem.field
+    primes = (0, 2, 3) if field is None else (field.characteristic,) if field.is_field else ()
+    for p in primes:
+        found = prime_search(problem, p, limit, True)
+        if found is not None:
+            return found
+    return None if field is None else ring_search(problem, limit, True)
 
 
 def too_heavy(statement: Statement, limit: int) -> bool:

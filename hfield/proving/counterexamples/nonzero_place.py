@@ -8,30 +8,26 @@ from hfield.errors import HFieldError
 from hfield.proving.counterexamples.candidates import Assignment, small_scalars
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
-from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.problem import Problem
+from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
 
 MAX_VALUES = 1_000
 
 
-def nonzero_place(
-    statement: Statement,
-    x: Expanded,
-    polynomials: Sequence[Any],
-    field: Ring,
-    letters: frozenset[str] = frozenset(),
-) -> Assignment | None:
+def nonzero_place(problem: Problem, x: Expanded, polynomials: Sequence[Any]) -> Assignment | None:
     """Return values of the unknowns at which none of the polynomials is 0.
 
     Over an infinite field there is such a place for polynomials that are not 0; over a finite one
-    for a single polynomial that is not 0 as a function. 0 is the last value for ``letters``.
+    for a single polynomial that is not 0 as a function. 0 is the last value for letters.
     """
+    field = problem.ring
     left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
     if not all(left):
         return None
     values: list[Any] = []
     for name in x.variables[: x.unknowns]:
-        for value in values_of(field, name in letters):
+        for value in values_of(field, name in problem.letters):
             tried = [_substitute(f, value, field) for f in left]
             if all(tried):
                 left, values = tried, [*values, value]
@@ -40,7 +36,7 @@ def nonzero_place(
             return None
     out: Assignment = {}
     rest = iter(values)
-    for name, sort in statement.unknowns:
+    for name, sort in problem.statement.unknowns:
         out[name] = next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
     return out
 

@@ -1,27 +1,24 @@
 """Places where a statement fails: looked for, solved for, or all tried."""
 
 from collections.abc import Iterator, Sequence
-from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.counterexamples.candidates import (
     Assignment,
     Searcher,
-    letters_in,
     prime_search,
     ring_search,
 )
 from hfield.proving.counterexamples.solving import solve
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import counterexample
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.methods.answers import refuted
 from hfield.proving.methods.starting_relations import quaternions_of
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
-from hfield.proving.statements.language import Statement
-from hfield.proving.statements.setting import Setting
+from hfield.proving.problem import Problem
 from hfield.rings.base import Ring
 
 QUICK, FEW, MANY = 120, 400, 20_000  # places looked at before, between and after proofs
@@ -29,12 +26,10 @@ MAX_AXES = 8
 SHORT = 0.5  # seconds for the first attempt at a proof, and for solving one clause
 
 
-def look_quickly(statement: Statement, setting: Setting, deadline: float) -> Assignment | None:
+def look_quickly(problem: Problem) -> Assignment | None:
     """Look at a few places of the prime field: a witness there serves every extension."""
-    field = setting.field
-    assert field is not None
-    found = prime_search(statement, setting.constants, field.characteristic, QUICK, deadline)
-    return None if found is None else lifted(field, found)
+    found = prime_search(problem, problem.ring.characteristic, QUICK)
+    return None if found is None else lifted(problem.ring, found)
 
 
 def lifted(field: Ring, found: Assignment) -> Assignment:
@@ -45,35 +40,26 @@ def lifted(field: Ring, found: Assignment) -> Assignment:
     }
 
 
-def look(statement: Statement, setting: Setting, limit: int, deadline: float) -> Assignment | None:
+def look(problem: Problem, limit: int) -> Assignment | None:
     """Look for a counterexample: among numbers first, then among elements of the ring."""
-    field = setting.field
-    assert field is not None
+    field = problem.ring
     if field.is_field:
-        p = field.characteristic
-        found = prime_search(statement, setting.constants, p, limit, deadline)
+        found = prime_search(problem, field.characteristic, limit)
         if found is not None:
             return lifted(field, found)
-    return ring_search(statement, setting.constants, field, limit, deadline)
+    return ring_search(problem, limit)
 
 
-def solve_clauses(
-    statement: Statement,
-    setting: Setting,
-    x: Expanded,
-    left: Sequence[Clause],
-    deadline: float,
-) -> Assignment | None:
+def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assignment | None:
     """Look for a counterexample by solving the hypotheses, and test it in the statement itself."""
-    field = setting.field
-    assert field is not None
-    letters = letters_in(statement, setting.constants)
-    test = Searcher(statement, setting.constants, RingInterpretation(field), deadline).test
-    quaternions = quaternions_of(statement, setting.constants)
+    test = Searcher(problem, RingScalars(problem.ring)).test
+    quaternions = quaternions_of(problem)
     for clause in left:
         for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
-            soon = min(deadline, monotonic() + SHORT)
-            found = solve(statement, x, narrower, field, letters, soon)
+            try:
+                found = solve(problem.within(SHORT), x, narrower)
+            except UndecidedError:  # a root that is known to some digits only
+                continue
             if found is not None and test(found):
                 return found
     return None
@@ -105,25 +91,25 @@ def narrowed(
         yield Clause((*clause.zeros, *(f for f in slopes if f != 0)), clause.goals)
 
 
-def exhaust(
-    statement: Statement, setting: Setting, x: Expanded | None, deadline: float
-) -> Decision:
+def exhaust(problem: Problem, x: Expanded | None) -> Decision:
     """Decide over a finite ring by all cases; when they are too many, look at small places."""
-    field = setting.field
-    assert field is not None
     used = None if x is None else used_variables(x)
     try:
-        found, cases = counterexample(statement, setting.constants, field, used, deadline)
+        found, cases = counterexample(problem, used)
     except (TooLargeError, UndecidedError) as error:
-        found = look(statement, setting, MANY, deadline)
+        found = look(problem, MANY)
         if found is not None:
-            return refuted(field, found, statement)
+            return refuted(problem, found)
         return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
     if found is not None:
-        return refuted(field, found, statement)
-    steps = (f"true in each of the {cases} cases over {field.name}",)
+        return refuted(problem, found)
+    steps = (f"true in {_each(cases)} over {problem.ring.name}",)
     evidence = {"kind": "exhaustion", "cases": cases}
     return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)
+
+
+def _each(cases: int) -> str:
+    return f"each of the {cases} cases" if cases > 1 else "the only case"
 
 
 def used_variables(x: Expanded) -> frozenset[str]:

@@ -6,20 +6,20 @@ looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
-from time import monotonic
 from typing import Any
 
-from flint import fmpq, fmpq_poly
+from flint import fmpq
 
-from hfield.errors import HFieldError, TooLargeError
+from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.proving.counterexamples.candidates import Assignment, nonzero_first, small_scalars
 from hfield.proving.counterexamples.nonzero_place import values_of
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
-from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.problem import Problem
+from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
+from hfield.rings.roots import rational_roots
 
 MAX_NODES = 1_500
 MAX_TERMS = 400
@@ -28,39 +28,32 @@ BRANCHES = 5
 Polynomial = dict[Monomial, Any]
 
 
-def solve(
-    statement: Statement,
-    x: Expanded,
-    clause: Clause,
-    field: Ring,
-    letters: frozenset[str],
-    deadline: float,
-) -> Assignment | None:
+def solve(problem: Problem, x: Expanded, clause: Clause) -> Assignment | None:
     """Return values at which the clause fails: its zeros vanish, and no goal does entirely.
 
-    The ``letters`` are structure constants; 0 is the last value they are given.
+    0 is the last value that letters are given.
     """
+    field = problem.ring
     zeros = [dict(coefficients(z, x, field)) for z in clause.zeros]
     goals = [[dict(coefficients(g, x, field)) for g in goal] for goal in clause.goals]
     if any(len(f) > MAX_TERMS for f in (*zeros, *(f for goal in goals for f in goal))):
         return None
-    indices = {n for n, name in enumerate(x.variables) if name in letters}
-    solver = _Solver(field, x.unknowns, indices, deadline)
+    solver = _Solver(problem, x)
     solver.eliminate(zeros, goals)
     values = solver.run(zeros, goals, {})
     if values is None:
         return None
     out: Assignment = {}
     rest = iter([values[n] for n in range(x.unknowns)])
-    for name, sort in statement.unknowns:
+    for name, sort in problem.statement.unknowns:
         out[name] = next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
     return out
 
 
 class _Solver:
-    def __init__(self, field: Ring, unknowns: int, letters: set[int], deadline: float) -> None:
-        self.field, self.unknowns, self.deadline = field, unknowns, deadline
-        self.letters = letters
+    def __init__(self, problem: Problem, x: Expanded) -> None:
+        self.problem, self.field, self.unknowns = problem, problem.ring, x.unknowns
+        self.letters = {n for n, name in enumerate(x.variables) if name in problem.letters}
         self.nodes = 0
         self.eliminated: list[tuple[int, Polynomial]] = []  # variable, what it is equal to
 
@@ -117,7 +110,7 @@ class _Solver:
     ) -> dict[int, Any] | None:
         """Extend ``values`` to a solution, or return None."""
         self.nodes += 1
-        if self.nodes > MAX_NODES or monotonic() > self.deadline:
+        if self.nodes > MAX_NODES or self.problem.is_late:
             return None
         zeros = [z for z in zeros if z]
         if any(_is_constant(z) for z in zeros) or any(not any(goal) for goal in goals):
@@ -169,7 +162,7 @@ class _Solver:
                 yield (field.zero - c[1] + root) * half
                 yield (field.zero - c[1] - root) * half
                 return
-        yield from _rational_roots(field, c)
+        yield from _roots(field, c)
         for value in small_scalars(field):
             total = field.zero
             for coefficient in reversed(c):
@@ -220,16 +213,18 @@ class _Solver:
         return total
 
 
-def _rational_roots(field: Ring, coefficients: Sequence[Any]) -> list[Any]:
-    """Return the rational roots of a polynomial whose coefficients are rational numbers."""
-    if field.characteristic:
-        return []
+def _roots(field: Ring, coefficients: Sequence[Any]) -> list[Any]:
+    """Return the roots in the field, or rational ones, as far as they are known."""
     try:
-        f = fmpq_poly([fmpq(*map(int, field.text(c).split("/"))) for c in coefficients])
-    except (ValueError, TypeError):
+        return field.roots(coefficients)
+    except UndecidedError:
+        if field.characteristic:
+            return []
+    try:
+        rational = [fmpq(*map(int, field.text(c).split("/"))) for c in coefficients]
+        return list(map(field, rational_roots(rational)))
+    except (ValueError, TypeError, UndecidedError):
         return []
-    roots = [-g[0] / g[1] for g, _ in f.factor()[1] if g.degree() == 1]
-    return [field(Fraction(int(r.p), int(r.q))) for r in roots]
 
 
 def _is_constant(f: Polynomial) -> bool:

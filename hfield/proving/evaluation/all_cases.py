@@ -1,21 +1,16 @@
 """Deciding over a finite ring by trying every case; many at a time with numpy where there are many."""
 
+from collections.abc import Iterable
 from functools import lru_cache
 from itertools import product
-from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.counterexamples.candidates import Assignment, Searcher
-from hfield.proving.evaluation.compiled import World
-from hfield.proving.evaluation.interpretation import (
-    Interpretation,
-    PrimeInterpretation,
-    RingInterpretation,
-    Value,
-    bind,
-)
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value
 from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
 
@@ -41,28 +36,24 @@ def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple
 
 
 def counterexample(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    field: Ring,
-    used: frozenset[str] | None,
-    deadline: float,
-    wanted: bool = False,
+    problem: Problem, used: frozenset[str] | None, wanted: bool = False
 ) -> tuple[Assignment | None, int]:
     """Return the first case in which the statement is false (or ``wanted``), and how many there are.
 
     Raises :class:`TooLargeError` for more than 10⁸ cases, and :class:`UndecidedError` when the time
     is over.
     """
+    field = problem.ring
     assert field.order is not None
-    places = coordinates(statement, used)
+    places = coordinates(problem.statement, used)
     cases = field.order ** len(places)
     if cases > MAX_CASES:
         raise TooLargeError(f"{field.order}^{len(places)} cases are more than 10^8")
     largest = MAX_PRIME if field.order == field.characteristic else MAX_TABLE
     if cases <= FEW_CASES or field.order > largest:
-        found = _one_by_one(statement, constants, field, places, deadline, wanted)
+        found = _one_by_one(problem, places, wanted)
     else:
-        found = _in_blocks(statement, constants, field, places, deadline, wanted)
+        found = _in_blocks(problem, places, wanted)
     return found, cases
 
 
@@ -78,20 +69,14 @@ def _assignment(
     }
 
 
-def _one_by_one(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    field: Ring,
-    places: list[tuple[str, int]],
-    deadline: float,
-    wanted: bool,
-) -> Assignment | None:
+def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -> Assignment | None:
+    field, statement = problem.ring, problem.statement
     prime = field.is_field and field.order == field.characteristic and not statement.constants
     elements: list[Any] = list(range(field.characteristic)) if prime else list(field.elements())
-    world: World = PrimeInterpretation(field.characteristic) if prime else RingInterpretation(field)
-    seeker = Searcher(statement, constants, world, float("inf"), wanted)
+    scalars = PrimeScalars(field.characteristic) if prime else RingScalars(field)
+    seeker = Searcher(problem, scalars, wanted)
     for n, values in enumerate(product(elements, repeat=len(places))):
-        if n % 64 == 63 and monotonic() > deadline:
+        if n % 64 == 63 and problem.is_late:
             raise UndecidedError(f"time was over after {n} cases")
         assignment = _assignment(statement, places, values, elements[0])
         if seeker.test(assignment):
@@ -102,22 +87,18 @@ def _one_by_one(
     return None
 
 
-def _in_blocks(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    field: Ring,
-    places: list[tuple[str, int]],
-    deadline: float,
-    wanted: bool,
-) -> Assignment | None:
+def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) -> Assignment | None:
     import numpy as np
 
+    field, statement = problem.ring, problem.statement
     table = _table(field)
-    world = _TableInterpretation(table)
-    fixed = {text: world.element(constant(field, text)) for text in statement.constants}
+    scalars = _TableScalars(table)
+    fixed = {text: scalars.element(constant(field, text)) for text in statement.constants}
+    evaluator = Evaluator(scalars, problem.setting.trees, statement.sorts, fixed)
+    holds = evaluator.function(problem.matrix)
     q, cases = len(table.elements), len(table.elements) ** len(places)
     for start in range(0, cases, BLOCK):
-        if monotonic() > deadline:
+        if problem.is_late:
             raise UndecidedError(f"time was over after {start} of {cases} cases")
         index = np.arange(start, min(start + BLOCK, cases))
         digits = []
@@ -125,12 +106,9 @@ def _in_blocks(
             index, digit = np.divmod(index, q)
             digits.append(table.entry(digit.astype(table.kind)))
         digits.reverse()
-        values = _assignment(statement, places, digits, world.zero)
-        defined = bind(world, constants, {**fixed, **values})
-        truth = world.truth(statement.conclusion)
-        for h in statement.hypotheses:
-            truth = world.either(world.negate(world.truth(h)), truth)
-        hit = (np.asarray(truth) == wanted) & defined
+        values = _assignment(statement, places, digits, scalars.zero)
+        defined = evaluator.bind(values)
+        hit = (np.asarray(holds(values)) == wanted) & defined
         hits = np.flatnonzero(np.broadcast_to(hit, digits[0].array.shape))
         if len(hits):
             chosen = [table.elements[int(d.array[hits[0]])] for d in digits]
@@ -200,7 +178,7 @@ class _Entries:
         return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
 
 
-class _TableInterpretation(Interpretation):
+class _TableScalars(Scalars):
     def __init__(self, table: _Table) -> None:
         self.table = table
         self.zero, self.one = self.element(table.field.zero), self.element(table.field.one)
@@ -221,14 +199,14 @@ class _TableInterpretation(Interpretation):
     def reciprocal(self, x: _Entries) -> Value:
         return self.table.entry(self.table.inverse[x.array]), self.table.unit[x.array]
 
-    def equal(self, differences: tuple[Any, ...], defined: Any) -> Any:
+    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
         truth = defined
         zero = self.zero.array
         for d in differences:
             truth = truth & (d.array == zero)
         return truth
 
-    def unequal(self, differences: tuple[Any, ...], defined: Any) -> Any:
+    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
         truth = False
         zero = self.zero.array
         for d in differences:

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
-from hfield.proving.polynomials.expansion import Expanded, polynomial_world
+from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
 MAX_BRANCHES = 16
@@ -30,28 +30,27 @@ class Solutions:
     none: bool = False
 
 
-def closed_solutions(statement: Statement, setting: Setting) -> Solutions:
+def closed_solutions(problem: Problem) -> Solutions:
     """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
-    field = setting.field
-    assert field is not None
+    field = problem.ring
     try:
-        world, variables, unknowns = polynomial_world(statement, setting.constants)
-        ways = list(branches(world.truth(statement.node)))
+        world = Symbolic(problem)
+        ways = list(branches(world.truth(problem.statement.node)))
     except TooLargeError:
         return Solutions()
     if len(ways) > MAX_BRANCHES or world.conditions:
         return Solutions()
-    x = Expanded(world.context, variables, unknowns, ())
+    x = Expanded(world.context, world.variables, world.unknowns, ())
     places, none = list[dict[str, Any]](), True
     for way in ways:
         zeros = [f for part in way if part.zero for f in part.polynomials]
         try:
-            found = _solved([dict(coefficients(f, x, field)) for f in zeros], unknowns, field)
+            found = _solved([dict(coefficients(f, x, field)) for f in zeros], world.unknowns, field)
         except UndecidedError:
             none = False
             continue
         none = none and not found
-        places.extend(_assigned(statement, values) for values in found)
+        places.extend(_assigned(problem.statement, values) for values in found)
     return Solutions(tuple(places), none)
 
 

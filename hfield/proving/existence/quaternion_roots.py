@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from hfield.certificates.glossary import QUATERNION_ROOT
 from hfield.proving.decision import FIELD, PROVED, Decision
-from hfield.proving.statements.language import BASIS, Sort, Statement
-from hfield.proving.statements.setting import Setting
+from hfield.proving.problem import Problem
+from hfield.proving.statements.language import BASIS, Sort
 from hfield.proving.statements.trees import occurrences
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power
 
@@ -28,10 +28,13 @@ class Top:
         return Top(self.degree + other.degree, self.single and other.single)
 
 
-def by_quaternion_roots(statement: Statement, setting: Setting) -> Decision | None:
+def by_quaternion_roots(problem: Problem) -> Decision | None:
     """Prove ``exists q: f(q) == g(q)`` in H(ℝ), where a single monomial has the highest degree."""
-    node, field = statement.conclusion, setting.field
-    if field is None or field.name != "RR" or not setting.is_hamilton or statement.divides:
+    field, statement = problem.field, problem.statement
+    node = statement.conclusion
+    if field is None or field.closure != "real closed" or not problem.setting.is_hamilton:
+        return None
+    if statement.divides:
         return None
     if len(statement.exists) != 1 or not (isinstance(node, Compare) and node.op == "=="):
         return None

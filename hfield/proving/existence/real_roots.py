@@ -1,43 +1,43 @@
 """Roots that exist in ℝ and ℂ by a theorem, though no term in what is given names them."""
 
-from time import monotonic
 from typing import Any
 
 from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
 from hfield.proving.decision import FIELD, PROVED, Decision
-from hfield.proving.polynomials.expansion import polynomial_world
+from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.recognition import polynomial_text
-from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.setting import Setting
+from hfield.proving.problem import Problem
+from hfield.proving.statements.language import Sort
 from hfield.syntax import Compare
 
 MAX_DEGREE = 200
 FARTHEST = 2**40
 
 
-def by_roots(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+def by_roots(problem: Problem) -> Decision | None:
     """Prove ``exists s: f(s) == g(s)`` over RR and CC where a root exists for every value given."""
-    field, node = setting.field, statement.conclusion
-    if field is None or field.name not in ("RR", "CC") or len(statement.exists) != 1:
+    field, statement = problem.field, problem.statement
+    node = statement.conclusion
+    if field is None or field.closure is None or len(statement.exists) != 1:
         return None
     name = statement.exists[0]
-    if statement.sorts[name] is not Sort.SCALAR or statement.divides or monotonic() > deadline:
+    if statement.sorts[name] is not Sort.SCALAR or statement.divides or problem.is_late:
         return None
     if not (isinstance(node, Compare) and node.op == "=="):
         return None
     try:
-        world, variables, _ = polynomial_world(statement, setting.constants)
+        world = Symbolic(problem)
         sides = [world.embed(world.term(side)[0]) for side in (node.left, node.right)]
         differences = [u - v for u, v in zip(*sides, strict=True)]
     except TooLargeError:
         return None
     left = [f for f in differences if f != 0]
-    if len(left) != 1 or not 1 <= left[0].degrees()[variables.index(name)] <= MAX_DEGREE:
+    if len(left) != 1 or not 1 <= left[0].degrees()[world.variables.index(name)] <= MAX_DEGREE:
         return None
-    f, at = left[0], variables.index(name)
-    shown = f"{polynomial_text(f, variables)} as a polynomial in {name}"
-    by = _complex(f, at) if field.name == "CC" else _real(f, at)
+    f, at = left[0], world.variables.index(name)
+    shown = f"{polynomial_text(f, world.variables)} as a polynomial in {name}"
+    by = _complex(f, at) if field.closure == "algebraically closed" else _real(f, at)
     if by is None:
         return None
     evidence, theorem, why = by

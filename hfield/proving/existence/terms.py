@@ -1,123 +1,38 @@
 """Proving that something exists by naming it: a term in what is given, that serves everywhere."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, product
-from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError
-from hfield.proving.counterexamples.candidates import prime_search, ring_search
+from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import FIELD, FIELDS, PROVED, Decision
-from hfield.proving.statements.language import BASIS, RESULT, Sort, Statement, generators
-from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.setting import Setting
-from hfield.proving.statements.trees import children, divides_in, substitute
-from hfield.rings.base import Ring
-from hfield.syntax import Call, Logic, Name, Node, Not, parse
+from hfield.proving.methods import universal
+from hfield.proving.problem import Problem
+from hfield.proving.statements.language import BASIS, Sort
+from hfield.proving.statements.trees import substitute
+from hfield.syntax import Not, parse
 
-Decide = Callable[[Statement, Setting, float], Decision]
 MAX_TERMS = 400
 
 
-def matrix(statement: Statement) -> Node:
-    """Return the statement without its quantifier: hypotheses ⇒ conclusion."""
-    node = statement.conclusion
-    for h in reversed(statement.hypotheses):
-        node = Logic("=>", h, node)
-    return node
-
-
-def about(
-    statement: Statement,
-    node: Node,
-    names: tuple[str, ...] | None = None,
-    field: Ring | None = None,
-) -> Statement:
-    """Return the statement ``node`` for all values of the unknowns of ``statement`` (or ``names``).
-
-    With ``field``, values from it may have been put in, whose constants are then added.
-    """
-    unknowns = statement.unknowns
-    if names is not None:
-        unknowns = tuple((name, sort) for name, sort in unknowns if name in names)
-    hypotheses: list[Node] = []
-    conclusion = node
-    while isinstance(conclusion, Logic) and conclusion.op == "=>":
-        hypotheses.append(conclusion.left)
-        conclusion = conclusion.right
-    return replace(
-        statement,
-        text=to_text(node),
-        node=node,
-        unknowns=unknowns,
-        exists=(),
-        hypotheses=tuple(hypotheses),
-        conclusion=conclusion,
-        constants=tuple(dict.fromkeys((*statement.constants, *constants_in(node, field)))),
-        divides=statement.divides or divides_in(node),
-    )
-
-
-def alone(
-    statement: Statement, node: Node, setting: Setting, names: tuple[str, ...] | None = None
-) -> Statement:
-    """Return the same, without those constants of the field that are left in neither it nor the algebra."""
-    made = about(statement, node, names, setting.field)
-    trees = (node, *map(parse, setting.constants))
-    used = {text for tree in trees for text in constants_in(tree, setting.field)}
-    return replace(made, constants=tuple(text for text in made.constants if text in used))
-
-
-def constants_in(node: Node, field: Ring | None) -> Iterator[str]:
-    """Run through the texts of the field's constants in a tree."""
-    if field is None:
-        return
-    if isinstance(node, Name):
-        if node.name in generators(field):
-            yield node.name
-    elif isinstance(node, Call) and node.function not in RESULT:
-        yield to_text(node)
-    else:
-        for child in children(node):
-            yield from constants_in(child, field)
-
-
-def true_place(statement: Statement, setting: Setting, limit: int, deadline: float) -> Any:
-    """Return values that make the statement true, or None."""
-    field = setting.field
-    primes = (0, 2, 3) if field is None else (field.characteristic,) if field.is_field else ()
-    for p in primes:
-        found = prime_search(statement, setting.constants, p, limit, deadline, True)
-        if found is not None:
-            return found
-    if field is None:
-        return None
-    return ring_search(statement, setting.constants, field, limit, deadline, True)
-
-
-def by_terms(
-    statement: Statement,
-    setting: Setting,
-    deadline: float,
-    decide_one: Decide,
-    choices: Iterable[tuple[str, ...]] | None = None,
-) -> Decision | None:
+def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None) -> Decision | None:
     """Prove by a term in the given unknowns for each one that is said to exist."""
+    statement = problem.statement
     free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
     if choices is None:
         kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
         choices = combined(kinds, MAX_TERMS)
-    node = matrix(statement)
     for terms in choices:
-        if monotonic() > deadline:
+        if problem.is_late:
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
-        instance = about(statement, substitute(node, chosen), tuple(free), setting.field)
+        instance = problem.about(substitute(problem.matrix, chosen), tuple(free))
         try:
-            if true_place(about(instance, Not(instance.node)), setting, 30, deadline) is not None:
+            if true_place(instance.about(Not(instance.statement.node)), 30) is not None:
                 continue
-            decision = decide_one(instance, setting, min(deadline, monotonic() + 1.0))
+            decision = universal.decide(instance.within(1.0))
         except TooLargeError:
             continue
         if decision.verdict == PROVED:
@@ -129,12 +44,11 @@ def by_terms(
             }
             shown = ", ".join(f"{name} = {term}" for name, term in named_terms.items())
             terms_found = {n: [t] for n, t in named_terms.items()} if free else None
-            scope = FIELDS if setting.field is None else FIELD
             return replace(
                 decision,
                 method="witness",
                 witness=terms_found,
-                scope=scope,
+                scope=FIELDS if problem.field is None else FIELD,
                 steps=(f"take {shown}", *decision.steps),
                 evidence=evidence,
             )

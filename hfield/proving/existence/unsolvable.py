@@ -9,25 +9,24 @@ from typing import Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.counterexamples.candidates import Assignment
-from hfield.proving.existence.linear_systems import Row, System
+from hfield.proving.existence.coefficients import Row
+from hfield.proving.existence.linear_systems import System
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import constant
-from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.setting import Setting
+from hfield.proving.problem import Problem
+from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
 
 MAX_TERMS = 2_000
 
 
-def unsolvable_at(
-    statement: Statement, setting: Setting, deadline: float
-) -> Callable[[Assignment], bool] | None:
+def unsolvable_at(problem: Problem) -> Callable[[Assignment], bool] | None:
     """Return what tells that nothing exists at a place, None where the statement is not linear."""
-    field = setting.field
+    field, statement = problem.field, problem.statement
     if field is None or not field.is_field:
         return None
     try:
-        system = System(statement, setting, deadline)
+        system = System(problem)
         found = [system.rows(branch) for branch in branches(system.formula)]
     except TooLargeError:
         return None

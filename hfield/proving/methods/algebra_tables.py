@@ -6,7 +6,8 @@ soon as the products that they need are there, and all of them once more at the 
 
 from collections.abc import Mapping, Sequence
 from itertools import product
-from time import monotonic
+
+from hfield.proving.clock import Clock
 
 Entry = tuple[int, int]  # sign (0 for the product 0), index of the basis vector
 Table = dict[tuple[int, int], Entry]
@@ -55,7 +56,7 @@ def find_table(
     relations: Sequence[Mapping[str, int]],
     goals: Sequence[Mapping[str, int]],
     p: int,
-    deadline: float,
+    clock: Clock,
 ) -> tuple[Table, int, Vector] | None:
     """Return a table in which the relations hold and a goal fails, with that goal and its value.
 
@@ -64,7 +65,7 @@ def find_table(
     that of H is, come first; then any others.
     """
     for graded in (True, False):
-        found = _search(letters, unit, relations, goals, p, deadline, graded)
+        found = _search(letters, unit, relations, goals, p, clock, graded)
         if found is not None:
             return found
     return None
@@ -76,7 +77,7 @@ def _search(
     relations: Sequence[Mapping[str, int]],
     goals: Sequence[Mapping[str, int]],
     p: int,
-    deadline: float,
+    clock: Clock,
     graded: bool,
 ) -> tuple[Table, int, Vector] | None:
     size = len(letters)
@@ -98,7 +99,7 @@ def _search(
         return is_associative(table, size) and all(v is None or is_zero(v) for v in values)
 
     def search(n: int) -> tuple[Table, int, Vector] | None:
-        if monotonic() > deadline:
+        if clock.is_late:
             return None
         if n == len(places):
             for m, goal in enumerate(goals):

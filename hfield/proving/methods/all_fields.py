@@ -2,19 +2,18 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from time import monotonic
 
 from hfield.errors import TooLargeError
 from hfield.proving.counterexamples.candidates import prime_search
-from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision
-from hfield.proving.methods import one_ring
-from hfield.proving.methods.answers import implied, scope_of_identity
+from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
+from hfield.proving.definedness import algebra_exists
+from hfield.proving.methods import one_field
+from hfield.proving.methods.answers import expanding, implied, scope_of_identity
 from hfield.proving.methods.implications import Proof, prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors
-from hfield.proving.statements.definedness import algebra_exists
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators
-from hfield.proving.statements.setting import Setting
 from hfield.rings import ring
 
 # Where a counterexample is looked for, in this order.
@@ -35,24 +34,43 @@ SHARE = 0.15  # of the time left, for each of them
 FEW = 150
 
 
-def decide(statement: Statement, setting: Setting, deadline: float) -> Decision:
+def decide(problem: Problem) -> Decision:
     """Decide over all fields; a counterexample over any of them refutes."""
     try:
-        x: Expanded | None = expand(statement, setting.constants)
+        x: Expanded | None = expand(problem)
     except TooLargeError:
         x = None
     if x is not None:
         if not x.clauses:
-            return _identity(statement, x)
-        if all(c.zeros for c in x.clauses) and not _quickly(statement, setting, deadline):
-            proof = _proof(statement, setting, deadline)
+            return _identity(problem.statement, x)
+        if all(c.zeros for c in x.clauses) and not _quickly(problem):
+            proof = _proof(problem)
             if proof is not None:
                 return proof
-    found = counterexample(statement, setting, deadline)
+    found = counterexample(problem)
     if found is not None:
-        return found
+        return found if x is None else _with_exceptions(problem, found)
     tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", _why(x))
     return Decision(UNDECIDED, "none", tried=tried)
+
+
+def _with_exceptions(problem: Problem, found: Decision) -> Decision:
+    """Say of a refutation in characteristic p where the statement holds, if a proof fails there alone."""
+    p = ring((found.witness or {})["F"][0]).characteristic
+    try:
+        general = prove_clauses(problem.within(1.0), 0) if p else None
+    except TooLargeError:
+        return found
+    primes = prime_factors(abs(general.denominator)) if general and general.complete else None
+    if primes is None:
+        return found
+    failing = [q for q in primes if not prove_clauses(problem.within(1.0), q).complete]
+    where = " and ".join(map(str, failing))
+    kind = counted("characteristic", len(failing), number=False)
+    step = f"over the fields of every characteristic but {where} it holds"
+    if len(failing) > 1:
+        step = f"it holds over all fields but, perhaps, those of the {kind} {where}"
+    return replace(found, steps=(*found.steps, step))
 
 
 def _why(x: Expanded | None) -> str:
@@ -61,62 +79,56 @@ def _why(x: Expanded | None) -> str:
 
 def _identity(statement: Statement, x: Expanded) -> Decision:
     steps = (
-        f"expand both sides in the {x.unknowns} coordinates of the unknowns",
+        expanding(x),
         "all coefficients of the difference are 0 in ℤ",
     )
     scope = scope_of_identity(statement, x)
     return Decision(PROVED, "identity", steps=steps, scope=scope, evidence={"kind": "identity"})
 
 
-def _quickly(statement: Statement, setting: Setting, deadline: float) -> bool:
+def _quickly(problem: Problem) -> bool:
     """Tell whether a small counterexample shows at once."""
-    return any(
-        prime_search(statement, setting.constants, p, FEW, deadline) is not None for p in (0, 2, 3)
-    )
+    return any(prime_search(problem, p, FEW) is not None for p in (0, 2, 3))
 
 
-def _proof(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+def _proof(problem: Problem) -> Decision | None:
     """Prove in characteristic 0, and then in each characteristic that was divided by."""
-    general = prove_clauses(statement, setting, 0, monotonic() + (deadline - monotonic()) / 2)
-    if not general.complete:
-        return None
-    parts = [general]
-    primes = prime_factors(abs(general.denominator))
+    general = prove_clauses(problem.share(1 / 2), 0)
+    primes = prime_factors(abs(general.denominator)) if general.complete else None
     if primes is None:
         return None
+    parts = [general]
     for p in primes:
-        special = prove_clauses(statement, setting, p, deadline)
+        special = prove_clauses(problem, p)
         if not special.complete:
             return None
         parts.append(special)
     whole = Proof(tuple(item for part in parts for item in part.items), 0, True, False)
-    decision = implied(whole, statement, setting)
+    decision = implied(whole, problem)
     return decision if len(parts) == 1 else replace(decision, scope=FIELDS)
 
 
-def counterexample(statement: Statement, setting: Setting, deadline: float) -> Decision | None:
+def counterexample(problem: Problem) -> Decision | None:
     """Look for a field over which the statement is refuted; the witness then names it as F."""
-    for there in fields_tried(statement, setting, deadline):
-        left = deadline - monotonic()
-        if left <= 0:
+    for there in fields_tried(problem):
+        if problem.is_late:
             return None
-        decision = one_ring.decide(statement, there, monotonic() + max(SHARE * left, 0.1))
+        decision = one_field.decide(there.share(SHARE, least=0.1))
         if decision.verdict == REFUTED:
-            assert there.field is not None
-            return elsewhere(decision, there.field.name)
+            return elsewhere(decision, there.ring.name)
     return None
 
 
-def fields_tried(statement: Statement, setting: Setting, deadline: float) -> Iterator[Setting]:
-    """Run through the fields where a counterexample is looked for.
+def fields_tried(problem: Problem) -> Iterator[Problem]:
+    """Run through the problem over the fields where a counterexample is looked for.
 
     They have the structure constants, and no generator of theirs is an unknown of the statement.
     """
+    statement = problem.statement
     for name in FIELDS_TRIED:
-        field = ring(name)
-        there = replace(setting, field=field)
-        clash = statement.exists and not generators(field).isdisjoint(statement.sorts)
-        if not clash and algebra_exists(statement, there, deadline):
+        there = problem.over(ring(name))
+        clash = statement.exists and not generators(there.ring).isdisjoint(statement.sorts)
+        if not clash and algebra_exists(there):
             yield there
 
 

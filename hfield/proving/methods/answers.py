@@ -9,15 +9,23 @@ from hfield.proving.decision import (
     REFUTED,
     Decision,
     characteristics,
+    counted,
 )
 from hfield.proving.methods.field_rules import rules
 from hfield.proving.methods.implications import Proof
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.vanishing import common_primes
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
-from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node, Not
+
+
+def expanding(x: Expanded) -> str:
+    """Say how both sides of an identity are compared."""
+    if not x.unknowns:
+        return "compute both sides"
+    return f"expand both sides in the {counted('coordinate', x.unknowns)} of what is unknown"
 
 
 def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
@@ -70,7 +78,7 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) 
     )
     if not holds_in_p:
         scope = FIELD
-    steps = [f"expand both sides in the {x.unknowns} coordinates of the unknowns"]
+    steps = [expanding(x)]
     if scope in (COMMUTATIVE_RINGS, FIELDS):
         steps.append("all coefficients of the difference are 0 in ℤ")
     elif holds_in_p:
@@ -107,12 +115,7 @@ def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
     return False
 
 
-def refuted(
-    field: Ring,
-    found: Assignment,
-    statement: Statement,
-    x: Expanded | None = None,
-) -> Decision:
+def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> Decision:
     """Return the refutation by the values found.
 
     The method is named by what is refuted, however the values were found: an identity, that equations
@@ -120,6 +123,7 @@ def refuted(
     even so: the characteristics in which it does hold. Of any other statement that holds over the fields
     of some characteristics a step says so in words.
     """
+    field = problem.ring
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
     steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
@@ -128,14 +132,14 @@ def refuted(
     scope = None
     if primes:
         where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
-        if is_conjunction_of_identities(statement):
+        if is_conjunction_of_identities(problem.statement):
             scope = characteristics(list(primes))
             steps.append(f"it holds exactly in {where}")
         else:
             steps.append(f"over fields of {where} it holds")
     return Decision(
         REFUTED,
-        _method(statement, field),
+        _method(problem),
         witness=witness,
         steps=tuple(steps),
         scope=scope,
@@ -143,17 +147,18 @@ def refuted(
     )
 
 
-def _method(statement: Statement, field: Ring) -> str:
-    if not field.is_exact:
+def _method(problem: Problem) -> str:
+    if not problem.ring.is_exact:
         return "floats, exact on small integers"
-    node, infinite = statement.node, field.order is None
+    node, infinite = problem.statement.node, problem.ring.order is None
     if _is_identity(node, True, infinite):
         return "identity"
     return "witness" if _is_identity(node, False, infinite) else "counterexample"
 
 
-def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
+def implied(proof: Proof, problem: Problem) -> Decision:
     """Return the decision "proved" by a complete proof."""
+    setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
     facts = [f"over {setting.algebra} {rule}" for rule in used]
@@ -163,5 +168,5 @@ def implied(proof: Proof, statement: Statement, setting: Setting) -> Decision:
         "facts": [dict(rule.evidence) for rule in used],
         "items": [dict(item.evidence) for item in proof.items],
     }
-    scope, steps = proof.scope(statement), (*facts, *proof.steps)
+    scope, steps = proof.scope(problem.statement), (*facts, *proof.steps)
     return Decision(PROVED, "implication", None, steps, scope, assumes, (), evidence)

@@ -7,10 +7,10 @@ a form that lies in the ideal puts its arguments there too, and a product splits
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from time import monotonic
 from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.proving.clock import Clock
 from hfield.proving.methods.field_rules import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.polynomials.anisotropic_forms import Form, Forms
 from hfield.proving.polynomials.membership import LARGE_PRIMES, Cofactors, Ideal
@@ -25,7 +25,7 @@ from hfield.rings.base import Ring
 
 SLICE = 150  # pairs between two looks at the rules
 MAX_ELEMENTS = 400
-MAX_TERMS = 6_000  # of all polynomials of a problem together
+MAX_TERMS = 6_000  # of all polynomials of conditions together
 MAX_CASES = 3  # how deep case distinctions nest
 MAX_FACTORED = 60  # terms of a polynomial that is still factored
 
@@ -33,7 +33,7 @@ Step = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class Problem:
+class Conditions:
     """``zeros`` are 0, ``nonzero`` are not; both over one context with ``variables`` as texts.
 
     The first ``unknowns`` variables are unknowns, the others constants of ``field``.
@@ -51,7 +51,7 @@ class Problem:
 
 @dataclass(frozen=True)
 class Refutation:
-    """The steps of a proof that the problem has no solution.
+    """The steps of a proof that the conditions has no solution.
 
     ``denominators`` were divided by, ``rules`` were used.
     """
@@ -61,15 +61,15 @@ class Refutation:
     rules: tuple[Rule, ...]
 
 
-def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutation | None:
-    """Show that the problem has no solution over the fields of its characteristic with the rules.
+def refute(conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> Refutation | None:
+    """Show that the conditions has no solution over the fields of its characteristic with the rules.
 
     Returns None when no proof was found; that says nothing.
     """
-    if _is_large(problem):
+    if _is_large(conditions):
         return None
-    for prime in _primes(problem):
-        search = _Search(problem, rules, deadline)
+    for prime in _primes(conditions):
+        search = _Search(conditions, rules, clock)
         try:
             if search.run(search.start(prime), 0):
                 return search.result()
@@ -80,52 +80,54 @@ def refute(problem: Problem, rules: Sequence[Rule], deadline: float) -> Refutati
     return None
 
 
-def member(problem: Problem, targets: Sequence[Any], deadline: float) -> list[Cofactors] | None:
+def member(conditions: Conditions, targets: Sequence[Any], clock: Clock) -> list[Cofactors] | None:
     """Return cofactors that put every target into the ideal of the zeros, or None."""
-    if _is_large(problem):
+    if _is_large(conditions):
         return None
-    ideal = Ideal(len(problem.variables), problem.characteristic, _primes(problem)[0])
+    ideal = Ideal(
+        len(conditions.variables), conditions.characteristic, _primes(conditions)[0], clock
+    )
     try:
-        ideal.extend(ideal.lift(z) for z in problem.zeros)
+        ideal.extend(ideal.lift(z) for z in conditions.zeros)
         lifted = [ideal.lift(t) for t in targets]
         while True:
-            complete = ideal.run(deadline, SLICE)
+            complete = ideal.run(SLICE)
             found = [ideal.cofactors(t) for t in lifted]
             if all(found):
                 return [f for f in found if f]
-            if complete or monotonic() > deadline or len(ideal.basis.leads) > MAX_ELEMENTS:
+            if complete or clock.is_late or len(ideal.basis.leads) > MAX_ELEMENTS:
                 return None
     except TooLargeError:
         return None
 
 
-def _primes(problem: Problem) -> tuple[int | None, ...]:
+def _primes(conditions: Conditions) -> tuple[int | None, ...]:
     """Return the primes to compute modulo; in characteristic 0 they exceed the coefficients by far."""
-    if problem.characteristic:
+    if conditions.characteristic:
         return (None,)
-    polynomials = (*problem.zeros, *problem.nonzero)
+    polynomials = (*conditions.zeros, *conditions.nonzero)
     bits = max((abs(int(c)).bit_length() for f in polynomials for c in f.coeffs()), default=1)
     return tuple(p for p in LARGE_PRIMES if p.bit_length() > 2 * bits + 8) or LARGE_PRIMES[-1:]
 
 
-def _is_large(problem: Problem) -> bool:
-    return sum(map(len, (*problem.zeros, *problem.nonzero))) > MAX_TERMS
+def _is_large(conditions: Conditions) -> bool:
+    return sum(map(len, (*conditions.zeros, *conditions.nonzero))) > MAX_TERMS
 
 
 class _Search:
-    def __init__(self, problem: Problem, rules: Sequence[Rule], deadline: float) -> None:
-        self.problem, self.rules, self.deadline = problem, rules, deadline
+    def __init__(self, conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> None:
+        self.conditions, self.rules, self.clock = conditions, rules, clock
         self.steps: list[Step] = []
         self.denominators: list[int] = []
         self.used: dict[Rule, None] = {}
         self.complete, self.unreliable = True, False
-        count = len(problem.nonzero)
-        self.names = (*problem.variables, *(f"T{n + 1}" for n in range(count)))
+        count = len(conditions.nonzero)
+        self.names = (*conditions.variables, *(f"T{n + 1}" for n in range(count)))
 
     def start(self, prime: int | None) -> Ideal:
-        """Return the ideal of the problem."""
-        p = self.problem
-        ideal = Ideal(len(self.names), p.characteristic, prime)
+        """Return the ideal of the conditions."""
+        p = self.conditions
+        ideal = Ideal(len(self.names), p.characteristic, prime, self.clock)
         ideal.extend(ideal.lift(z) for z in p.zeros)
         variables = ideal.context.gens()[len(p.variables) :]
         for t, g in zip(variables, p.nonzero, strict=True):
@@ -140,7 +142,7 @@ class _Search:
         """Let the ideal grow until it contains 1; append the steps of the proof."""
         one = ideal.context.constant(1)
         while True:
-            complete = ideal.run(self.deadline, SLICE)
+            complete = ideal.run(SLICE)
             if ideal.is_everything:
                 found = ideal.cofactors(one)
                 self.unreliable |= found is None
@@ -153,7 +155,7 @@ class _Search:
                 return True
             if self._forms(ideal):
                 continue
-            if monotonic() > self.deadline or len(ideal.basis.leads) > MAX_ELEMENTS:
+            if self.clock.is_late or len(ideal.basis.leads) > MAX_ELEMENTS:
                 self.complete = False
                 return False
             if complete:
@@ -182,7 +184,7 @@ class _Search:
         rule = self._rule(NORM)
         if rule is None:
             return False
-        for q, norm in self.problem.quaternions:
+        for q, norm in self.conditions.quaternions:
             terms = [ideal.lift(u) for u in q]
             if self._derive(ideal, rule, ideal.lift(norm), terms, {}):
                 return True
@@ -209,7 +211,7 @@ class _Search:
 
     def _rootless(self, ideal: Ideal) -> bool:
         """Find a polynomial in one variable that has no root in the field."""
-        p = self.problem
+        p = self.conditions
         roots = self._rule(ROOTS)
         if roots is None or p.field is None:
             return False
@@ -225,8 +227,8 @@ class _Search:
 
     def _forms(self, ideal: Ideal) -> bool:
         """Find a form that is 0 only where its terms are, and put them into the ideal."""
-        p = self.problem
-        if p.field is None or self._rule(ROOTS) is None or monotonic() > self.deadline:
+        p = self.conditions
+        if p.field is None or self._rule(ROOTS) is None or self.clock.is_late:
             return False
         forms = Forms(p.variables, p.unknowns, p.field, ideal.context)
         elements = [f for f, _ in ideal.elements()]
@@ -247,7 +249,7 @@ class _Search:
         for f in sorted([*ideal.generators, *elements], key=len):
             if len(f) > MAX_FACTORED or not 2 <= f.total_degree() <= MAX_DEGREE:
                 continue
-            if monotonic() > self.deadline:
+            if self.clock.is_late:
                 return False
             _, powers = factored(f, squarefree=len(f) > 20)
             factors = [g for g, _ in powers]
@@ -263,8 +265,8 @@ class _Search:
                 continue
             branches = []
             for g in factors:
-                branch = _Search(self.problem, self.rules, self.deadline)
-                below = Ideal(len(self.names), ideal.characteristic, ideal.basis.p)
+                branch = _Search(self.conditions, self.rules, self.clock)
+                below = Ideal(len(self.names), ideal.characteristic, ideal.basis.p, self.clock)
                 below.extend([*ideal.generators, g])
                 if not branch.run(below, depth + 1):
                     break

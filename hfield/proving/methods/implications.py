@@ -3,8 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
-from time import monotonic
+from itertools import groupby, product
 from typing import Any
 
 from hfield.proving.decision import (
@@ -13,8 +12,9 @@ from hfield.proving.decision import (
     FIELDS,
     REDUCED_RINGS,
     characteristics,
+    counted,
 )
-from hfield.proving.methods.contradiction import Problem, member, refute
+from hfield.proving.methods.contradiction import Conditions, member, refute
 from hfield.proving.methods.field_rules import ROOTS, Rule, rules
 from hfield.proving.methods.starting_relations import (
     nonzero_constants_of,
@@ -22,11 +22,12 @@ from hfield.proving.methods.starting_relations import (
     relations_of,
 )
 from hfield.proving.polynomials.expansion import Expanded, expand
+from hfield.proving.polynomials.membership import Cofactors
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes
+from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Statement
-from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
 MAX_CHOICES = 64
@@ -41,6 +42,11 @@ class Item:
     single: bool
     denominators: tuple[int, ...]
     rules: tuple[Rule, ...] = ()
+
+    @property
+    def by_contradiction(self) -> tuple[str, ...]:
+        """The polynomials that are 0, where it excludes that others are not; () where it is direct."""
+        return () if self.direct else ("0", *self.evidence["zero"])
 
 
 @dataclass(frozen=True)
@@ -85,184 +91,198 @@ class Proof:
 
     @property
     def steps(self) -> tuple[str, ...]:
-        """Return the proof as lines for people."""
-        lines = []
-        for item in self.items:
-            e = item.evidence
-            if "member" in e:
-                shown = " + ".join(
-                    f"({c})·h{n}" for n, c in enumerate(e["cofactors"], 1) if c != "0"
-                )
-                scale = "" if e["denominator"] == 1 else f"{e['denominator']}·"
-                lines.append(f"{scale}({e['member']}) = {shown or 0}, with hₙ = 0 the hypotheses")
-            else:
-                nonzero = " and ".join(f"{g} ≠ 0" for g in e["nonzero"]) or "the hypotheses"
-                rule_count = sum(step["step"] != "contradiction" for step in e["steps"])
-                extra = f" after {rule_count} conclusions of the field" if rule_count else ""
-                lines.append(f"{nonzero} would put 1 into the ideal of the hypotheses{extra}")
-        return tuple(dict.fromkeys(lines))
+        """Return the proof as lines for people; cases that go alike share a line."""
+        lines: dict[str, None] = {}
+        for zero, items in groupby(self.items, key=lambda item: item.by_contradiction):
+            alike = list(items)
+            lines.update(dict.fromkeys([_excluded(alike)] if zero else map(_member, alike)))
+        return tuple(lines)
 
 
-def prove_clauses(
-    statement: Statement, setting: Setting, characteristic: int, deadline: float
-) -> Proof:
+def _member(item: Item) -> str:
+    """Write how a conclusion follows from the hypotheses."""
+    e = item.evidence
+    shown = " + ".join(f"({c})·h{n}" for n, c in enumerate(e["cofactors"], 1) if c != "0")
+    scale = "" if e["denominator"] == 1 else f"{e['denominator']}·"
+    return f"{scale}({e['member']}) = {shown or 0}, with hₙ = 0 the hypotheses"
+
+
+def _excluded(items: Sequence[Item]) -> str:
+    """Write that the hypotheses exclude some cases."""
+    cases = [" and ".join(f"{g} ≠ 0" for g in item.evidence["nonzero"]) for item in items]
+    counts = [sum(s["step"] != "contradiction" for s in item.evidence["steps"]) for item in items]
+    few, many = min(counts), max(counts)
+    after = f", after {few if few == many else f'{few} to {many}'} " if many else ""
+    after += counted("conclusion", many, number=False) + " from these facts" if many else ""
+    end = f"1 would lie in the ideal of the hypotheses{after}"
+    if len(cases) == 1:
+        return f"if {cases[0]}, {end}" if cases[0] else end
+    return f"in each of {len(cases)} cases, from {cases[0]} to {cases[-1]}, {end}"
+
+
+def prove_clauses(problem: Problem, characteristic: int) -> Proof:
     """Try to prove all clauses over the fields of a characteristic, with the rules of the setting.
 
     The general proof, which uses no rules and no characteristic, is tried first, since it serves
     every field. A proof that is not ``complete`` proves nothing.
     """
-    x = expand(statement, setting.constants)
+    x = expand(problem)
     if not x.has_constants:
-        general = _prove(statement, setting.constants, 0, None, deadline)
+        general = _proof(problem, 0, None, ())
         if general.complete and _fits(general, characteristic):
             return general
         if characteristic:
-            special = _prove(statement, setting.constants, characteristic, None, deadline)
+            special = _proof(problem, characteristic, None, ())
             if special.complete:
                 return special
-    named = setting if setting.field is not None and setting.field.is_field else None
-    if named is None or not (x.has_constants or rules(named)):
+    field = problem.field
+    own = rules(problem.setting) if field is not None and field.is_field else ()
+    if field is None or not field.is_field or not (x.has_constants or own):
         return Proof((), characteristic, False, x.has_constants)
-    return _prove(statement, setting.constants, characteristic, named, deadline)
+    depends = x.has_constants or any(rule.form == ROOTS for rule in own)
+    kinds = tuple((rule.form, rule.most, rule.positive) for rule in own)
+    return _proof(problem, characteristic, field if depends else None, kinds)
 
 
 def _fits(proof: Proof, characteristic: int) -> bool:
     return characteristic == 0 or proof.denominator % characteristic != 0
 
 
-_proofs: dict[Any, Proof] = {}
-MAX_KEPT = 4_096
-
-
-def _prove(
-    statement: Statement,
-    constants: tuple[str, str, str],
+@remembered
+def _proof(
+    problem: Problem,
     characteristic: int,
-    setting: Setting | None,
-    deadline: float,
+    named: Ring | None,
+    kinds: tuple[tuple[str, float, bool], ...],
 ) -> Proof:
-    """Prove with a memory, since many fields ask the same; what failed for lack of time is retried."""
-    kinds = () if setting is None else tuple((r.form, r.most, r.positive) for r in rules(setting))
-    x = expand(statement, constants)
-    depends = setting is not None and (x.has_constants or any(k[0] == ROOTS for k in kinds))
-    field = setting.field if setting is not None and depends else None
-    key = (statement, constants, characteristic, kinds, field)
-    if key not in _proofs:
-        proof = _attempt(statement, constants, x, characteristic, setting, deadline)
-        if not proof.complete and monotonic() > deadline:
-            return proof
-        if len(_proofs) >= MAX_KEPT:
-            _proofs.clear()
-        _proofs[key] = proof
-    return _proofs[key]
-
-
-def _attempt(
-    statement: Statement,
-    constants: tuple[str, str, str],
-    x: Expanded,
-    characteristic: int,
-    setting: Setting | None,
-    deadline: float,
-) -> Proof:
-    field = setting.field if setting is not None else None
-    own = rules(setting) if setting is not None else ()
-    quaternions = quaternions_of(statement, constants) if own else ()
+    """Prove with the rules of those kinds; fields with the same rules share the proof, unless named."""
+    x, own = expand(problem), rules(problem.setting) if kinds else ()
+    field = problem.field if kinds else named
+    attempt = _Attempt(problem, x, characteristic, field, own)
     items: list[Item] = []
     for clause in x.clauses:
-        found = _clause(clause, x, characteristic, field, own, quaternions, deadline)
+        found = attempt.clause(clause)
         if found is None:
             return Proof((), characteristic, False, x.has_constants)
         items.extend(found)
     return Proof(tuple(items), characteristic, True, x.has_constants)
 
 
-def _clause(
-    clause: Clause,
-    x: Expanded,
-    characteristic: int,
-    field: Ring | None,
-    own: Sequence[Rule],
-    quaternions: tuple[tuple[tuple[Any, ...], Any], ...],
-    deadline: float,
-) -> list[Item] | None:
-    def zero(p: Any) -> bool:
-        if field is not None:
-            return vanishes(p, x, field)
-        return bool(p == 0 or (characteristic and int(p.content()) % characteristic == 0))
+class _Attempt:
+    """Clauses proved over the fields of a characteristic, or over one field that is named."""
 
-    def nonzero_number(p: Any) -> bool:
-        if field is not None:
-            return is_nonzero_constant(p, x, field)
-        return bool(p.is_constant() and not zero(p) and (characteristic or p in (1, -1)))
+    def __init__(
+        self,
+        problem: Problem,
+        x: Expanded,
+        characteristic: int,
+        field: Ring | None,
+        own: Sequence[Rule],
+    ) -> None:
+        self.problem, self.x, self.field = problem, x, field
+        self.characteristic, self.rules = characteristic, own
+        self.quaternions = quaternions_of(problem) if own else ()
+        self.relations = relations_of(x, field)
 
-    if any(all(map(zero, goal)) for goal in clause.goals) or any(map(nonzero_number, clause.zeros)):
-        return []
-    zeros = [z for z in clause.zeros if not zero(z)]
-    relations = relations_of(x, field)
-    problem = _problem(x, field, characteristic, (*zeros, *relations), (), ())
-    texts = [polynomial_text(z, x.variables) for z in zeros]
-    known = [polynomial_text(r, x.variables) for r in relations]
-    for goal in clause.goals or ((x.context.constant(1),),):
-        targets = [g for g in goal if not zero(g)]
-        found = member(problem, targets, deadline)
-        if found is not None:
-            return [
-                Item(
-                    {
-                        "characteristic": characteristic,
-                        "zero": texts,
-                        "relations": known,
-                        "member": polynomial_text(t, x.variables),
-                        "cofactors": [polynomial_text(f, x.variables) for f in c.factors],
-                        "denominator": c.denominator,
-                    },
-                    direct=True,
-                    single=True,
-                    denominators=(c.denominator,),
-                )
-                for t, c in zip(targets, found, strict=True)
-            ]
-    choices = [[g for g in goal if not zero(g)] for goal in clause.goals]
-    # A goal with a number in it that is not 0 is out of reach: there is nothing to choose from it.
-    choices = [goal for goal in choices if not any(g.is_constant() for g in goal)]
-    if math.prod(map(len, choices)) > MAX_CHOICES:
-        return None
-    out = []
-    nonzero = nonzero_constants_of(x, field, [*zeros, *(g for goal in choices for g in goal)])
-    for chosen in product(*choices):
-        choice = (*chosen, *nonzero)
-        if monotonic() > deadline:
-            return None
-        problem = _problem(x, field, characteristic, (*zeros, *relations), choice, quaternions)
-        refutation = refute(problem, own, deadline)
-        if refutation is None:
-            return None
-        evidence: dict[str, Any] = {
-            "characteristic": characteristic,
-            "zero": texts,
-            "relations": known,
-            "nonzero": [polynomial_text(g, x.variables) for g in choice],
-            "steps": [dict(step) for step in refutation.steps],
-        }
-        out.append(
-            Item(
-                evidence,
-                direct=False,
-                single=len(choices) <= 1,
-                denominators=refutation.denominators,
-                rules=refutation.rules,
-            )
+    def is_zero(self, p: Any) -> bool:
+        """Tell whether a polynomial is 0 over the fields that are meant."""
+        if self.field is not None:
+            return vanishes(p, self.x, self.field)
+        n = self.characteristic
+        return bool(p == 0 or (n and int(p.content()) % n == 0))
+
+    def is_nonzero_number(self, p: Any) -> bool:
+        """Tell whether a polynomial is a number that is not 0 in them."""
+        if self.field is not None:
+            return is_nonzero_constant(p, self.x, self.field)
+        return bool(
+            p.is_constant() and not self.is_zero(p) and (self.characteristic or p in (1, -1))
         )
-    return out
 
+    def text(self, p: Any) -> str:
+        return polynomial_text(p, self.x.variables)
 
-def _problem(
-    x: Expanded,
-    field: Ring | None,
-    characteristic: int,
-    zeros: tuple[Any, ...],
-    nonzero: tuple[Any, ...],
-    quaternions: tuple[tuple[tuple[Any, ...], Any], ...],
-) -> Problem:
-    return Problem(x.variables, x.unknowns, field, characteristic, zeros, nonzero, quaternions)
+    def conditions(self, zeros: Sequence[Any], nonzero: tuple[Any, ...] = ()) -> Conditions:
+        """Return what is 0, relations of constants included, and what is not."""
+        x = self.x
+        return Conditions(
+            x.variables,
+            x.unknowns,
+            self.field,
+            self.characteristic,
+            (*zeros, *self.relations),
+            nonzero,
+            self.quaternions,
+        )
+
+    def clause(self, clause: Clause) -> list[Item] | None:
+        """Return items that prove a clause, None if there are none."""
+        if any(all(map(self.is_zero, goal)) for goal in clause.goals):
+            return []
+        if any(map(self.is_nonzero_number, clause.zeros)):
+            return []
+        zeros = [z for z in clause.zeros if not self.is_zero(z)]
+        found = self.direct(zeros, clause.goals)
+        return self.by_contradiction(zeros, clause.goals) if found is None else found
+
+    def evidence(self, zeros: Sequence[Any]) -> dict[str, Any]:
+        """Return what all items about the same zeros say."""
+        return {
+            "characteristic": self.characteristic,
+            "zero": [self.text(z) for z in zeros],
+            "relations": [self.text(r) for r in self.relations],
+        }
+
+    def direct(self, zeros: list[Any], goals: Sequence[tuple[Any, ...]]) -> list[Item] | None:
+        """Put all polynomials of a goal into the ideal of the zeros."""
+        conditions = self.conditions(zeros)
+        for goal in goals or ((self.x.context.constant(1),),):
+            targets = [g for g in goal if not self.is_zero(g)]
+            found = member(conditions, targets, self.problem.clock)
+            if found is not None:
+                return [self.item(zeros, t, c) for t, c in zip(targets, found, strict=True)]
+        return None
+
+    def item(self, zeros: Sequence[Any], target: Any, found: Cofactors) -> Item:
+        """Return the item that a polynomial is in the ideal of the zeros."""
+        own = {
+            "member": self.text(target),
+            "cofactors": [self.text(f) for f in found.factors],
+            "denominator": found.denominator,
+        }
+        return Item({**self.evidence(zeros), **own}, True, True, (found.denominator,))
+
+    def by_contradiction(
+        self, zeros: list[Any], goals: Sequence[tuple[Any, ...]]
+    ) -> list[Item] | None:
+        """Show that there is no choice of one polynomial from each goal that need not be 0."""
+        choices = [[g for g in goal if not self.is_zero(g)] for goal in goals]
+        # A goal with a number in it that is not 0 is out of reach: there is nothing to choose from it.
+        choices = [goal for goal in choices if not any(g.is_constant() for g in goal)]
+        if math.prod(map(len, choices)) > MAX_CHOICES:
+            return None
+        used = [*zeros, *(g for goal in choices for g in goal)]
+        nonzero = nonzero_constants_of(self.x, self.field, used)
+        out = []
+        for chosen in product(*choices):
+            choice = (*chosen, *nonzero)
+            if self.problem.is_late:
+                return None
+            conditions = self.conditions(zeros, choice)
+            refutation = refute(conditions, self.rules, self.problem.clock)
+            if refutation is None:
+                return None
+            own = {
+                "nonzero": [self.text(g) for g in choice],
+                "steps": [dict(step) for step in refutation.steps],
+            }
+            out.append(
+                Item(
+                    {**self.evidence(zeros), **own},
+                    direct=False,
+                    single=len(choices) <= 1,
+                    denominators=refutation.denominators,
+                    rules=refutation.rules,
+                )
+            )
+        return out

@@ -4,64 +4,57 @@ An integral domain lies in its field of fractions, and what holds for all elemen
 those of the domain, as long as nothing is divided by: over the field there is more that divides.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from math import gcd
-from time import monotonic
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.proving.counterexamples.refuting import FEW, exhaust, look, used_variables
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import FEW_CASES, coordinates
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.methods import one_field
 from hfield.proving.methods.answers import identity, implied, refuted, scope_of_identity
 from hfield.proving.methods.implications import prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors, vanishes
-from hfield.proving.statements.language import Statement
+from hfield.proving.problem import Problem
 from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.setting import Setting
-from hfield.proving.statements.trees import divides_in, walk
-from hfield.rings import ring
+from hfield.proving.statements.trees import FALSE, divides_in, walk
 from hfield.rings.base import Ring
-from hfield.syntax import Binary, Call, Compare, Index, Logic, Name, Node, Not, Number, Power
+from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
 
-FALSE = Compare("==", Number(0), Number(1))
 SMALL = (2, 3, 4, 5, 7, 8, 9, 11, 13)
 MAX_MODULI = 16
 
-Decide = Callable[[Statement, Setting, float], Decision]
 
-
-def decide(
-    statement: Statement, setting: Setting, deadline: float, decide_over_field: Decide
-) -> Decision:
+def decide(problem: Problem) -> Decision:
     """Decide over a ring that is no field."""
-    field = setting.field
-    assert field is not None
-    found = look(statement, setting, FEW, deadline)
+    field, statement = problem.ring, problem.statement
+    found = look(problem, FEW)
     if found is not None:
-        return refuted(field, found, statement)
+        return refuted(problem, found)
     tried = [f"{FEW} small places over {field.name}"]
     try:
-        x = expand(statement, setting.constants)
+        x = expand(problem)
     except TooLargeError as error:
         x = None
         tried.append(str(error))
     divided = any(map(divides_in, (*statement.hypotheses, statement.conclusion)))
     if x is not None and not divided:
-        proved = _proved(statement, setting, x, deadline, decide_over_field)
+        proved = _proved(problem, x)
         if proved is not None:
             return proved
         tried.append("ideal membership of the conclusion")
     if field.order is not None:
-        decision = exhaust(statement, setting, x, deadline)
+        decision = exhaust(problem, x)
         if decision.verdict == UNDECIDED and x is not None and not divided:
-            decision = _modulo(statement, setting, x, deadline, decide_over_field) or decision
+            decision = _modulo(problem, x) or decision
         return decision
     if divided:
-        proved = _proved_with_numerals(statement, setting, deadline, decide_over_field)
+        proved = _proved_with_numerals(problem)
         if proved is not None:
             return proved
         tried.append(
@@ -70,37 +63,31 @@ def decide(
     return Decision(UNDECIDED, "none", tried=tuple(tried))
 
 
-def _proved(
-    statement: Statement, setting: Setting, x: Expanded, deadline: float, decide_over_field: Decide
-) -> Decision | None:
+def _proved(problem: Problem, x: Expanded) -> Decision | None:
     """Prove a statement in which nothing divides."""
-    field = setting.field
-    assert field is not None
+    field, statement = problem.ring, problem.statement
     if all(any(all(vanishes(p, x, field) for p in g) for g in c.goals) for c in x.clauses):
         return identity(statement, x, field, scope_of_identity(statement, x))
-    proof = prove_clauses(statement, setting, 0, deadline)
+    proof = prove_clauses(problem, 0)
     p = field.characteristic
-    everywhere = proof.complete and (proof.is_direct or is_domain(field))
+    everywhere = proof.complete and (proof.is_direct or field.is_domain)
     if everywhere and (not p or proof.denominator % p):
-        return implied(proof, statement, setting)
-    above = fractions_of(field)
+        return implied(proof, problem)
+    above = field.fractions
     if above is not None:
-        there = replace(setting, field=above)
-        decision = decide_over_field(statement, there, deadline)
+        decision = one_field.decide(problem.over(above))
         if decision.verdict == PROVED:
             evidence = {"kind": "fractions", "field": above.name, "proof": decision.evidence}
             step = f"{field.name} lies in {above.name}, where this holds"
             return replace(decision, steps=(*decision.steps, step), evidence=evidence)
-    return _modulo(statement, setting, x, deadline, decide_over_field) if not p else None
+    return _modulo(problem, x) if not p else None
 
 
-def _proved_with_numerals(
-    statement: Statement, setting: Setting, deadline: float, decide_over_field: Decide
-) -> Decision | None:
+def _proved_with_numerals(problem: Problem) -> Decision | None:
     """Prove over a domain what divides by numerals alone: each is a unit, or its comparison is false."""
-    field = setting.field
-    above = None if field is None else fractions_of(field)
-    if field is None or above is None:
+    field, statement = problem.ring, problem.statement
+    above = field.fractions
+    if above is None:
         return None
     try:
         parts = [settled(n, field) for n in (*statement.hypotheses, statement.conclusion)]
@@ -114,7 +101,7 @@ def _proved_with_numerals(
         hypotheses=tuple(hypotheses),
         conclusion=conclusion,
     )
-    decision = decide_over_field(there, replace(setting, field=above), deadline)
+    decision = one_field.decide(problem.stating(there).over(above))
     if decision.verdict != PROVED:
         return None
     evidence = {"kind": "fractions", "field": above.name, "proof": decision.evidence}
@@ -148,49 +135,29 @@ def _is_unit(node: Node, field: Ring) -> bool:
             return True
     if any(isinstance(n, Name | Call | Index) for n in walk(below)):
         raise UndecidedError("something divides that is no numeral")
-    value, defined = RingInterpretation(field).term(below)
+    value, defined = Evaluator(RingScalars(field)).term(below)
     return bool(defined) and field.is_unit(value)
 
 
-def is_domain(field: Ring) -> bool:
-    """Tell whether the ring is known to be an integral domain."""
-    from hfield.rings.polynomials import PolynomialRing
-
-    return field.name == "ZZ" or isinstance(field, PolynomialRing)
-
-
-def fractions_of(field: Ring) -> Ring | None:
-    """Return the field of fractions of an integral domain, if there is a name for it."""
-    from hfield.rings.polynomials import PolynomialRing
-
-    if field.name == "ZZ":
-        return ring("QQ")
-    if isinstance(field, PolynomialRing) and len(field.variables) == 1:
-        base = "QQ" if field.base.name == "ZZ" else field.base.name
-        return ring(f"{base}({field.variables[0]})")
-    return None
-
-
-def _modulo(
-    statement: Statement, setting: Setting, x: Expanded, deadline: float, decide_over_field: Decide
-) -> Decision | None:
+def _modulo(problem: Problem, x: Expanded) -> Decision | None:
     """Prove that polynomials have no common zero in ℤ or ℤ/m: they have none modulo a number (dividing m)."""
-    field = setting.field
-    if field is None or any(c.goals for c in x.clauses):
-        return None
-    if field.name != "ZZ" and field.residues_of is None:
+    field = problem.ring
+    if any(c.goals for c in x.clauses):
         return None
     for n in _moduli(x, field.characteristic):
-        if monotonic() > deadline:
+        if problem.is_late:
             return None
-        residues = ring(f"ZZ/{n}")
-        there = replace(setting, field=residues)
-        cases = n ** len(coordinates(statement, used_variables(x)))
+        residues = field.modulo(n)
+        if residues is None:
+            continue
+        there = problem.over(residues).within(1.0)
+        cases = n ** len(coordinates(problem.statement, used_variables(x)))
         if not residues.is_field and cases > FEW_CASES * 40:
             continue
         try:
-            decide_one = decide_over_field if residues.is_field else _exhausted
-            decision = decide_one(statement, there, min(deadline, monotonic() + 1.0))
+            decision = (
+                one_field.decide(there) if residues.is_field else exhaust(there, expand(there))
+            )
         except HFieldError:
             continue
         if decision.verdict == PROVED:
@@ -200,15 +167,8 @@ def _modulo(
     return None
 
 
-def _exhausted(statement: Statement, setting: Setting, deadline: float) -> Decision:
-    return exhaust(statement, setting, expand(statement, setting.constants), deadline)
-
-
 def _moduli(x: Expanded, m: int) -> Iterator[int]:
-    """Run through numbers modulo which a contradiction may show: primes in the coefficients first.
-
-    With m > 0, those that divide m.
-    """
+    """Run through numbers modulo which a contradiction may show, over ℤ or (for m > 0) ℤ/m."""
     seen: dict[int, None] = {}
     zeros = [z for clause in x.clauses for z in clause.zeros]
     for z in zeros:  # modulo what divides all else in it a constant is left

@@ -7,10 +7,10 @@ others, as Theorem 1 of the thesis prints it, and the statement may fail.
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import lcm
-from time import monotonic
 from typing import Any
 
 from hfield.errors import NotationError
+from hfield.proving.clock import Clock
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -23,6 +23,7 @@ from hfield.proving.decision import (
 from hfield.proving.methods.algebra_tables import Table, find_table
 from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
 from hfield.proving.polynomials.vanishing import prime_factors
+from hfield.proving.problem import MEMORY
 from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
@@ -46,7 +47,7 @@ def decide_presentation(
     ``field`` restricts to algebras over fields of its characteristic. Proofs are cofactors,
     refutations an algebra with basis e, i, j, k given by its multiplication table.
     """
-    deadline = monotonic() + timeout
+    clock = Clock.of(timeout)
     p = 0 if field is None else ring(field).characteristic
     read_relations = [_read(r, identity) for r in relations]
     read_goals = [_read(g, identity) for g in goals]
@@ -58,7 +59,7 @@ def decide_presentation(
     }
     characteristics_tried = [0, 2] if field is None else [p]
     for q in dict.fromkeys((0, p)):
-        proof = _prove(read_relations, read_goals, letters, q, deadline)
+        proof = _prove(read_relations, read_goals, letters, q, clock)
         if proof is None:
             continue
         divided_by = lcm(*(d for _, d in proof))
@@ -67,9 +68,7 @@ def decide_presentation(
         if field is None:
             characteristics_tried += prime_factors(divided_by) or []
     for q in dict.fromkeys(characteristics_tried):
-        found = find_table(
-            "eijk", "e" if identity else None, read_relations, read_goals, q, deadline
-        )
+        found = find_table("eijk", "e" if identity else None, read_relations, read_goals, q, clock)
         if found is not None:
             return _refuted(found, target, q, field is None)
     return Decision(UNDECIDED, "presentation", tried=("rewriting", "tables with entries 0, ±1"))
@@ -82,32 +81,29 @@ def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: 
 
 
 Proof = list[tuple[Cofactors, int]]  # of each goal, with what was divided by
-_proofs: dict[Any, Proof | None] = {}
-MAX_KEPT = 256
 
 
 def _prove(
-    relations: list[Words], goals: list[Words], letters: str, p: int, deadline: float
+    relations: list[Words], goals: list[Words], letters: str, p: int, clock: Clock
 ) -> Proof | None:
     """Prove with a memory, since all fields ask the same; what failed for lack of time is retried."""
     key = (letters, p, *(tuple(f.items()) for f in (*relations, *goals)), len(goals))
-    if key not in _proofs:
-        proof = _attempt(relations, goals, letters, p, deadline)
-        if proof is None and monotonic() > deadline:
-            return None
-        if len(_proofs) >= MAX_KEPT:
-            _proofs.clear()
-        _proofs[key] = proof
-    return _proofs[key]
+    proof: Proof | None = MEMORY.recall(
+        "presentations",
+        key,
+        lambda: _attempt(relations, goals, letters, p, clock),
+        lambda: not clock.is_late,
+    )
+    return proof
 
 
 def _attempt(
-    relations: list[Words], goals: list[Words], letters: str, p: int, deadline: float
+    relations: list[Words], goals: list[Words], letters: str, p: int, clock: Clock
 ) -> Proof | None:
-    system = Rewriting(relations, p, letters)
+    system = Rewriting(relations, p, letters, clock)
     found = [system.member(g) for g in goals]
     if any(f is None for f in found):
-        system.run(deadline)
+        system.run()
         found = [system.member(g) for g in goals]
     out = []
     for goal, cofactors in zip(goals, found, strict=True):

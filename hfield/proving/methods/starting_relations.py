@@ -1,14 +1,14 @@
 """What a proof may start from besides the clause: relations of constants, and telling quaternions."""
 
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
 from typing import Any
 
 from hfield.product import norm
 from hfield.proving.methods.field_rules import relation
-from hfield.proving.polynomials.expansion import Expanded, polynomial_world
+from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.vanishing import factored, vanishes
-from hfield.proving.statements.language import BASIS, RESULT, Sort, Statement
+from hfield.proving.problem import Problem, remembered
+from hfield.proving.statements.language import BASIS, RESULT, Sort
 from hfield.proving.statements.trees import walk
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
@@ -56,12 +56,11 @@ def nonzero_constants_of(
     return tuple(sorted(found.values(), key=len)[:MAX_NONZERO])
 
 
-@lru_cache(maxsize=256)
-def quaternions_of(
-    statement: Statement, constants: tuple[str, str, str]
-) -> tuple[tuple[tuple[Any, ...], Any], ...]:
+@remembered
+def quaternions_of(problem: Problem) -> tuple[tuple[tuple[Any, ...], Any], ...]:
     """Return the quaternions that occur in the statement and their vectors, each with its norm."""
-    world, _, _ = polynomial_world(statement, constants)
+    world = Symbolic(problem)
+    statement = problem.statement
     found: dict[str, tuple[tuple[Any, ...], Any]] = {}
     nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
     for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
@@ -74,10 +73,10 @@ def quaternions_of(
             continue
         if sum(map(len, q)) > MAX_QUATERNION_TERMS:
             continue
-        for part in (q, (world.zero, *q[1:])):
-            numerators = tuple(map(world.numerator, part))
-            lifted = tuple(map(world.lift, numerators))
-            norm_of = world.numerator(norm(world.constants, lifted))
+        for part in (q, (world.scalars.zero, *q[1:])):
+            numerators = world.numerators(part)
+            lifted = tuple(map(world.scalars.lift, numerators))
+            norm_of = world.scalars.numerator(norm(world.constants, lifted))
             if any(not u.is_constant() for u in numerators):
                 found.setdefault(str(numerators), (numerators, norm_of))
     return tuple(found.values())

@@ -6,19 +6,21 @@ generator. A statement that divides is expanded with fractions of polynomials, w
 are then conditions of their own.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
-from hfield.proving.evaluation.interpretation import Interpretation, Value, bind
-from hfield.proving.polynomials.normal_form import FALSE, TRUE, Clause, Formula, clauses, literal
-from hfield.proving.statements.language import Sort, Statement
-from hfield.proving.statements.trees import divides_in
-from hfield.syntax import Compare, Node, parse, weight
+from hfield.product import Constants
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import Scalars, Value
+from hfield.proving.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
+from hfield.proving.problem import Problem, remembered
+from hfield.proving.statements.language import Sort
+from hfield.syntax import weight
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
@@ -49,41 +51,58 @@ def coordinate_names(name: str, sort: Sort) -> list[str]:
     return [name] if sort is Sort.SCALAR else [f"{name}[{n}]" for n in range(4)]
 
 
-@lru_cache(maxsize=2048)
-def expand(statement: Statement, constants: tuple[str, str, str]) -> Expanded:
-    """Expand a statement in the algebra with the constants whose texts are given.
+@remembered
+def expand(problem: Problem) -> Expanded:
+    """Expand the statement of a problem, in its algebra.
 
     Quantifiers are left aside: hypotheses and conclusion become one formula. Raises
     :class:`TooLargeError` rather than begin what would not end.
     """
+    statement = problem.statement
     if any(weight(node) > MAX_WEIGHT for node in (*statement.hypotheses, statement.conclusion)):
         raise TooLargeError("the degree or the numbers are too large to expand")
-    world, variables, unknowns = polynomial_world(statement, constants)
+    world = Symbolic(problem)
     hypotheses, conditions = TRUE, tuple(world.conditions)
     for condition in conditions:  # where there is no algebra, nothing is said
         hypotheses = hypotheses & literal((condition,), False)
     for h in statement.hypotheses:
         hypotheses = hypotheses & world.truth(h)
     whole = ~hypotheses | world.truth(statement.conclusion)
-    return Expanded(world.context, variables, unknowns, clauses(whole), conditions)
+    return Expanded(world.context, world.variables, world.unknowns, clauses(whole), conditions)
 
 
-def polynomial_world(
-    statement: Statement, constants: tuple[str, str, str]
-) -> tuple["Polynomials", tuple[str, ...], int]:
-    """Return the interpretation by polynomials, its variables, and how many are of unknowns."""
-    names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
-    variables = (*names, *statement.constants)
-    context = fmpz_mpoly_ctx.get([f"v{n}" for n in range(len(variables))], Ordering.degrevlex)
-    divides = statement.divides or any(map(divides_in, map(parse, constants)))
-    world = (_Fractions if divides else Polynomials)(context)
-    scalars = dict(zip(variables, map(world.lift, context.gens()), strict=True))
-    values: dict[str, Any] = {name: scalars[name] for name in statement.constants}
-    for name, sort in statement.unknowns:
-        coordinates = tuple(scalars[c] for c in coordinate_names(name, sort))
-        values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
-    world.conditions = bind(world, constants, values)
-    return world, variables, len(names)
+class Symbolic(Evaluator):
+    """Evaluates the statement of a problem to formulas about polynomials in its unknowns.
+
+    The first ``unknowns`` of the ``variables`` are coordinates of unknowns, the others constants of the
+    field.
+    The structure constants are defined where none of the ``conditions`` is 0.
+    """
+
+    scalars: "Polynomials"
+
+    def __init__(self, problem: Problem) -> None:
+        statement, setting = problem.statement, problem.setting
+        names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
+        self.variables, self.unknowns = (*names, *statement.constants), len(names)
+        self.context = fmpz_mpoly_ctx.get(
+            [f"v{n}" for n in range(len(self.variables))], Ordering.degrevlex
+        )
+        divides = statement.divides or setting.divides
+        scalars = (_Fractions if divides else Polynomials)(self.context)
+        lifted = map(scalars.lift, self.context.gens())
+        by_text = dict(zip(self.variables, lifted, strict=True))
+        fixed = {text: by_text[text] for text in statement.constants}
+        super().__init__(scalars, setting.trees, statement.sorts, fixed)
+        values = {}
+        for name, sort in statement.unknowns:
+            coordinates = tuple(by_text[c] for c in coordinate_names(name, sort))
+            values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
+        self.conditions: tuple[Any, ...] = self.bind(values)
+
+    def numerators(self, x: Any) -> tuple[Any, ...]:
+        """Return the polynomials whose zeros are those of the coordinates of x, where x is defined."""
+        return tuple(map(self.scalars.numerator, self.embed(x)))
 
 
 class Budget:
@@ -99,17 +118,14 @@ class Budget:
             raise TooLargeError("expanding would take too many terms")
 
 
-class Polynomials(Interpretation):
-    """Scalars are integer polynomials, statements are formulas about their zeros.
-
-    The structure constants are defined where none of the ``conditions`` is 0.
-    """
+class Polynomials(Scalars):
+    """Scalars are integer polynomials, statements are formulas about their zeros."""
 
     always: Any = ()
+    reflexive = True  # that a thing is itself needs no expanding
 
     def __init__(self, context: Any) -> None:
         self.context, self.budget = context, Budget()
-        self.conditions: tuple[Any, ...] = ()
         self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
 
     def lift(self, x: Any) -> Any:
@@ -128,21 +144,25 @@ class Polynomials(Interpretation):
         """Never reached: a statement that divides is expanded with fractions."""
         raise AssertionError("division of polynomials without denominators")
 
-    def binary(self, op: str, x: Any, y: Any) -> Any:
-        """Compute, after charging for it."""
-        if op == "*":
-            self.budget.spend(_size(x) * _size(y))
-        return super().binary(op, x, y)
+    def times(self, x: Any, y: Any) -> Any:
+        """Multiply, after charging for it."""
+        self.budget.spend(len(x) * len(y))
+        return x * y
 
-    def charge(self, x: Any) -> None:
-        """Charge for a norm."""
-        self.budget.spend(_size(x) ** 2)
+    def scale(self, q: Any, s: Any) -> Any:
+        """Multiply, after charging for it."""
+        self.budget.spend(_size(q) * len(s))
+        return super().scale(q, s)
 
-    def truth(self, node: Node) -> Any:
-        """Evaluate a statement; that a thing is itself needs no expanding."""
-        if isinstance(node, Compare) and node.left == node.right:
-            return TRUE if node.op == "==" else FALSE
-        return super().truth(node)
+    def multiply(self, constants: Constants, p: Any, q: Any) -> Any:
+        """Multiply, after charging for it."""
+        self.budget.spend(_size(p) * _size(q))
+        return super().multiply(constants, p, q)
+
+    def norm(self, constants: Constants, q: Any) -> Any:
+        """Return the norm, after charging for it."""
+        self.budget.spend(_size(q) ** 2)
+        return super().norm(constants, q)
 
     def both(self, x: Any, y: Any) -> Any:
         """Join conditions, which are tuples of polynomials that must not be 0; or formulas."""
@@ -154,15 +174,15 @@ class Polynomials(Interpretation):
         """Return the opposite formula."""
         return ~x
 
-    def equal(self, differences: tuple[Any, ...], defined: Any) -> Formula:
+    def equal(self, differences: Iterable[Any], defined: Any) -> Formula:
         """Return the formula "defined, and all numerators are 0"."""
         return self._comparison(differences, defined, True)
 
-    def unequal(self, differences: tuple[Any, ...], defined: Any) -> Formula:
+    def unequal(self, differences: Iterable[Any], defined: Any) -> Formula:
         """Return the formula "defined, and some numerator is not 0"."""
         return self._comparison(differences, defined, False)
 
-    def _comparison(self, differences: tuple[Any, ...], defined: Any, zero: bool) -> Formula:
+    def _comparison(self, differences: Iterable[Any], defined: Any, zero: bool) -> Formula:
         f = literal((self.numerator(d) for d in differences), zero)
         for condition in defined:
             f = f & literal((condition,), False)
@@ -172,8 +192,7 @@ class Polynomials(Interpretation):
 class _Fractions(Polynomials):
     """Scalars are fractions of polynomials."""
 
-    def truth(self, node: Node) -> Any:
-        return Interpretation.truth(self, node)  # a thing that is not defined is not itself
+    reflexive = False  # a thing that is not defined is not itself
 
     def lift(self, x: Any) -> Any:
         return Quotient(x, self.context.constant(1), self.budget)
@@ -233,5 +252,5 @@ class Quotient:
         self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))
 
 
-def _size(x: Any) -> int:
-    return sum(map(len, x)) if isinstance(x, tuple) else len(x)
+def _size(q: Any) -> int:
+    return sum(map(len, q))

@@ -8,8 +8,9 @@ the cofactors: ``f = Σ c·left·generator·right``.
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from time import monotonic
 from typing import Any
+
+from hfield.proving.clock import UNTIMED, Clock
 
 Words = dict[str, Any]  # word → coefficient
 Cofactors = dict[tuple[str, int, str], Any]  # left, generator, right → coefficient
@@ -21,7 +22,14 @@ MAX_RULES = 200
 class Rewriting:
     """A growing system of rules over ℚ (p = 0) or modulo p for the ideal of ``generators``."""
 
-    def __init__(self, generators: Sequence[Mapping[str, int]], p: int, letters: str) -> None:
+    def __init__(
+        self,
+        generators: Sequence[Mapping[str, int]],
+        p: int,
+        letters: str,
+        clock: Clock = UNTIMED,
+    ) -> None:
+        self.clock = clock
         self.p, self.order = p, {letter: n for n, letter in enumerate(letters)}
         self.rules: list[Rule] = []
         self.pairs: deque[tuple[int, int]] = deque()
@@ -32,10 +40,10 @@ class Rewriting:
         """Return a coefficient: a Fraction, or an int modulo p."""
         return int(c) % self.p if self.p else Fraction(c)
 
-    def run(self, deadline: float) -> bool:
+    def run(self) -> bool:
         """Resolve overlaps until none is left; False when a bound was met first."""
         while self.pairs:
-            if monotonic() > deadline or len(self.rules) > MAX_RULES:
+            if self.clock.is_late or len(self.rules) > MAX_RULES:
                 return False
             x, y = self.pairs.popleft()
             for f, cofactors in self._overlaps(x, y):

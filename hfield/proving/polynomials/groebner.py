@@ -7,9 +7,9 @@ integers whose order is degree reverse lexicographic and whose sum is the produc
 
 import heapq
 from collections.abc import Iterable, Mapping
-from time import monotonic
 
 from hfield.errors import TooLargeError
+from hfield.proving.clock import UNTIMED, Clock
 
 FIELD_BITS = 16
 DIGIT = (1 << FIELD_BITS) - 1
@@ -67,8 +67,8 @@ class Monomials:
 class Basis:
     """A growing Gröbner basis modulo the prime p; ``generators`` counts what was put in."""
 
-    def __init__(self, n: int, p: int) -> None:
-        self.monomials, self.p, self.generators = Monomials(n), p, 0
+    def __init__(self, n: int, p: int, clock: Clock = UNTIMED) -> None:
+        self.monomials, self.p, self.generators, self.clock = Monomials(n), p, 0, clock
         self.leads: list[int] = []
         self.tails: list[list[tuple[int, int]]] = []
         self.history: list[History] = []
@@ -83,10 +83,10 @@ class Basis:
         rest, history = self.reduce(f)
         self._enter(rest, [(-self.generators, 0, 1), *history])
 
-    def run(self, deadline: float, steps: int) -> bool:
+    def run(self, steps: int) -> bool:
         """Work through at most ``steps`` pairs; tell whether the basis is complete (or has 1)."""
         while self.pairs and not self.has_one:
-            if steps <= 0 or monotonic() > deadline:
+            if steps <= 0 or self.clock.is_late:
                 return False
             steps -= 1
             _, lcm, i, j = heapq.heappop(self.pairs)
@@ -98,12 +98,15 @@ class Basis:
                     f[m + v] = d
                 else:
                     f.pop(m + v, None)
-            rest, history = self.reduce(f, deadline)
+            rest, history = self.reduce(f)
             self._enter(rest, [(i, u, 1), (j, v, self.p - 1), *history])
         return True
 
-    def reduce(self, f: Polynomial, deadline: float = float("inf")) -> tuple[Polynomial, History]:
-        """Return the normal form r of f and a history h with r = f + h."""
+    def reduce(self, f: Polynomial) -> tuple[Polynomial, History]:
+        """Return the normal form r of f and a history h with r = f + h.
+
+        Raises :class:`TooLargeError` when the time is over.
+        """
         p, mask, guard, active = self.p, self.monomials.mask, self.monomials.guard, self.active
         rest: Polynomial = {}
         history: History = []
@@ -133,7 +136,7 @@ class Basis:
             else:
                 rest[m] = c
             count += 1
-            if not count & 1023 and monotonic() > deadline:
+            if not count & 1023 and self.clock.is_late:
                 raise TooLargeError("the time is over")
         return rest, history
 

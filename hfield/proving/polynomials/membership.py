@@ -13,6 +13,7 @@ from typing import Any
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
+from hfield.proving.clock import UNTIMED, Clock
 from hfield.proving.polynomials.groebner import Basis, History, Polynomial
 
 MAX_CHECK = 5_000_000  # products of terms that a verification may take
@@ -30,13 +31,18 @@ class Cofactors:
 class Ideal:
     """An ideal that grows; polynomials are flint's, over ``context``, all of one characteristic."""
 
-    def __init__(self, variables: int, characteristic: int, prime: int | None = None) -> None:
+    def __init__(
+        self,
+        variables: int,
+        characteristic: int,
+        prime: int | None = None,
+        clock: Clock = UNTIMED,
+    ) -> None:
         self.characteristic = characteristic
-        self.basis = Basis(variables, prime or characteristic or LARGE_PRIMES[0])
+        self.basis = Basis(variables, prime or characteristic or LARGE_PRIMES[0], clock)
         names = [f"v{n}" for n in range(variables)]
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
         self.generators: list[Any] = []
-        self.deadline = float("inf")
 
     def lift(self, polynomial: Any) -> Any:
         """Bring a polynomial in the first few of the variables into this context."""
@@ -55,10 +61,9 @@ class Ideal:
         for p in polynomials:
             self.add(p)
 
-    def run(self, deadline: float, steps: int) -> bool:
+    def run(self, steps: int) -> bool:
         """Let the basis grow; tell whether it is complete."""
-        self.deadline = deadline
-        return self.basis.run(deadline, steps)
+        return self.basis.run(steps)
 
     @property
     def is_everything(self) -> bool:
@@ -68,9 +73,9 @@ class Ideal:
     def cofactors(self, target: Any) -> Cofactors | None:
         """Return cofactors for ``target`` if it reduces to 0 by the basis so far, else None.
 
-        Raises :class:`TooLargeError` when the time of the last run is over.
+        Raises :class:`TooLargeError` when the time is over.
         """
-        rest, history = self.basis.reduce(self._reduced(target), self.deadline)
+        rest, history = self.basis.reduce(self._reduced(target))
         if rest:
             return None
         negative = [(n, m, self.basis.p - c) for n, m, c in history]
@@ -79,12 +84,12 @@ class Ideal:
     def elements(self) -> list[tuple[Any, Cofactors]]:
         """Return the minimal elements of the basis, reduced, as integer polynomials with their cofactors.
 
-        Raises :class:`TooLargeError` when the time of the last run is over.
+        Raises :class:`TooLargeError` when the time is over.
         """
         out = []
         p = self.basis.p
         for _, index in self.basis.active:
-            rest, history = self.basis.reduce(dict(self.basis.tails[index]), self.deadline)
+            rest, history = self.basis.reduce(dict(self.basis.tails[index]))
             terms = self._rational({self.basis.leads[index]: 1, **rest})
             if terms is None:
                 continue

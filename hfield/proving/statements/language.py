@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError
 from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.trees import tree_depth
+from hfield.proving.statements.trees import taken_apart, tree_depth
 from hfield.rings.base import Ring
 from hfield.syntax import (
     Binary,
@@ -150,11 +150,7 @@ class _Analysis:
         self.divides = self.unequal = False
 
     def run(self, node: Node, constants: tuple[str, ...]) -> Statement:
-        hypotheses: list[Node] = []
-        conclusion = node
-        while isinstance(conclusion, Logic) and conclusion.op == "=>":
-            hypotheses.append(conclusion.left)
-            conclusion = conclusion.right
+        hypotheses, conclusion = taken_apart(node)
         exists: list[str] = []
         for h in hypotheses:
             self.need_boolean(h)
@@ -175,7 +171,7 @@ class _Analysis:
             node=node,
             unknowns=tuple(self.unknowns.items()),
             exists=tuple(exists),
-            hypotheses=tuple(hypotheses),
+            hypotheses=hypotheses,
             conclusion=conclusion,
             constants=tuple(self.constants),
             divides=self.divides,

@@ -2,12 +2,13 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertibleError
 from hfield.notation import split_algebra
-from hfield.proving.evaluation.interpretation import RingInterpretation
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import BASIS, QUATERNIONS, generators
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import divides_in, substitute, walk
@@ -31,6 +32,17 @@ class Setting:
     field: Ring | None
     constants: tuple[str, str, str]
     letters: tuple[str, ...]
+
+    @cached_property
+    def trees(self) -> tuple[Node, Node, Node]:
+        """The structure constants as syntax trees."""
+        a, t, b = map(parse, self.constants)
+        return a, t, b
+
+    @cached_property
+    def divides(self) -> bool:
+        """Whether the structure constants divide by something, so that they may be undefined."""
+        return any(map(divides_in, self.trees))
 
     @property
     def algebra(self) -> str:
@@ -64,15 +76,9 @@ def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
     if not setting.letters:
         return setting
     own = {name: node for name, node in values.items() if name in setting.letters}
-    a, t, b = (to_text(substitute(parse(text), own)) for text in setting.constants)
+    a, t, b = (to_text(substitute(tree, own)) for tree in setting.trees)
     left = tuple(name for name in setting.letters if name not in own)
-    return Setting(setting.field, (a, t, b), left)
-
-
-@lru_cache(maxsize=1024)
-def divides(setting: Setting) -> bool:
-    """Tell whether the structure constants divide by something, so that they may be undefined."""
-    return any(divides_in(parse(text)) for text in setting.constants)
+    return replace(setting, constants=(a, t, b), letters=left)
 
 
 @lru_cache(maxsize=256)
@@ -115,11 +121,10 @@ def _plain(text: str, field: Ring | None) -> str:
 def _is_undefined(text: str, field: Ring) -> bool:
     """Tell whether a constant divides by what is no unit of the field."""
     node = parse(text)
-    world = RingInterpretation(field)
     leaves = (n for n in walk(node) if isinstance(n, Name | Call))
     try:
-        world.values = {to_text(n): field(to_text(n)) for n in leaves}
-        return not world.term(node)[1]
+        fixed = {to_text(n): field(to_text(n)) for n in leaves}
+        return not Evaluator(RingScalars(field), fixed=fixed).term(node)[1]
     except HFieldError:
         return False
 

@@ -8,28 +8,17 @@ from hfield.syntax import (
     Call,
     Compare,
     Exists,
-    Index,
     Logic,
     Name,
-    Negate,
     Node,
-    Not,
     Number,
     Power,
+    children,
     parse,
+    rebuild,
 )
 
-
-def children(node: Node) -> tuple[Node, ...]:
-    """Return the nodes directly below ``node``."""
-    match node:
-        case Negate(x) | Not(x) | Power(x, _) | Index(x, _) | Exists(_, x):
-            return (x,)
-        case Binary(_, x, y) | Compare(_, x, y) | Logic(_, x, y):
-            return (x, y)
-        case Call(_, arguments):
-            return arguments
-    return ()
+TRUE, FALSE = Compare("==", Number(0), Number(0)), Compare("==", Number(0), Number(1))
 
 
 def tree_depth(node: Node) -> int:
@@ -66,32 +55,45 @@ def divides_in(node: Node) -> bool:
 
 
 def substitute(node: Node, terms: Mapping[str, Node]) -> Node:
-    """Return ``node`` with each name in ``terms`` replaced."""
-    match node:
-        case Name(name):
-            return terms.get(name, node)
-        case Negate(x):
-            return Negate(substitute(x, terms))
-        case Not(x):
-            return Not(substitute(x, terms))
-        case Power(x, n):
-            return Power(substitute(x, terms), n)
-        case Index(x, n):
-            return Index(substitute(x, terms), n)
-        case Binary(op, x, y):
-            return Binary(op, substitute(x, terms), substitute(y, terms))
-        case Compare(op, x, y):
-            return Compare(op, substitute(x, terms), substitute(y, terms))
-        case Logic(op, x, y):
-            return Logic(op, substitute(x, terms), substitute(y, terms))
-        case Call(function, arguments):
-            return Call(function, tuple(substitute(x, terms) for x in arguments))
-    return node
+    """Return ``node`` with each name in ``terms`` replaced; what "exists" binds stays."""
+    if isinstance(node, Name):
+        return terms.get(node.name, node)
+    if isinstance(node, Exists):
+        terms = {name: term for name, term in terms.items() if name not in node.names}
+    return rebuild(node, [substitute(x, terms) for x in children(node)])
+
+
+def conjunction(nodes: Sequence[Node]) -> Node:
+    """Return the statement that all are true."""
+    out = nodes[0] if nodes else TRUE
+    for node in nodes[1:]:
+        out = Logic("and", out, node)
+    return out
+
+
+def implication(hypotheses: Sequence[Node], conclusion: Node) -> Node:
+    """Return hypotheses ⇒ conclusion."""
+    for h in reversed(hypotheses):
+        conclusion = Logic("=>", h, conclusion)
+    return conclusion
+
+
+def taken_apart(node: Node) -> tuple[tuple[Node, ...], Node]:
+    """Return the hypotheses and the conclusion of ``h1 => h2 => … => conclusion``."""
+    hypotheses: list[Node] = []
+    while isinstance(node, Logic) and node.op == "=>":
+        hypotheses.append(node.left)
+        node = node.right
+    return tuple(hypotheses), node
 
 
 def quaternion_node(coordinates: Sequence[str]) -> Node:
     """Return the tree of ``c0 + c1·i + c2·j + c3·k`` for the texts of the coordinates, or of a scalar."""
     if len(coordinates) == 1:
         return parse(coordinates[0])
-    parts = [f"({c})*{unit}" for c, unit in zip(coordinates, "eijk", strict=True) if c != "0"]
-    return parse(" + ".join(parts) or "0*e")
+    out: Node | None = None
+    for text, unit in zip(coordinates, "eijk", strict=True):
+        if text != "0":
+            part = Binary("*", parse(text), Name(unit))
+            out = part if out is None else Binary("+", out, part)
+    return out or Binary("*", Number(0), Name("e"))

@@ -21,6 +21,7 @@ from hfield.rings.base import Ring
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
+OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
 Sides = tuple[tuple[str, ...], ...]
 WORD = np.dtype(np.int64)
 
@@ -141,7 +142,7 @@ class WordArrays(RowArrays):
 
     def prepare(self) -> None:
         """Compile every loop, or read it from the disk."""
-        for name in ("product", "conjugate", "norm", "trace", "adjoint", *_PROGRAMS):
+        for name in OPERATIONS:
             for kernel in self.kernels(name):
                 kernel.prepare()
 

@@ -11,11 +11,11 @@ from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.function_places import FunctionPlace, place_of_functions
-from hfield.rings.functions import FunctionField, Quotient
+from hfield.rings.functions import FunctionField
+from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
 from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.function_fields.conic_bundle import (
     RamifiedError,
-    inverted,
     solve_conic_functions,
 )
 from hfield.structure.function_fields.hilbert_functions import (
@@ -29,7 +29,6 @@ from hfield.structure.function_fields.inseparable import (
     embed_even,
     square_parts,
 )
-from hfield.structure.function_fields.residue_field import ResidueField
 from hfield.structure.function_fields.roots_functions import traceless_root_functions
 from hfield.structure.function_fields.slots_functions import common_slot_functions
 from hfield.structure.function_fields.slots_searched import searched_slot
@@ -40,8 +39,6 @@ from hfield.structure.isomorphisms.through_slots import (
     generator_by_slot,
     through_slot,
 )
-from hfield.structure.minimise import Vector
-from hfield.structure.norm_forms.local_order import unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 
 
@@ -57,14 +54,6 @@ class FunctionArithmetic(GlobalField):
         if ring.base.order is None:
             return OverRationals(ring)
         return OverEven(ring) if ring.characteristic == 2 else OverOdd(ring)
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of a place or of a quotient."""
-        if isinstance(place, FunctionPlace):
-            return place.field
-        found: Ring | None = next((x.field for x in elements if isinstance(x, Quotient)), None)
-        return found
 
     def read_place(self, text: Any) -> FunctionPlace:
         """Return a monic irreducible polynomial or infinity."""
@@ -104,17 +93,11 @@ class FunctionArithmetic(GlobalField):
         reason = "no place is ramified, and this is a zero divisor"
         return found(self.ring, c, (w, x, y, self.ring.zero), "conic", reason)
 
-    def unit_and_prime(self, c: Constants, place: FunctionPlace) -> tuple[Vector, Vector] | None:
-        """Return u and j at a polynomial, or at infinity with 1/t in the place of t."""
-        ring = self.ring
-        if place.poly is not None:
-            return unit_and_prime(ResidueField(ring, place.poly), c, ring.one)
-        turned = Constants(*(inverted(ring, x) for x in c))
-        shown = unit_and_prime(ResidueField(ring, ring.gen.num), turned, ring.one)
-        if shown is None:
+    def residues(self, place: FunctionPlace) -> ResidueField | None:
+        """Return k[t] modulo a polynomial, or k at infinity, for a finite k."""
+        if self.ring.base.order is None:
             return None
-        u, j = ([inverted(ring, x) for x in v] for v in shown)
-        return u, j
+        return AtInfinity(self.ring) if place.poly is None else ResidueField(self.ring, place.poly)
 
 
 class OverOdd(FunctionArithmetic):

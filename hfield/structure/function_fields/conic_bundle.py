@@ -12,7 +12,7 @@ from typing import Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants
-from hfield.structure.function_fields.residue_field import ResidueField
+from hfield.rings.residues.prime_polynomials import ResidueField
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.minimise import (
     Conic,

@@ -12,8 +12,8 @@ from typing import Any
 
 from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
+from hfield.rings.residues.prime_polynomials import ResidueField, valuation
 from hfield.structure.forms import NormalForm
-from hfield.structure.function_fields.residue_field import ResidueField, valuation
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 

@@ -8,8 +8,8 @@ from typing import Any
 
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.functions import FunctionField
+from hfield.rings.residues.prime_polynomials import ResidueField
 from hfield.structure.function_fields.conic_bundle import solve_conic_functions
-from hfield.structure.function_fields.residue_field import ResidueField
 
 
 def embed_even(

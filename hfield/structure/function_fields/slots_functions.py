@@ -16,12 +16,12 @@ from hfield.errors import UndecidedError
 from hfield.product import Constants
 from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
+from hfield.rings.residues.prime_polynomials import ResidueField
 from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.function_fields.hilbert_functions import (
     ramified_places_functions,
     symbol,
 )
-from hfield.structure.function_fields.residue_field import ResidueField
 
 TRIALS = 50_000
 LEFT_TO_CHANCE = 4

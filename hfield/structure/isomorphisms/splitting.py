@@ -5,7 +5,7 @@ For a nondegenerate algebra that action is an isomorphism onto M₂(F).
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from hfield.errors import CoercionError, UndecidedError
@@ -23,13 +23,14 @@ Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
 class Splitting:
     """An isomorphism of the algebra with M₂(F): ``images`` are the matrices of e, i, j, k.
 
-    ``zero_divisor`` is the element of norm 0 it was made from.
+    ``zero_divisor`` is the element of norm 0 it was made from, and ``reason`` says where that comes from.
     """
 
     ring: Ring
     constants: Constants
     images: tuple[Matrix, Matrix, Matrix, Matrix]
     zero_divisor: Coordinates
+    reason: str = ""
 
     @property
     def i(self) -> Matrix:
@@ -90,7 +91,9 @@ def division_or_splitting(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
 
 def _from_search(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
     answer = zero_norm(ring, c)
-    return answer if answer.element is None else from_zero_divisor(ring, c, answer.element)
+    if answer.element is None:
+        return answer
+    return replace(from_zero_divisor(ring, c, answer.element), reason=answer.reason)
 
 
 def _from_square_root(ring: Ring, c: Constants) -> Splitting | None:
@@ -125,7 +128,7 @@ def from_zero_divisor(ring: Ring, c: Constants, q: Coordinates) -> Splitting:
         for r in range(4):
             for s in range(r):
                 minor = first[r] * second[s] - first[s] * second[r]
-                if not ring.is_zero(minor):
+                if not ring.vanishes(minor):
                     return _verified(ring, c, q, (first, second), (r, s), ring.inverse(minor))
     raise AssertionError("a zero divisor generates an ideal of dimension 2")
 
@@ -159,7 +162,7 @@ def _checked(
     """Check the relations, and that tr(m·adj(n)) is as in the algebra, which makes the images independent."""
     gram = pairing_matrix(ring, c)
     independent = all(
-        ring.equal(_pairing(m, n), gram[r][s])
+        ring.agree(_pairing(m, n), gram[r][s])
         for r, m in enumerate(images)
         for s, n in enumerate(images)
     )
@@ -196,7 +199,7 @@ def _relations(ring: Ring, c: Constants, one: Matrix, i: Matrix, j: Matrix, k: M
         return (a, b), (d, e)
 
     def equal(m: Matrix, n: Matrix) -> bool:
-        return all(ring.equal(m[r][s], n[r][s]) for r in (0, 1) for s in (0, 1))
+        return all(ring.agree(m[r][s], n[r][s]) for r in (0, 1) for s in (0, 1))
 
     unit = ((ring.one, ring.zero), (ring.zero, ring.one))
     return (

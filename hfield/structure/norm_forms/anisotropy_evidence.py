@@ -1,6 +1,7 @@
 """Why a norm form is 0 only at 0, as evidence that the checker of certificates accepts."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from typing import Any
 
 from hfield.certificates.anisotropy import is_certified
@@ -14,10 +15,8 @@ Evidence = Mapping[str, Any]
 
 def norm_evidence(algebra: str, ring: Ring, c: Constants, answer: ZeroNorm) -> Evidence | None:
     """Return the evidence for an answer without element, or None where there is none that is checked."""
-    if answer.method in ("ordering", "level"):
-        candidates: Iterable[Evidence] = ({"by": answer.method},)
-    else:
-        candidates = evidence_at(ring, c, answer.places)
+    by = ({"by": answer.method},) if answer.method in ("ordering", "level") else ()
+    candidates: Iterable[Evidence] = chain(by, evidence_at(ring, c, answer.places))
     return next((data for data in candidates if is_certified(algebra, ring.name, data)), None)
 
 

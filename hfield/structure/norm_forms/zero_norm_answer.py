@@ -35,9 +35,9 @@ def found(ring: Ring, c: Constants, q: Iterable[Any], method: str, reason: str) 
     """Wrap a zero-norm element after multiplying it out: q ≠ 0 and q·conj(q) = 0."""
     w, x, y, z = q
     element = (w, x, y, z)
-    if all(ring.is_zero(u) for u in element):
+    if all(ring.vanishes(u) for u in element):
         raise AssertionError("the element found is 0, which proves nothing")
-    if not all(ring.is_zero(u) for u in multiply(c, element, conjugate(c, element))):
+    if not all(ring.vanishes(u) for u in multiply(c, element, conjugate(c, element))):
         raise AssertionError("the element found does not have norm 0")
     return ZeroNorm(element, method, reason)
 

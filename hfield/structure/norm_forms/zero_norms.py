@@ -82,8 +82,11 @@ def _small(ring: Ring, c: Constants) -> Coordinates | None:
     if ring.closure is not None:  # there zero tests are slow and square roots decide at once
         return None
     for q in _candidates(ring):
-        if ring.is_zero(norm(c, q)):
-            return q
+        try:
+            if ring.is_zero(norm(c, q)):
+                return q
+        except UndecidedError:  # too few digits of the constants are known
+            continue
     return None
 
 
@@ -164,7 +167,7 @@ def _ordering(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
 
 def _hamilton(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Decide H(F) by the level: −1 = u² + v² or not."""
-    if form.kind != "symbol" or not all(ring.is_zero(x + ring.one) for x in form.constants):
+    if form.kind != "symbol" or not all(ring.key(x) == ring.key(ring(-1)) for x in form.constants):
         return None
     level = ring.level
     if level.value is None:

@@ -5,43 +5,37 @@ from collections.abc import Callable
 from hfield.errors import UndecidedError
 from hfield.product import Constants
 from hfield.rings.base import Ring
-from hfield.structure.forms import NormalForm
+from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
+from hfield.structure.several_variables.leading_terms import by_leading_terms
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
-_LOCAL = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
 
 
 def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Decide by the ramified places; where there are none, solve the conic."""
     field = global_field(ring)
     if field is None:
-        return None
+        return by_leading_terms(ring, c, form)
     try:
         places = field.ramified(form)
     except UndecidedError:
         partial = field.ramified_at_small_places(form)
         if not partial:
-            raise
+            answer = by_leading_terms(ring, c, form)
+            if answer is None:
+                raise
+            return answer
         shown = ", ".join(map(str, partial))
         return none(
             "ramified places",
             f"the algebra is ramified at {shown}, maybe elsewhere too",
             partial,
-            _LOCAL,
+            field.cited,
         )
     if places:
-        shown = ", ".join(map(str, places))
-        reason = (
-            f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
-        )
-        return none(
-            "ramified places",
-            reason,
-            places,
-            _LOCAL,
-        )
+        return none("ramified places", field.why_ramified(form, places), places, field.cited)
     return field.unramified_zero(c, form)
 
 
@@ -49,6 +43,9 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     """Answer for characteristic 2 and t = 0, where the algebra is commutative and N is additive."""
     zero, one = ring.zero, ring.one
     a, _, b = c
+    answer = by_leading_terms(ring, c, normal_form(ring, c))
+    if answer is not None:
+        return answer
     field = global_field(ring)
     if field is not None:
         # x = u² + g·v²: 1, a and b are dependent over the squares

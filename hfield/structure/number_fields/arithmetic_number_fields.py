@@ -7,16 +7,14 @@ from typing import Any
 
 from hfield.factorisation import Factors, is_prime
 from hfield.product import Constants, Coordinates
-from hfield.rings.base import Ring
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import Place, place_of_number_field
 from hfield.rings.number_primes import PrimeIdeal
+from hfield.rings.residues.number_ideals import LocalPlace, local_place
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot
-from hfield.structure.minimise import Vector
-from hfield.structure.norm_forms.local_order import unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import (
@@ -24,7 +22,6 @@ from hfield.structure.number_fields.hilbert_number_fields import (
     hilbert_symbol_number_field,
     ramified_places_number_field,
 )
-from hfield.structure.number_fields.local_place import local_place
 from hfield.structure.number_fields.slots_number_fields import (
     common_slot,
     from_ramification_number_field,
@@ -42,13 +39,6 @@ class NumberFieldArithmetic(GlobalField):
     def __init__(self, ring: NumberField) -> None:
         super().__init__(ring)
         self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return the field of a place or of the first element that has one."""
-        if isinstance(getattr(place, "field", None), NumberField):
-            return place.field  # type: ignore[no-any-return]
-        return next((x.field for x in elements if isinstance(x, FieldElement)), None)
 
     def read_place(self, text: Any) -> Place:
         """Return a prime ideal or an infinite place."""
@@ -80,11 +70,9 @@ class NumberFieldArithmetic(GlobalField):
         x, y, z = solve_conic_number_field(self.ring, form.a, form.b)
         return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
 
-    def unit_and_prime(self, c: Constants, place: Place) -> tuple[Vector, Vector] | None:
-        """Return u and j at a prime ideal."""
-        if not isinstance(place, PrimeIdeal):
-            return None
-        return unit_and_prime(local_place(place), c, self.ring.one)
+    def residues(self, place: Place) -> LocalPlace | None:
+        """Return the prime ideal with its residue field."""
+        return local_place(place) if isinstance(place, PrimeIdeal) else None
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by a common slot and three conics."""

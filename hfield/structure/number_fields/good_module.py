@@ -15,8 +15,8 @@ import flint
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_primes import primes_above
+from hfield.rings.residues.number_ideals import LocalPlace, local_place
 from hfield.structure.minimise import Conic, Vector, minimise
-from hfield.structure.number_fields.local_place import LocalPlace, local_place
 
 
 def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list[Vector]:

@@ -8,7 +8,6 @@ from these primes, only one prime ideal divides them. There the symbols are righ
 
 from __future__ import annotations
 
-import itertools
 import random
 from collections.abc import Collection, Iterator, Sequence
 
@@ -29,7 +28,7 @@ from hfield.structure.number_fields.hilbert_number_fields import (
 from hfield.structure.rationals.whole_numbers import crt
 
 TRIALS = 20_000
-LOCAL_TRIALS = 2_000
+LOCAL_TRIALS = 400
 TWOS = 2**5  # symbols above 2 of an e of valuation at most 1 hang on e modulo this
 
 
@@ -133,42 +132,49 @@ def _local_class(
 ) -> tuple[list[int], int]:
     """Return coordinates in the integral basis, and a modulus, for the prime p.
 
-    What is congruent to them has the symbols asked for at the places above p.
+    What is congruent to them has the symbols asked for at the places above p, and valuations 0 or 1 there.
     """
-    field = numbers[0].field
-    above = primes_above(field, p)
-    modulus = TWOS if p == 2 else p
-    basis = field.integral_basis()
-    for size in range(len(above) + 1):
-        for chosen in itertools.combinations(above, size):
-            base = field.one
-            for v in chosen:
-                base = base * v.uniformiser
-            # in a class modulo p² the valuation, at most 1, is fixed as well
-            whole = modulus if p == 2 else modulus**2 if chosen else modulus
-            for _ in range(LOCAL_TRIALS // (1 + 4 * size)):
-                e = base
-                unit: FieldElement = field.zero
-                for w in basis:
-                    unit = unit + w * rng.randrange(modulus)
-                if not unit or any(v.valuation(unit) for v in above):
-                    continue
-                e = base * unit
-                if all(
-                    hilbert_symbol_number_field(x, e, v) == _wanted(v, ramified)
-                    for v in above
-                    for x in numbers
-                ):
-                    return [int(c) % whole for c in _coordinates(field, e)], whole
-    raise UndecidedError(f"no number was found that has the symbols asked for above {p}")
+    field, modulus = numbers[0].field, TWOS if p == 2 else p * p
+    e: FieldElement = field.zero
+    for prime in primes_above(field, p):
+        part = _number_at(prime, numbers, ramified, rng)
+        # 1 modulo a power of the prime, 0 modulo a power of the others: 3ε² − 2ε³ doubles the exponents
+        unit = prime.idempotent
+        for _ in range(3 if p == 2 else 1):
+            unit = prime.order.truncated(unit * unit * (3 - 2 * unit), modulus)
+        e = prime.order.truncated(e + unit * prime.order.truncated(part, modulus), modulus)
+    coordinates = _coordinates(field, e)
+    return [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in coordinates], modulus
 
 
-def _coordinates(field: NumberField, x: FieldElement) -> list[int]:
-    """Return the coordinates of an integer of the field in the integral basis."""
+def _number_at(
+    prime: PrimeIdeal,
+    numbers: Sequence[FieldElement],
+    ramified: Collection[Place],
+    rng: random.Random,
+) -> FieldElement:
+    """Return an integer of valuation 0 or 1 with the symbols asked for at one prime ideal."""
+    wanted = _wanted(prime, ramified)
+    for trial in range(LOCAL_TRIALS):
+        e: FieldElement = prime.field.one
+        if trial > 1:
+            coordinates = [rng.randrange(max(prime.p, 8)) for _ in range(prime.field.degree)]
+            e = prime.order.element(coordinates)
+            if not e or prime.valuation(e):
+                continue
+        if trial % 2:
+            e = e * prime.uniformiser
+        if all(hilbert_symbol_number_field(x, e, prime) == wanted for x in numbers):
+            return e
+    raise UndecidedError(f"no number was found that has the symbols asked for at {prime}")
+
+
+def _coordinates(field: NumberField, x: FieldElement) -> list[flint.fmpq]:
+    """Return the coordinates of a number in the integral basis."""
     n = field.degree
     rows = [c for w in field.integral_basis() for c in _padded(w, n)]
     row = flint.fmpq_mat(1, n, _padded(x, n)) * flint.fmpq_mat(n, n, rows).inv()
-    return [int(c.p) for c in row.entries()]
+    return list(row.entries())
 
 
 def _padded(x: FieldElement, n: int) -> list[flint.fmpq]:

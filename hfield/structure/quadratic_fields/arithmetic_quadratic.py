@@ -2,37 +2,34 @@
 
 import functools
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
 from typing import Any, ClassVar
 
-from hfield.errors import RingError, shorten
-from hfield.factorisation import Factors, factorise, known_primes
+import flint
+
+from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Coordinates
-from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_places import Place
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
-from hfield.rings.surds import Surd
+from hfield.rings.residues.prime_ideals import PrimeIdeal, prime_at
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
-from hfield.structure.minimise import Vector
-from hfield.structure.norm_forms.local_order import unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.structure.number_fields.slots_number_fields import from_ramification_number_field
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
 from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
     integral,
     is_local_square,
-    p_adic_root,
     pair,
     ramified_places_quadratic,
 )
-from hfield.structure.quadratic_fields.prime_ideals import primes_above
 from hfield.structure.quadratic_fields.slots_quadratic import common_slot
 from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
-from hfield.structure.rationals.prime_numbers import PrimePlace
 from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
 
@@ -42,21 +39,6 @@ class QuadraticArithmetic(GlobalField):
     ring: QuadraticField
     # a root of unity of degree at most 2 over it has order 1 to 6, 8, 10 or 12
     finite_orders: ClassVar[Mapping[int, int]] = {2: 3, 3: 1, 5: 1}
-
-    @classmethod
-    def named_by(cls, *elements: Any, place: Any = None) -> Ring | None:
-        """Return ℚ(√d) for a place of it or for numbers with one root; raises RingError for several."""
-        if isinstance(place, QuadraticPlace):
-            return QuadraticField(place.d)
-        roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
-        if len(roots) > 1:
-            shown = " and ".join(map(shorten, elements))
-            raise RingError(f"{shown} lie in no common quadratic field")
-        if not roots:
-            return None
-        d = roots.pop()
-        factorise(d)  # the theory of places asks for a squarefree d
-        return QuadraticField(d)
 
     def read_place(self, text: Any) -> QuadraticPlace:
         """Return a prime ideal or an infinite place."""
@@ -77,6 +59,18 @@ class QuadraticArithmetic(GlobalField):
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
 
+    def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
+        """Return constants found in ℚ[s]/(s² − d), which is the same field."""
+        field = NumberField(flint.fmpq_poly([-self.ring.d, 0, 1]))
+        same = [_place_in(field, self.read_place(v)) for v in places]
+        a, b = from_ramification_number_field(field, same)
+        return tuple(self._from_powers(x) for x in (a, b))
+
+    def _from_powers(self, x: Any) -> Any:
+        """Return u + v·s as u + v·√d."""
+        u, v = x.poly[0], x.poly[1]
+        return self.ring(u) + self.ring.gen * self.ring(v)
+
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, or, for rational a and b, a square root of d over ℚ less √d."""
         q = form.back(self._zero(form))
@@ -96,22 +90,9 @@ class QuadraticArithmetic(GlobalField):
         _, x, y, z = (ring(u) for u in root)
         return -ring.gen, x, y, z
 
-    def unit_and_prime(self, c: Constants, place: QuadraticPlace) -> tuple[Vector, Vector] | None:
-        """Return u and j at a prime ideal; at one that splits, for rational numbers close by."""
-        if not place.prime:
-            return None
-        if place.root is None:
-            return unit_and_prime(primes_above(self.ring, place.prime)[0], c, self.ring.one)
-        return unit_and_prime(PrimePlace(place.prime), self._completed(c, place), Fraction(1))
-
-    def _completed(self, c: Constants, place: QuadraticPlace) -> Constants:
-        """Return rational numbers close to the images of the constants at a place that splits."""
-        pairs = [pair(self.ring, x) for x in c]
-        sizes = sum(
-            abs(n).bit_length() for u in pairs for x in u for n in (x.numerator, x.denominator)
-        )
-        root = p_adic_root(place, 2 * sizes // place.prime.bit_length() + 12)
-        return Constants(*(u + v * root for u, v in pairs))
+    def residues(self, place: QuadraticPlace) -> PrimeIdeal | None:
+        """Return the prime ideal with its residue field."""
+        return prime_at(self.ring, place) if place.prime else None
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by a common slot and three conics."""
@@ -129,6 +110,15 @@ class QuadraticArithmetic(GlobalField):
         """Return a common slot built from local classes, and what solves conics with its primes."""
         e, primes = common_slot(self.ring, c, numbers)
         return e, functools.partial(_conic_point, self.ring, primes)
+
+
+def _place_in(field: NumberField, place: QuadraticPlace) -> Place:
+    """Return the place of ℚ[s]/(s² − d) where s goes to what √d goes to."""
+    if not place.prime:
+        return field.infinite_places()[place.index]
+    second = place.generators[1]
+    generator = field.gen * second.terms.get(place.d, 0) + second.terms.get(1, 0)
+    return next(P for P in field.primes_above(place.p) if generator in P)
 
 
 def _conic_point(field: QuadraticField, known: Iterable[int], c: Constants) -> tuple[Any, Any, Any]:

@@ -13,14 +13,14 @@ import flint
 
 from hfield.factorisation import factorise
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.minimise import Conic, Vector, minimise
-from hfield.structure.quadratic_fields.prime_ideals import (
+from hfield.rings.residues.prime_ideals import (
     PrimeIdeal,
     coordinates,
     norm,
     omega,
     primes_above,
 )
+from hfield.structure.minimise import Conic, Vector, minimise
 
 
 def bad_primes(

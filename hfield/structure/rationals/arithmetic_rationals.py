@@ -7,21 +7,17 @@ from typing import Any, ClassVar
 
 from hfield.factorisation import WORD, Factors, is_prime, known_primes, shared_primes
 from hfield.product import Constants, Coordinates
+from hfield.rings.rational_places import INFINITE, Place, place_of_q
+from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
-from hfield.structure.minimise import Vector
-from hfield.structure.norm_forms.local_order import unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import (
-    INFINITE,
-    Place,
     discriminant_q,
     hilbert_symbol_q,
-    place_of_q,
     ramified_places_q,
 )
-from hfield.structure.rationals.prime_numbers import PrimePlace
 from hfield.structure.rationals.rational_embedding import embed_rational, traceless_root_rational
 from hfield.structure.rationals.whole_numbers import fraction, square_class
 
@@ -59,12 +55,12 @@ class RationalArithmetic(GlobalField):
         x, y, z = (self.ring(u) for u in solve_conic(form.a, form.b))
         return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
 
-    def unit_and_prime(self, c: Constants, place: Place) -> tuple[Vector, Vector] | None:
-        """Return u and j at a prime."""
-        if place == INFINITE:
-            return None
-        rational = Constants(*(fraction(x) for x in c))
-        return unit_and_prime(PrimePlace(int(place)), rational, Fraction(1))
+    def residues(self, place: Place) -> PrimePlace | None:
+        """Return ℤ/p."""
+        return None if place == INFINITE else PrimePlace(int(place))
+
+    def _exact(self, c: Constants) -> tuple[Constants, Any]:
+        return Constants(*(fraction(x) for x in c)), Fraction(1)
 
     def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
         """Share the primes of constants that are longer than a word."""

@@ -14,8 +14,9 @@ from fractions import Fraction
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise, is_prime, remove
+from hfield.rings.rational_places import INFINITE, Place
 from hfield.structure.rationals.conic_rationals import solve_conic
-from hfield.structure.rationals.hilbert_rationals import INFINITE, Place, hilbert_symbol_q
+from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q
 from hfield.structure.rationals.whole_numbers import crt, squarefree
 
 Zero = list[Fraction]

@@ -6,8 +6,9 @@ from typing import Any
 from hfield.factorisation import is_prime, known_primes
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
+from hfield.rings.rational_places import INFINITE, Place
 from hfield.structure.rationals import hilbert_rationals
-from hfield.structure.rationals.hilbert_rationals import INFINITE, Place, ramified_places_q
+from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.unimodular_lattice import isometry
 from hfield.structure.rationals.whole_numbers import crt, fraction, square_class, squarefree
 

@@ -92,17 +92,3 @@ def view(what: Any, outer: Any, start: Any) -> Any:
 def near(what: Any, outer: Any, start: Any) -> Any:
     """Return the same view where the components lie side by side, as the compiler must know."""
     return what[0], outer * what[2] + start * what[3], 1
-
-
-@inlined
-def throughout(loop: Any, counter: Any, outer: Any, inner: Any, table: Any, extra: Any) -> Any:
-    """Run ``loop(source, target, m, extra)`` on the blocks of two operands; tell if any said true."""
-    said = False
-    total = blocks(outer, inner)
-    while True:
-        first = take(counter, TAKE)
-        if first >= total:
-            return said
-        for block in range(first, min(first + TAKE, total)):
-            o, start, m = span(block, inner)
-            said |= loop(near(table[0], o, start), near(table[1], o, start), m, extra)

@@ -14,7 +14,8 @@ from flint import fmpz_mat
 from hfield.errors import HFieldError
 from hfield.ledger.centre import _equations
 from hfield.product import Constants, multiply, norm
-from hfield.proving.evaluation.interpretation import RingInterpretation, bind
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.polynomials.free_algebra import multiply_out
 from hfield.proving.prove import prove
 from hfield.proving.statements.language import read_statement
@@ -176,8 +177,9 @@ def _witness(evidence: Any, data: Certificate) -> bool:
     for name, _ in statement.unknowns:
         read = tuple(F(text) for text in evidence["values"][name])
         values[name] = read if len(read) == 4 else read[0]
-    world = RingInterpretation(F)
-    bind(world, setting.constants, values)
+    fixed = {text: F(text) for text in statement.constants}
+    world = Evaluator(RingScalars(F), setting.trees, statement.sorts, fixed)
+    world.bind(values)
     given = all(map(world.truth, statement.hypotheses))
     return (not given or bool(world.truth(statement.conclusion))) == (data["verdict"] == "proved")
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
-from hfield.rings import GF
+from hfield.rings.field_specs import GF
 from hfield.rings.functions import FunctionField
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_primes import PrimeIdeal
-from hfield.structure.function_fields.residue_field import ResidueField
+from hfield.rings.residues.prime_polynomials import ResidueField
 
 
 class LocalPlace(ResidueField):
@@ -21,7 +21,7 @@ class LocalPlace(ResidueField):
 
     def __init__(self, prime: PrimeIdeal) -> None:
         super().__init__(FunctionField(GF(prime.p), "t"), prime.residue)
-        self.prime = prime
+        self.prime, self.below, self.index = prime, prime.p, prime.e
 
     @property
     def uniformiser(self) -> FieldElement:
@@ -44,6 +44,22 @@ class LocalPlace(ResidueField):
     def reduce(self, x: FieldElement) -> Any:
         """Return the class of a number of valuation ≥ 0."""
         return self.prime.residue_of(x)
+
+    def truncated(self, x: FieldElement, n: int) -> FieldElement:
+        """Return Σ dₖ·πᵏ with k < n and residues dₖ, lifted, that is x up to Pⁿ."""
+        total: FieldElement = x.field.zero
+        if not x:
+            return total
+        inverse, first = self.uniformiser.inverse(), self.valuation(x)
+        power = self.uniformiser**first
+        rest = x * inverse**first
+        for _ in range(first, n):
+            digit = self.lift(self.reduce(rest))
+            total, power = total + digit * power, power * self.uniformiser
+            rest = (rest - digit) * inverse
+            if not rest:
+                break
+        return total
 
 
 @lru_cache(maxsize=256)

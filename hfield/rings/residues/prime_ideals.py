@@ -8,12 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 from hfield.factorisation import remove
-from hfield.rings import GF
+from hfield.rings.field_specs import GF
 from hfield.rings.functions import FunctionField
 from hfield.rings.quadratic import QuadraticField
-from hfield.structure.function_fields.residue_field import ResidueField
-from hfield.structure.rationals.prime_numbers import PrimePlace
-from hfield.structure.rationals.whole_numbers import fraction, sqrt_mod
+from hfield.rings.quadratic_places import QuadraticPlace
+from hfield.rings.rational import rational
+from hfield.rings.residues.prime_numbers import PrimePlace, truncated
+from hfield.rings.residues.prime_polynomials import ResidueField
 
 
 def omega(field: QuadraticField) -> Any:
@@ -23,7 +24,7 @@ def omega(field: QuadraticField) -> Any:
 
 def coordinates(field: QuadraticField, x: Any) -> tuple[Fraction, Fraction]:
     """Return rationals (u, v) with x = u + v·ω."""
-    s, t = fraction(x.terms.get(1, 0)), fraction(x.terms.get(field.d, 0))
+    s, t = (Fraction(rational(x.terms.get(n, 0)) or 0) for n in (1, field.d))
     return (s - t, 2 * t) if field.d % 4 == 1 else (s, t)
 
 
@@ -34,7 +35,7 @@ def conjugate(field: QuadraticField, x: Any) -> Any:
 
 def norm(field: QuadraticField, x: Any) -> Fraction:
     """Return the norm of x down to ℚ."""
-    return fraction((x * conjugate(field, x)).terms.get(1, 0))
+    return Fraction(rational((x * conjugate(field, x)).terms.get(1, 0)) or 0)
 
 
 def primes_above(field: QuadraticField, p: int) -> "tuple[PrimeIdeal, ...]":
@@ -43,13 +44,9 @@ def primes_above(field: QuadraticField, p: int) -> "tuple[PrimeIdeal, ...]":
     if p == 2:
         roots = {r for r in (0, 1) if (r * r - trace * r - constant) % 2 == 0}
     else:
-        square = field.d % p
-        if square and pow(square, (p - 1) // 2, p) != 1:
-            roots = set()
-        else:
-            root, half = sqrt_mod(square, p), (p + 1) // 2
-            shift, step = (half, half) if trace else (0, 1)
-            roots = {(shift + s * step * root) % p for s in (1, -1)}
+        root, half = PrimePlace(p).sqrt(field.d), (p + 1) // 2
+        shift, step = (half, half) if trace else (0, 1)
+        roots = set() if root is None else {(shift + s * step * root) % p for s in (1, -1)}
     if not roots:
         return (Inert(field, p),)
     return tuple(DegreeOne(field, p, r, 3 - len(roots)) for r in sorted(roots))
@@ -58,6 +55,16 @@ def primes_above(field: QuadraticField, p: int) -> "tuple[PrimeIdeal, ...]":
 def _minimal(field: QuadraticField) -> tuple[int, int]:
     """Return (t, n) with ω² = t·ω + n."""
     return (1, (field.d - 1) // 4) if field.d % 4 == 1 else (0, field.d)
+
+
+def prime_at(field: QuadraticField, place: QuadraticPlace) -> "PrimeIdeal":
+    """Return the prime ideal that a finite place is."""
+    above = primes_above(field, place.prime)
+    if place.root is None:
+        return above[0]
+    root = place.root if field.d % 4 != 1 else (place.root + 1) * (place.prime + 1) // 2
+    root = (place.root + 1) // 2 if place.prime == 2 else root
+    return next(P for P in above if isinstance(P, DegreeOne) and P.root == root % place.prime)
 
 
 class DegreeOne(PrimePlace):
@@ -91,9 +98,31 @@ class DegreeOne(PrimePlace):
         return self.index * k + remove(norm(self.number_field, y).numerator, p)[0]
 
     def reduce(self, x: Any) -> int:
-        """Return the class of a number without p in its denominator."""
+        """Return the class of a number that is integral here."""
         u, v = coordinates(self.number_field, x)
-        return (super().reduce(u) + super().reduce(v) * self.root) % self.modulus
+        if u.denominator % self.modulus and v.denominator % self.modulus:
+            return (super().reduce(u) + super().reduce(v) * self.root) % self.modulus
+        return int(self._rational(u, v, 1))
+
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return what x is up to the n-th power of the ideal: rational, or u + v·π where p ramifies."""
+        field = self.number_field
+        u, v = coordinates(field, x)
+        if self.index == 1:
+            return field(self._rational(u, v, n))
+        shift, _ = coordinates(field, omega(field) - self.uniformiser)
+        odd = truncated(v, self.modulus, n // 2)
+        return self.uniformiser * odd + truncated(u + v * shift, self.modulus, (n + 1) // 2)
+
+    def _rational(self, u: Fraction, v: Fraction, n: int) -> Any:
+        """Return the least rational number ≥ 0 that is u + v·ω up to pⁿ, at a prime that splits."""
+        trace, constant = _minimal(self.number_field)
+        r, modulus = self.root, self.modulus
+        target = self.modulus ** max(n + remove(v.denominator, self.modulus)[0], 1)
+        while modulus < target:  # Newton's steps to the root of the minimal polynomial of ω
+            modulus *= modulus
+            r = (r - (r * r - trace * r - constant) * pow(2 * r - trace, -1, modulus)) % modulus
+        return truncated(u + v * r, self.modulus, n)
 
 
 class Inert(ResidueField):
@@ -105,6 +134,7 @@ class Inert(ResidueField):
         super().__init__(functions, (t * t - functions(trace) * t - functions(constant)).num)
         self.number_field, self.prime = field, p
         self.other = field.one
+        self.index, self.below = 1, p
 
     @property
     def uniformiser(self) -> Any:
@@ -123,6 +153,11 @@ class Inert(ResidueField):
     def valuation(self, x: Any) -> int:
         """Return the order of a nonzero number at this prime."""
         return content(self.number_field, x, self.prime)
+
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return u + v·ω with the least u, v ≥ 0 that is x up to pⁿ."""
+        u, v = (truncated(c, self.prime, n) for c in coordinates(self.number_field, x))
+        return omega(self.number_field) * v + u
 
     def reduce(self, x: Any) -> Any:
         """Return the class of a number without p in its denominator."""

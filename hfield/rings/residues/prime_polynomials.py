@@ -7,6 +7,8 @@ import random
 from functools import cached_property
 from typing import Any
 
+import flint
+
 from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
 
@@ -180,6 +182,15 @@ class ResidueField:
         )
         return None if z is None else (b * z % self.modulus, a)
 
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return the polynomial over a power of π, of the least degree, that is x up to πⁿ."""
+        k = -min(self.valuation(x), 0) if x.num != 0 else 0
+        if n + k <= 0:
+            return self.field.zero
+        power, scale = self.modulus ** (n + k), self.modulus**k
+        below = x.den // scale
+        return self.field.quotient(x.num * (below.xgcd(power)[1] % power) % power, scale)
+
     def random(self, rng: random.Random) -> Any:
         """Return a random element."""
         t = self.field.gen.num
@@ -187,6 +198,39 @@ class ResidueField:
         for _ in range(self.degree):
             x = x * t + self.scalar(self.base.random(rng))
         return x
+
+
+class AtInfinity(ResidueField):
+    """The place of k(t) at infinity, with residue field k and uniformiser 1/t."""
+
+    def __init__(self, field: Any) -> None:
+        super().__init__(field, field.gen.num)
+
+    @property
+    def uniformiser(self) -> Any:
+        """1/t."""
+        return super().inverse_uniformiser
+
+    @property
+    def inverse_uniformiser(self) -> Any:
+        """The variable t."""
+        return super().uniformiser
+
+    def valuation(self, x: Any) -> int:
+        """Return the degree of the denominator less that of the numerator."""
+        return int(x.den.degree()) - int(x.num.degree())
+
+    def reduce(self, x: Any) -> Any:
+        """Return the value at infinity of a rational function without pole there."""
+        if x.num == 0 or self.valuation(x) > 0:
+            return self.zero
+        return self.scalar(self.field.base_element(x.num.leading_coefficient()))
+
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return the sum of the terms of x, a series in 1/t, before (1/t)ⁿ."""
+        t = self.field.gen.num
+        up, down = t ** max(n - 1, 0), t ** max(1 - n, 0)
+        return self.field.quotient(x.num * up // (x.den * down) * down, up)
 
 
 def _root_over_q(kappa: ResidueField, x: Any) -> Any:
@@ -214,17 +258,9 @@ def _root_over_q(kappa: ResidueField, x: Any) -> Any:
 
 def _minimal_polynomial(kappa: ResidueField, x: Any) -> list[Any]:
     """Return the coefficients of the minimal polynomial over ℚ, low degree first, monic."""
-    from hfield.structure.linear_algebra.kernels import kernel
-
-    n = kappa.degree
-    powers = [kappa.one]
-    for size in range(1, n + 1):
-        powers.append(powers[-1] * x % kappa.modulus)
-        rows = [[p[i] for p in powers] for i in range(n)]
-        relations = kernel(kappa.base, rows, size + 1)
-        if relations:
-            return relations[0]
-    raise AssertionError("n + 1 powers in a field of degree n are dependent")
+    n, t = kappa.degree, kappa.field.gen.num
+    rows = [x * t**m % kappa.modulus for m in range(n)]
+    return list(flint.fmpq_mat([[row[m] for m in range(n)] for row in rows]).minpoly().coeffs())
 
 
 def _root_of_generator(kappa: ResidueField, x: Any, minimal: list[Any]) -> Any:

@@ -1,20 +1,22 @@
 """The residue field ℤ/p of ℚ, with the same names as ``ResidueField``."""
 
+import random
 from fractions import Fraction
+from typing import Any
 
 import flint
 
 from hfield.factorisation import remove
-from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 
 class PrimePlace:
     """The place of ℚ at a prime p; elements of the residue field are ints modulo p."""
 
     zero, one = 0, 1
+    index = 1  # the valuation of p
 
     def __init__(self, p: int) -> None:
-        self.modulus = p
+        self.below = self.modulus = self.order = p
         self.even = p == 2
         self.uniformiser, self.inverse_uniformiser = Fraction(p), Fraction(1, p)
 
@@ -22,13 +24,22 @@ class PrimePlace:
         """Return a residue as a rational number."""
         return Fraction(x)
 
-    def valuation(self, x: Fraction) -> int:
+    def valuation(self, x: Any) -> int:
         """Return the order of a nonzero rational number at p."""
-        return remove(x.numerator, self.modulus)[0] - remove(x.denominator, self.modulus)[0]
+        over, under = int(x.numerator), int(x.denominator)
+        return remove(over, self.modulus)[0] - remove(under, self.modulus)[0]
 
-    def reduce(self, x: Fraction) -> int:
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return the least number ≥ 0 that is x up to pⁿ, with a power of p below it."""
+        return truncated(x, self.modulus, n)
+
+    def reduce(self, x: Any) -> int:
         """Return the class of a rational number whose denominator p does not divide."""
-        return x.numerator * self.inverse(x.denominator) % self.modulus
+        return int(x.numerator) * self.inverse(int(x.denominator)) % self.modulus
+
+    def random(self, rng: random.Random) -> int:
+        """Return a random residue."""
+        return rng.randrange(self.modulus)
 
     def multiply(self, x: int, y: int) -> int:
         """Return x·y."""
@@ -43,7 +54,7 @@ class PrimePlace:
         x %= self.modulus
         if x and not self.even and flint.fmpz(x).jacobi(self.modulus) != 1:
             return None
-        return sqrt_mod(x, self.modulus) if x else 0
+        return x if x < 2 else int(flint.fmpz(x).sqrtmod(self.modulus))
 
     def quadratic_root(self, a: int, b: int, c: int) -> tuple[int, int] | None:
         """Return ``(x, y)`` ≠ (0, 0) with ``a·x² + b·xy + c·y² = 0`` modulo p, or None."""
@@ -59,3 +70,12 @@ class PrimePlace:
         h = b * self.inverse(2) % p
         root = self.sqrt(h * h - a * c)
         return None if root is None else ((root - h) % p, a)
+
+
+def truncated(x: Any, p: int, n: int) -> Fraction:
+    """Return the least rational number ≥ 0 that is x up to pⁿ, with a power of p below it."""
+    k, below = remove(int(x.denominator), p)
+    if n + k <= 0:
+        return Fraction(0)
+    modulus = p ** (n + k)
+    return Fraction(int(x.numerator) * pow(below, -1, modulus) % modulus, p**k)

@@ -1,0 +1,151 @@
+"""What scalars are, and what it means to compare them: elements of a ring, or numbers for its prime field.
+
+The evaluator asks nothing else of them, so that arrays and polynomials serve as well (``all_cases``,
+``expansion``). A value that need not exist comes with the condition under which it does.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from fractions import Fraction
+from operator import mul
+from typing import Any
+
+from hfield.errors import NotInvertibleError
+from hfield.product import Constants, multiply, norm
+from hfield.rings.base import Ring
+
+Value = tuple[Any, Any]  # a scalar or a tuple of four, and the condition under which it is defined
+
+
+class Scalars(ABC):
+    """Scalars with Python's ``+`` and ``-``, and truth values; ``always`` is the condition that holds."""
+
+    zero: Any
+    one: Any
+    always: Any = True
+    reflexive = False  # whether a term is itself, so that this need not be evaluated
+
+    @abstractmethod
+    def number(self, value: int | Fraction) -> Value:
+        """Turn a literal into a scalar."""
+
+    @abstractmethod
+    def reciprocal(self, x: Any) -> Value:
+        """Return 1/x and the condition under which there is one."""
+
+    @abstractmethod
+    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+        """Return the truth of "defined, and all differences are 0"."""
+
+    @abstractmethod
+    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
+        """Return the truth of "defined, and some difference is not 0"."""
+
+    # --- what may be overridden ------------------------------------------------------------------
+
+    def both(self, x: Any, y: Any) -> Any:
+        """Return the truth of "x and y", for conditions as for statements."""
+        return x & y
+
+    def either(self, x: Any, y: Any) -> Any:
+        """Return the truth of "x or y"."""
+        return x | y
+
+    def negate(self, x: Any) -> Any:
+        """Return the truth of "not x"."""
+        return x ^ True
+
+    def times(self, x: Any, y: Any) -> Any:
+        """Return the product of two scalars."""
+        return x * y
+
+    def scale(self, q: Any, s: Any) -> Any:
+        """Return a quaternion times a scalar."""
+        a, b, c, d = q
+        return a * s, b * s, c * s, d * s
+
+    def multiply(self, constants: Constants, p: Any, q: Any) -> Any:
+        """Return the product of two quaternions."""
+        return multiply(constants, p, q)
+
+    def norm(self, constants: Constants, q: Any) -> Any:
+        """Return the norm of a quaternion."""
+        return norm(constants, q)
+
+
+class RingScalars(Scalars):
+    """Elements of a ring: a statement becomes true or false."""
+
+    times = staticmethod(mul)  # type: ignore[assignment]
+    multiply = staticmethod(multiply)  # type: ignore[assignment]
+    norm = staticmethod(norm)  # type: ignore[assignment]
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+        self.zero, self.one = ring.zero, ring.one
+
+    def number(self, value: int | Fraction) -> Value:
+        """Return the literal in the ring; a denominator that is no unit leaves it undefined."""
+        if isinstance(value, int):
+            return self.ring(value), True
+        x, defined = self.reciprocal(self.ring(value.denominator))
+        return self.ring(value.numerator) * x, defined
+
+    def reciprocal(self, x: Any) -> Value:
+        """Return 1/x, if x is a unit."""
+        try:
+            return self.ring.inverse(x), True
+        except NotInvertibleError:
+            return self.zero, False
+
+    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+        """Compare exactly, in the ring."""
+        return all(map(self.ring.is_zero, differences))
+
+    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
+        """Compare exactly, in the ring."""
+        return not all(map(self.ring.is_zero, differences))
+
+
+class PrimeScalars(Scalars):
+    """The prime field of a characteristic on Python's own numbers, for fast searches."""
+
+    zero, one = 0, 1
+
+    def __init__(self, p: int) -> None:
+        self.p = p
+        if not p:
+            self.times = mul  # type: ignore[method-assign, assignment]
+            self.multiply = multiply  # type: ignore[method-assign, assignment]
+
+    def number(self, value: int | Fraction) -> Value:
+        """Return the literal; in characteristic p its denominator may be 0."""
+        if not self.p or isinstance(value, int):
+            return value, True
+        x, defined = self.reciprocal(value.denominator)
+        return value.numerator * x % self.p, defined
+
+    def reciprocal(self, x: Any) -> Value:
+        """Return 1/x unless x is 0."""
+        if not self.p:
+            return (Fraction(1) / x, True) if x else (0, False)
+        x %= self.p
+        return (pow(x, -1, self.p), True) if x else (0, False)
+
+    def times(self, x: Any, y: Any) -> Any:
+        """Return a product below p."""
+        return x * y % self.p
+
+    def multiply(self, constants: Constants, p: Any, q: Any) -> Any:
+        """Return a product whose coordinates are below p."""
+        modulus = self.p
+        return tuple([x % modulus for x in multiply(constants, p, q)])
+
+    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+        """Compare modulo p."""
+        return not self.unequal(differences, defined)
+
+    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
+        """Compare modulo p."""
+        p = self.p
+        return any(d % p for d in differences) if p else any(differences)

@@ -1,0 +1,174 @@
+"""For all values given something exists: decided at one place after the other."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import chain
+from typing import Any
+
+from hfield.errors import HFieldError
+from hfield.proving.counterexamples.candidates import (
+    Assignment,
+    Searcher,
+    by_weight,
+    small_scalars,
+    witness_texts,
+)
+from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, Decision
+from hfield.proving.definedness import algebra_exists
+from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.existence.isolation import isolated
+from hfield.proving.existence.unsolvable import unsolvable_at
+from hfield.proving.existence.witnesses import decide_closed, shown
+from hfield.proving.methods import universal
+from hfield.proving.problem import Problem, constants_in
+from hfield.proving.statements.language import Sort
+from hfield.proving.statements.printing import to_text
+from hfield.proving.statements.setting import put_letters
+from hfield.proving.statements.trees import conjunction, quaternion_node, substitute, walk
+from hfield.rings.base import Ring
+from hfield.syntax import Name, Negate, Not, Number, parse
+
+MAX_PLACES = 2_000
+MOST_LOOKED = 40  # of infinitely many
+SMALL = 5  # elements of an infinite field
+
+Free = list[tuple[str, Sort]]
+
+
+def given(problem: Problem) -> Free:
+    """Return the unknowns that are given, with their sorts."""
+    statement = problem.statement
+    return [(name, sort) for name, sort in statement.unknowns if name not in statement.exists]
+
+
+def by_places(problem: Problem) -> Decision:
+    """Refute at one place of the given unknowns, or prove at all of them over a finite field."""
+    field, free = problem.ring, given(problem)
+    width = sum(1 if sort is Sort.SCALAR else 4 for _, sort in free)
+    finite = field.order is not None and field.order**width <= MAX_PLACES
+    if finite:
+        elements = list(field.elements())
+        places = by_weight(free, elements, len(elements) * width)
+        none_at = None
+    else:
+        places = chain(_found_by_solving(problem), by_weight(free, _small(field), 4))
+        none_at = unsolvable_at(problem)
+    meant = _meant(problem)
+    count = looked = 0
+    for place in places:
+        if problem.is_late or looked >= (MAX_PLACES if finite else MOST_LOOKED):
+            break
+        count += 1
+        if count > MAX_PLACES:
+            break
+        if not meant(place) or (none_at is not None and not none_at(place)):
+            continue
+        looked += 1
+        values = witness_texts(field, place)
+        try:
+            one = decide_closed(_instance(problem, values))
+        except HFieldError:
+            return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
+        if one.verdict == REFUTED:
+            return _none_there(one, values)
+        if finite and one.verdict != PROVED:
+            return one
+    if finite and not problem.is_late:
+        steps = (f"there is one for {_each(count)}",)
+        counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
+        return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
+    tried = ["terms in the unknowns", f"{looked} places"]
+    if problem.is_late:
+        tried.append("the time was over")
+    return Decision(UNDECIDED, "none", tried=tuple(tried))
+
+
+def _each(count: int) -> str:
+    return f"each of the {count} values of what is given" if count > 1 else "the only value given"
+
+
+def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision | None:
+    """Refute at a place where linear algebra says that there is none, if that is proved too."""
+    values = {name: list(v) for name, v in place.items() if name != "F"}
+    instance = _instance(problem, values)
+    try:
+        if not algebra_exists(instance):
+            return None
+        one = decide_closed(instance)
+    except HFieldError:
+        return None
+    return _none_there(one, values) if one.verdict == REFUTED else None
+
+
+def at_zero(problem: Problem) -> tuple[str, ...] | None:
+    """Return what exists when all that is given is 0 (letters −1): it may serve everywhere."""
+    setting = problem.setting
+    there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
+    zeros = {name: Number(0) for name, _ in given(problem)}
+    exists = problem.statement.exists
+    instance = replace(problem.about(substitute(problem.matrix, zeros), exists), setting=there)
+    if not algebra_exists(replace(problem, setting=there)):
+        return None
+    one = decide_closed(instance)
+    if one.verdict != PROVED or one.witness is None:
+        return None
+    return tuple(to_text(quaternion_node(one.witness[name])) for name in exists)
+
+
+def _small(field: Ring) -> list[Any]:
+    return list(small_scalars(field))[:SMALL]
+
+
+def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
+    """Run through places near those that are found by solving: the hypotheses, or where a term fails."""
+    field, statement, free = problem.ring, problem.statement, given(problem)
+    terms = [texts for texts in isolated(statement).values() if texts]
+    failing = []
+    if len(terms) == len(statement.exists) == 1:
+        chosen = {statement.exists[0]: parse(terms[0][0])}
+        failing.append(substitute(problem.matrix, chosen))
+    if statement.hypotheses:
+        failing.append(Not(conjunction(statement.hypotheses)))
+    names = tuple(name for name, _ in free)
+    for node in failing:
+        witness = universal.decide(problem.about(node, names).share(1 / 4)).witness
+        if witness is None:
+            continue
+        found: Assignment = {
+            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
+            for name, texts in witness.items()
+        }
+        used = {n.name for n in walk(node) if isinstance(n, Name)} | set(problem.setting.letters)
+        others = [(name, sort) for name, sort in free if name not in used]
+        for place in by_weight(others, _small(field), 3):
+            yield {name: place.get(name, found[name]) for name in names}
+        for own in free:
+            for place in by_weight([own], _small(field), 2):
+                yield {**found, **place}
+
+
+def _meant(problem: Problem) -> Callable[[Assignment], bool]:
+    """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
+    names = tuple(name for name, _ in given(problem))
+    meant = problem.about(conjunction(problem.statement.hypotheses), names)
+    return Searcher(meant, RingScalars(problem.ring), True).test
+
+
+def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
+    """Put values in for what is given: into the statement, and for letters into the algebra."""
+    values = {name: quaternion_node(place[name]) for name, _ in given(problem)}
+    instance = problem.about(substitute(problem.matrix, values), problem.statement.exists)
+    there = put_letters(problem.setting, values)
+    new = (c for tree in there.trees for c in constants_in(tree, problem.ring))
+    statement = replace(
+        instance.statement,
+        divides=instance.statement.divides or there.divides,
+        constants=tuple(dict.fromkeys((*instance.statement.constants, *new))),
+    )
+    return replace(instance, statement=statement, setting=there)
+
+
+def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
+    evidence = {"kind": "place", "values": place, "proof": one.evidence}
+    steps = (f"at {shown(place)} there is none", *one.steps)
+    return replace(one, witness=place, steps=steps, evidence=evidence)

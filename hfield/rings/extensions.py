@@ -1,0 +1,357 @@
+"""Finite extensions F[u]/(f) of fields of rational functions, as far as arithmetic goes."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Hashable, Sequence
+from typing import Any
+
+from hfield import syntax
+from hfield.errors import (
+    CoercionError,
+    HFieldError,
+    NotInvertibleError,
+    RingError,
+    UndecidedError,
+    shorten,
+)
+from hfield.rings.base import Known, Ring
+from hfield.rings.finite import ExtensionField
+from hfield.rings.functions import FunctionField
+from hfield.rings.polynomials import build as build_polynomials
+from hfield.rings.printing import blackboard, from_unicode, sum_text
+from hfield.rings.rational import rational, unwrap
+from hfield.rings.several_variables import RationalFunctions, listed
+
+MAX_DEGREE = 20
+
+
+class ExtensionElement:
+    """An element Σ cₙ·uⁿ of F[u]/(f): as many coefficients in F as the degree of f. Immutable."""
+
+    __slots__ = ("coefficients", "field")
+
+    field: SimpleExtension
+    coefficients: tuple[Any, ...]
+
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[Any]) -> None:
+        object.__setattr__(self, "field", field)
+        object.__setattr__(self, "coefficients", tuple(coefficients))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError("elements of extensions are immutable")
+
+    def _other(self, other: Any) -> Any:
+        if type(other) is ExtensionElement:
+            if other.field is self.field or other.field == self.field:
+                return other
+            raise CoercionError(
+                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
+            )
+        number = rational(other)
+        return None if number is None else self.field(number)
+
+    def __add__(self, other: Any) -> Any:
+        o = self._other(other)
+        if o is None:
+            return NotImplemented
+        pairs = zip(self.coefficients, o.coefficients, strict=True)
+        return ExtensionElement(self.field, [x + y for x, y in pairs])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> ExtensionElement:
+        return ExtensionElement(self.field, [-x for x in self.coefficients])
+
+    def __pos__(self) -> ExtensionElement:
+        return self
+
+    def __sub__(self, other: Any) -> Any:
+        o = self._other(other)
+        return NotImplemented if o is None else self + -o
+
+    def __rsub__(self, other: Any) -> Any:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Any:
+        o = self._other(other)
+        if o is None:
+            return NotImplemented
+        return self.field.reduced(_product(self.coefficients, o.coefficients, self.field.base.zero))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        o = self._other(other)
+        return NotImplemented if o is None else self * self.field.inverse(o)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self.field.inverse(self) * other
+
+    def __pow__(self, n: int) -> ExtensionElement:
+        result: ExtensionElement = self.field.power(self, n)
+        return result
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, ExtensionElement) and other.field != self.field:
+            return False
+        o = self._other(other)
+        return NotImplemented if o is None else bool(self.coefficients == o.coefficients)
+
+    def __hash__(self) -> int:
+        return hash(self.field.key(self))
+
+    def __repr__(self) -> str:
+        return self.field.text(self)
+
+    def __reduce__(self) -> Any:
+        return self.field, (self.field.text(self),)
+
+
+class SimpleExtension(Ring):
+    """F[u]/(f) for a field F of rational functions and an irreducible f; ``gen`` is the class of u.
+
+    >>> from hfield.rings import ring
+    >>> F = ring("GF(3)(t)[u]/(u^2-t^3+t)")
+    >>> F("1/u"), F("u^2")
+    (1/(t^3+2*t)*u, t^3+2*t)
+    """
+
+    is_field = True
+
+    def __init__(
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Any]
+    ) -> None:
+        self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
+        self.characteristic = base.characteristic
+        self.parse_limit = base.parse_limit
+        self.modulus_coefficients = tuple(modulus)  # monic, low degree first
+        self.degree = len(modulus) - 1
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return self._words
+
+    @property
+    def gen(self) -> Any:
+        """The class of u."""
+        return self.reduced([self.base.zero, self.base.one])
+
+    def names(self) -> dict[str, Any]:
+        """The names of the field below, and u."""
+        below = {name: self._constant(x) for name, x in self.base.names().items()}
+        return {**below, str(self.gen_name): self.gen}
+
+    def _constant(self, c: Any) -> ExtensionElement:
+        return self.reduced([c])
+
+    def reduced(self, coefficients: Sequence[Any]) -> ExtensionElement:
+        """Return the class of a polynomial in u, low degree first."""
+        out, n = list(coefficients), self.degree
+        while len(out) > n:
+            top = out.pop()
+            if not self.base.is_zero(top):
+                shift = len(out) - n
+                for m, c in enumerate(self.modulus_coefficients[:-1]):
+                    out[shift + m] = out[shift + m] - top * c
+        return ExtensionElement(self, [*out, *[self.base.zero] * (n - len(out))])
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a number or an element of F into an element, read a text. Raises :class:`CoercionError`."""
+        x = unwrap(x)
+        if isinstance(x, ExtensionElement):
+            if x.field == self:
+                return x
+            raise self.refuse(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        try:
+            return self._constant(self.base(x if number is None else number))
+        except CoercionError:
+            raise self.refuse(x) from None
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return all(map(self.base.is_zero, x.coefficients))
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return the keys of the coefficients."""
+        return tuple(map(self.base.key, x.coefficients))
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x, by the extended Euclidean algorithm. Raises :class:`NotInvertibleError` for 0."""
+        base = self.base
+        if self.is_zero(x):
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        f, g = list(self.modulus_coefficients), _stripped(base, x.coefficients)
+        u, v = [base.zero], [base.one]  # g = v·x modulo f throughout
+        while len(g) > 1:
+            quotient, rest = _divmod(base, f, g)
+            f, g = g, rest
+            product = _product(quotient, v, base.zero)
+            size = max(len(u), len(product))
+            padded = ([*p, *[base.zero] * (size - len(p))] for p in (u, product))
+            u, v = v, [r - s for r, s in zip(*padded, strict=True)]
+        scale = base.inverse(g[0])
+        return self.reduced([scale * c for c in v])
+
+    @property
+    def level(self) -> Known:
+        """1 where it is 1 below; else not known."""
+        known = self.base.level
+        if known.value == 1:
+            return Known(1, f"it is that of {self.base.name}; there {known.reason}")
+        return Known(None, f"nothing is known of the squares of {self.name}")
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Return a root of −1 from below."""
+        return (
+            tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
+        )
+
+    def sqrt(self, x: Any) -> Any:
+        """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
+        if all(map(self.base.is_zero, x.coefficients[1:])):
+            root = self.base.sqrt(x.coefficients[0])
+            if root is not None:
+                return self._constant(root)
+        raise UndecidedError(f"square roots in {self.name} are not decided")
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random element; the same for the same seed."""
+        return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x as a polynomial in u."""
+        terms = (
+            (self.base.text(c, style), [(str(self.gen_name), n)])
+            for n, c in enumerate(x.coefficients)
+            if not self.base.is_zero(c)
+        )
+        return sum_text(reversed(list(terms)), style)
+
+
+def _product(f: Sequence[Any], g: Sequence[Any], zero: Any) -> list[Any]:
+    out = [zero] * (len(f) + len(g) - 1)
+    for m, x in enumerate(f):
+        for n, y in enumerate(g, m):
+            out[n] = out[n] + x * y
+    return out
+
+
+def _stripped(base: Ring, f: Sequence[Any]) -> list[Any]:
+    out = list(f)
+    while out and base.is_zero(out[-1]):
+        out.pop()
+    return out
+
+
+def _divmod(base: Ring, f: list[Any], g: list[Any]) -> tuple[list[Any], list[Any]]:
+    """Return quotient and rest of polynomials without leading zeros, low degree first."""
+    rest, scale = list(f), base.inverse(g[-1])
+    quotient = [base.zero] * max(len(f) - len(g) + 1, 1)
+    for shift in range(len(f) - len(g), -1, -1):
+        c = rest[shift + len(g) - 1] * scale
+        quotient[shift] = c
+        for m, y in enumerate(g):
+            rest[shift + m] = rest[shift + m] - c * y
+    return quotient, _stripped(base, rest)
+
+
+def over_extended_constants(
+    constants: ExtensionField, variables: tuple[str, ...]
+) -> SimpleExtension:
+    """Return GF(pⁿ)(s, t, …), as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
+    from hfield.rings.finite import PrimeField
+
+    base = RationalFunctions(build_polynomials(PrimeField(constants.characteristic), variables))
+    name = f"{constants.name}({','.join(variables)})"
+    words = f"rational functions in {listed(variables)} over {constants.name}"
+    modulus = [base(c) for c in constants.coefficients]
+    return SimpleExtension(name, words, base, constants.gen_name, modulus)
+
+
+def build(base: Ring, variable: str, text: str) -> SimpleExtension:
+    """Return F[u]/(f) for the text of an irreducible f. Raises :class:`RingError` for any other."""
+    what = f"{base}[{variable}]/({shorten(text)})"
+    if not isinstance(base, (FunctionField, RationalFunctions)):
+        raise RingError(
+            f"{what}: extensions are taken of fields such as QQ(x), GF(3)(t) and QQ(x,y)"
+        )
+    f = _read(base, variable, text, what)
+    if not 2 <= len(f) - 1 <= MAX_DEGREE:
+        raise RingError(
+            f"{what}: expected a polynomial in {variable} of a degree from 2 to {MAX_DEGREE}"
+        )
+    scale = base.inverse(f[-1])
+    f = [scale * c for c in f]
+    _check_irreducible(base, variable, f, what)
+    ring = SimpleExtension(f"{base}[{variable}]/()", "", base, variable, f)
+    shown = ring.text(ExtensionElement(ring, f))  # f has one coefficient more than an element
+    ring.name = f"{base}[{variable}]/({shown})"
+    ring._words = (
+        f"the extension of degree {ring.degree} of {blackboard(base.name)} by a root of {shown}"
+    )
+    return ring
+
+
+def _read(base: Ring, variable: str, text: str, what: str) -> list[Any]:
+    """Read a polynomial in the variable over F, low degree first."""
+    free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
+
+    def divided(x: Any, y: Any) -> Any:
+        if not all(map(base.is_zero, y.coefficients[1:])):
+            raise CoercionError(f"a polynomial in {variable} has no {variable} in a denominator")
+        return x * free(base.inverse(y.coefficients[0]))
+
+    def power(x: Any, n: int) -> Any:
+        size = len(_stripped(base, x.coefficients)) - 1
+        if n < 0 or size * n > MAX_DEGREE:
+            raise CoercionError(f"its degree is not from 2 to {MAX_DEGREE}")
+        return free.power(x, n)
+
+    reader = syntax.Reader(free, free.names(), {"/": divided, "**": power}, what, base.parse_limit)
+    try:
+        return _stripped(base, reader.read(from_unicode(text)).coefficients)
+    except HFieldError as error:
+        raise RingError(f"{what} cannot be read: {error}") from error
+
+
+def _check_irreducible(base: Any, variable: str, f: list[Any], what: str) -> None:
+    """Raise :class:`RingError` unless f is irreducible over the field of rational functions."""
+    if base.characteristic == 0 or (
+        isinstance(base.base, Ring) and base.base.order == base.characteristic
+    ):
+        factors = _factors(base, variable, f)
+        if len(factors) == 1 and factors[0][1] == 1:
+            return
+        parts = "*".join(f"({p})" + (f"^{n}" if n > 1 else "") for p, n in factors)
+        raise RingError(f"{what}: the polynomial is reducible, {shorten(parts)} up to a constant")
+    if len(f) == 3 and base.characteristic != 2:
+        if base.sqrt(f[1] * f[1] - f[0] * 4) is None:
+            return
+        raise RingError(f"{what}: the polynomial is reducible, for its discriminant is a square")
+    raise RingError(
+        f"{what}: whether the polynomial is irreducible is not decided over {base}; over GF(p) and QQ it is"
+    )
+
+
+def _factors(base: Any, variable: str, f: list[Any]) -> list[tuple[Any, int]]:
+    """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
+    several = isinstance(base, RationalFunctions)
+    names = base.variables if several else (base.gen_name,)
+    R = build_polynomials(base.base, (*names, variable))
+    below, total = R.one, R.zero
+    parts = []
+    for c in f:
+        top, under = (R(base.text(base.quotient(p, base.one.num))) for p in (c.num, c.den))
+        parts.append((top, under))
+        below = R.divide(below * under, below.gcd(under))
+    for n, (top, under) in enumerate(parts):
+        total = total + top * R.divide(below, under) * R.power(R(variable), n)
+    return [(p, int(n)) for p, n in total.factor()[1] if int(p.degrees()[-1]) > 0]

@@ -1,0 +1,29 @@
+"""The places of ℚ: primes, as ints, and infinity, as the text ``"inf"``."""
+
+import math
+from typing import Any
+
+import flint
+
+from hfield.errors import RingError, shorten
+from hfield.factorisation import is_prime
+
+Place = int | str
+INFINITE = "inf"
+_INFINITE_NAMES = frozenset({"inf", "oo", "∞", "infinity"})
+
+
+def place_of_q(place: Any) -> Place:
+    """Read a place of ℚ: a prime (int or text), or ``"inf"`` (also ``"oo"``, ``∞``, −1)."""
+    if isinstance(place, str) and place.strip().lower() in _INFINITE_NAMES:
+        return INFINITE
+    if isinstance(place, float) and math.isinf(place):
+        return INFINITE
+    if isinstance(place, str) and place.strip().isdecimal():
+        place = int(place)
+    if isinstance(place, (int, flint.fmpz)) and not isinstance(place, bool):
+        if place == -1:
+            return INFINITE
+        if is_prime(int(place)):
+            return int(place)
+    raise RingError(f'{shorten(repr(place))} is not a place of QQ: expected a prime or "inf"')

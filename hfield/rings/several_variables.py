@@ -1,0 +1,175 @@
+"""Fields of rational functions in several variables over QQ and GF(p), on flint's ``mpoly`` types."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Hashable
+from typing import Any
+
+from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.polynomials import PolynomialRing
+from hfield.rings.polynomials import build as build_polynomials
+from hfield.rings.printing import blackboard, quotient_text
+from hfield.rings.quotient import Quotient
+from hfield.rings.rational import rational, unwrap
+
+
+class RationalFunctions(Ring):
+    """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`Quotient`.
+
+    Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
+    coefficient 1.
+
+    >>> from hfield.rings import ring
+    >>> F = ring("QQ(x,y)")
+    >>> F("(x^2-y^2)/(2*x+2*y)"), F("x/y + y/x")
+    (1/2*x-1/2*y, (x^2+y^2)/(x*y))
+    """
+
+    is_field = True
+    arithmetic = "several_variables.arithmetic_several.SeveralArithmetic"
+
+    def __init__(self, polynomials: PolynomialRing) -> None:
+        self.polynomials, self.base = polynomials, polynomials.base
+        self.variables = polynomials.variables
+        self.name = f"{self.base.name}({','.join(self.variables)})"
+        self.characteristic = self.base.characteristic
+        self.gen_name = self.variables[0]
+        self.parse_limit = polynomials.parse_limit
+        self._one = polynomials.one
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"rational functions in {listed(self.variables)} over {blackboard(self.base.name)}"
+
+    @property
+    def gen(self) -> Any:
+        """The first variable."""
+        return Quotient(self, self.polynomials.gen, self._one)
+
+    def names(self) -> dict[str, Any]:
+        """The variables."""
+        gens = self.polynomials.names()
+        return {name: Quotient(self, x, self._one) for name, x in gens.items()}
+
+    def quotient(self, num: Any, den: Any) -> Quotient:
+        """Return num/den in lowest terms; den is not 0."""
+        common = num.gcd(den)
+        if not self.is_one(common):
+            num, den = num // common, den // common
+        lead = den.leading_coefficient()
+        if lead != 1:
+            scale = self.polynomials.inverse(self.polynomials.constant(lead))
+            num, den = num * scale, den * scale
+        return Quotient(self, num, den)
+
+    def is_one(self, poly: Any) -> bool:
+        """Tell whether a polynomial is 1."""
+        return bool(poly == self._one)
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a number, or an element of k or k[x, y, …], into an element; read a text.
+
+        Raises :class:`CoercionError`.
+        """
+        x = unwrap(x)
+        if isinstance(x, Quotient):
+            if x.field == self:
+                return x
+            raise self.refuse(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        try:
+            if number is not None:
+                return Quotient(self, self.polynomials(self.base(number)), self._one)
+            return Quotient(self, self.polynomials(x), self._one)
+        except CoercionError:
+            raise self.refuse(x) from None
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x.num == 0)
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Any) -> Hashable:
+        """Return the terms of numerator and denominator."""
+        return self.polynomials.key(x.num), self.polynomials.key(x.den)
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if x.num == 0:
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        return self.quotient(x.den, x.num)
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ; n < 0 inverts first."""
+        return x**n
+
+    def sqrt(self, x: Any) -> Any:
+        """Return some y with y² = x, or None: numerator times denominator must be a square."""
+        root = self.polynomials.sqrt(x.num * x.den)
+        return None if root is None else self.quotient(root, x.den)
+
+    @property
+    def level(self) -> Known:
+        """The level of k: a sum of squares −1 has one in k, at a point without poles."""
+        known = self.base.level
+        if known.value == INFINITY:
+            return Known(
+                INFINITY, f"{self.name} has an ordering, with the variables infinitely large"
+            )
+        shown = f"it is the level of {self.base.name}, for −1 is as many squares in {self.name} as there"
+        return Known(known.value, f"{shown}; there {known.reason}")
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
+        """Return constants whose squares add up to −1."""
+        return tuple(self(c) for c in self.base.minus_one_as_squares())
+
+    @property
+    def orderings(self) -> Known:
+        """Infinitely many over QQ, none over GF(p)."""
+        return super().orderings if self.characteristic else self.polynomials.orderings
+
+    def sign(self, x: Any, ordering: int = 0) -> int:
+        """Return the sign in the ordering by leading coefficients, the first variable the largest."""
+        if self.characteristic or ordering:
+            return super().sign(x, ordering)
+        return self.polynomials.sign(x.num)
+
+    def random(self, rng: random.Random) -> Any:
+        """Return a random fraction of polynomials of few terms; the same for the same seed."""
+        num, den = self.polynomials.random(rng), self.polynomials.random(rng)
+        return self.quotient(num, den if den != 0 else self._one)
+
+    def text(self, x: Any, style: str = "plain") -> str:
+        """Write x, such as ``(x+y)/(x^2+2)``."""
+        return quotient_text(
+            self.polynomials.text(x.num, style), self.polynomials.text(x.den, style), style
+        )
+
+
+def listed(names: tuple[str, ...]) -> str:
+    """Return ``x, y and z``."""
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def build(base: Ring, variables: tuple[str, ...]) -> Ring:
+    """Return k(x, y, …) for two variables or more. Raises :class:`RingError` for a k that is not offered."""
+    shown = shorten(f"{base}({','.join(variables)})")
+    if isinstance(base, ExtensionField):
+        from hfield.rings.extensions import over_extended_constants
+
+        return over_extended_constants(base, variables)
+    if base.name != "QQ" and not isinstance(base, PrimeField):
+        raise RingError(
+            f"{shown}: rational functions are over QQ or a finite field, as in QQ(x,y) or GF(4)(s,t)"
+        )
+    polynomials = build_polynomials(base, variables)
+    return RationalFunctions(polynomials)

@@ -1,0 +1,1 @@
+"""Quaternion algebras over local fields: the completions of global fields."""

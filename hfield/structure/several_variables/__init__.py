@@ -1,0 +1,1 @@
+"""Quaternion algebras over rational functions in several variables: residues at prime polynomials."""

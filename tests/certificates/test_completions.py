@@ -1,0 +1,96 @@
+"""The checker over completions: what the place shows, and nothing that only the global field knows."""
+
+from random import Random
+
+import pytest
+
+from hfield import QuaternionAlgebra, prove, ring
+from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
+from hfield.structure import norm_evidence, zero_norm
+
+FIELDS = (
+    "Qp(2)", "Qp(3)", "Qp(5)", "QQ(sqrt(2))_(2)", "QQ(sqrt(2))_(3)", "QQ(I)_(5, I-2)", "QQ(sqrt(5))_(2)",
+    "QQ(sqrt(-7))_(2, sqrt(-7)-1)", "GF(3)((t))", "GF(2)((t))", "GF(9)((t))", "GF(2)(t)_(t^2+t+1)",
+    "GF(4)(t)_inf", "QQ[s]/(s^3-2)_(2, s)", "QQ[s]/(s^3-2)_(7)",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_every_division_algebra_is_certified_and_no_split_one(name):
+    F, rng, seen = ring(name), Random(3), set()
+    t = int(F.characteristic == 2)
+    for n in range(60):
+        if n > 9 and len(seen) == 2:
+            break
+        a, b = (F.random(rng) * F.uniformiser ** rng.randint(0, 1) for _ in range(2))
+        if F.is_zero(b) or F.is_zero(t * t + 4 * a):
+            continue
+        A = QuaternionAlgebra(F, a, b, t)
+        answer = zero_norm(F, A.constants)
+        seen.add(answer.element is None)
+        data = norm_evidence(A.name, F, A.constants, answer) if answer.element is None else None
+        assert (data is not None) == A.is_division_algebra(), A
+        if data is not None:
+            assert data["by"] == "place"
+            assert not is_certified(A.name, name, {**data, "j": data["u"]})
+            assert not is_certified(A.name, name, {**data, "place": "11"})
+    assert seen == {True, False}
+
+
+@pytest.mark.parametrize("by", ["ordering", "level"])
+def test_what_holds_over_the_global_field_alone_is_not_used(by):
+    assert is_certified("(-1,-1|QQ)", "QQ", {"by": by})
+    assert not is_certified("(-1,-1|Qp(5))", "Qp(5)", {"by": by})
+    assert not is_certified(
+        "(-1,-1|QQ(sqrt(2))_(7,sqrt(2)-3))", "QQ(sqrt(2))_(7,sqrt(2)-3)", {"by": by}
+    )
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "Qp(1)", "Qp(4)", "Qp(15)", "Qp(x)", "QQ(sqrt(2))_(7)", "QQ(sqrt(2))_(15)", "QQ(sqrt(17))_(2)",
+        "QQ(sqrt(2))_(7,sqrt(2)-5)", "QQ(sqrt(2))_(21,sqrt(2)-3)", "GF(3)(t)_(t^2-1)", "QQ(x)_(x)", "QQ((x))",
+        "ZZ_(5)", "RR_(5)", "QQ[s]/(s^3-2)_(5)",
+    ],
+)  # fmt: skip
+def test_what_is_no_completion_is_refused(name):
+    with pytest.raises(Rejected):
+        read_field(name)
+
+
+def test_elements_with_an_o_mean_nothing_to_the_checker():
+    with pytest.raises(Rejected):
+        read_field("Qp(5)").read("2+O(5^4)")
+    assert prove("norm(q) == 0 => q == 0", algebra="(2+O(5),5|Qp(5))").certificate is None
+
+
+@pytest.mark.parametrize(
+    ("statement", "algebra"),
+    [
+        ("norm(q) == 0 => q == 0", "(2,5|Qp(5))"),
+        ("p*q == 0 => p == 0 or q == 0", "H(Qp(2))"),
+        ("norm(q) == 0 => q == 0", "[1,t|GF(2)((t)))"),
+        ("p*q == q*p", "(2,5|Qp(5))"),
+        ("exists s: s*s == 2", "(2,5|Qp(5))"),
+        ("exists s: s*s == 5", "(2,5|Qp(5))"),
+        ("norm(q) == 0 => q == 0", "(1,5|Qp(5))"),
+    ],
+)
+def test_verdicts_have_certificates(statement, algebra):
+    decision = prove(statement, algebra=algebra)
+    assert decision.verdict in ("proved", "refuted")
+    assert decision.certificate is not None
+
+
+def test_squares_are_refused_only_where_they_are_none():
+    for name, p in (("Qp(5)", 5), ("Qp(7)", 7)):
+        F, field = read_field(name), ring(name)
+        for n in range(1, 60):
+            try:
+                assert not F.is_square(F.number(n))
+            except Rejected:
+                continue
+            assert not field.is_square(field(n)), (p, n)

@@ -1,0 +1,46 @@
+"""Over a completion two quaternions show the norm to have no zero, or a plane shows that it has one."""
+
+from itertools import islice
+from random import Random
+
+import pytest
+
+from hfield import ring
+from hfield.product import Constants, conjugate, multiply, norm, trace
+from hfield.structure.forms import discriminant, normal_form
+from hfield.structure.global_field import known_field
+
+FIELDS = (
+    "QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-3))", "QQ(sqrt(5))", "QQ(sqrt(-7))", "QQ(sqrt(3))",
+    "GF(3)(t)", "GF(9)(t)", "GF(2)(t)", "GF(4)(t)",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_a_plane_with_a_zero_exactly_where_the_symbol_is_1(name):
+    F, rng = ring(name), Random(5)
+    field, t = known_field(F), F(F.characteristic == 2)
+    places = [v for v in islice(F.places(), 7) if field.residues(v) is not None]
+    seen = set()
+    for _ in range(8):
+        a, b = (F.random(rng) * F(rng.choice((1, 2, 3, 4, 7, 8, 45))) for _ in range(2))
+        c = Constants(a, t, b)
+        if F.is_zero(discriminant(c)):
+            continue
+        ramified = field.ramified(normal_form(F, c))
+        for v in places:
+            plane = field.hyperbolic_plane(c, v)
+            assert (plane is None) == (v in ramified) == (field.unit_and_prime(c, v) is not None)
+            seen.add(plane is None)
+            if plane is not None:
+                check_plane(F, field.residues(v), c, plane)
+    assert seen == {True, False}
+
+
+def check_plane(F, place, c, plane):
+    """N(X·q + Y·u) = N(q)·X² + T·XY + N(u)·Y² has the discriminant T²·(1 − 4y), and the prime divides y."""
+    q, u = (tuple(F(x) for x in v) for v in plane)
+    T = trace(c, multiply(c, q, conjugate(c, u)))
+    both = norm(c, q) * norm(c, u)
+    assert not F.is_zero(T)
+    assert F.is_zero(both) or place.valuation(both) > 2 * place.valuation(T)
