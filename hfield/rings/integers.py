@@ -84,7 +84,7 @@ class Integers(_Ordered):
         from hfield.rings.held.fractions import Fractions
 
         return Fractions(
-            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _: flint.fmpz(n)
+            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
         )
 
     def __truediv__(self, n: int) -> Modular:

@@ -153,7 +153,7 @@ class QuadraticField(ValueRing):
 
         return Fractions(self, constants, (self.d, 0), self.key, self._element)
 
-    def _element(self, a: Any, b: Any, denominator: Any) -> Surd:
+    def _element(self, a: Any, b: Any, denominator: Any = 1) -> Surd:
         """Return (a + b·√d)/denominator for integers."""
         terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
         return Surd({n: c for n, c in terms.items() if c})
