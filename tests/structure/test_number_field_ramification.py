@@ -181,3 +181,14 @@ def test_places_of_every_kind_are_seen() -> None:
     K = ring("QQ[s]/(s^4-2)")
     kinds = [type(v) for v in islice(K.places(), 5)]
     assert kinds == [RealPlace, RealPlace, ComplexPlace, PrimeIdeal, PrimeIdeal]
+
+
+def test_square_roots_in_division_algebras() -> None:
+    A = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1)
+    for s in ("-3", "-s", "s-3"):
+        roots = A(s).square_roots()
+        assert all(q * q == A(s) for q in roots)
+        assert len(list(roots)) > 0
+    assert not list(A("s").square_roots())
+    assert A.basis[1].order() == 4
+    assert QuaternionAlgebra("QQ(zeta5)", -1, -1)("-zeta5*e").order() == 10
