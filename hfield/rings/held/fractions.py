@@ -70,7 +70,8 @@ class Fractions(Numerators):
         vectors = map(self._vector, coordinates)
         every = [c / s for v, s in zip(vectors, scales, strict=True) for c in v]
         d = lcm(*(int(c.q) for c in every))
-        return lowest(*(int(c.p) * (d // int(c.q)) for c in every), d)
+        held = *(int(c.p) * (d // int(c.q)) for c in every), d
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
     def whole(self, w: int, x: int, y: int, z: int) -> Held:
         """Hold four ints."""
@@ -129,20 +130,18 @@ def _denominator(vector: Vector) -> int:
 
 
 def lowest(*fraction: Any) -> Held:
-    """Put integers over one denominator, which is the last, in lowest terms, and make that positive.
+    """Put integers over one positive denominator, which is the last, in lowest terms.
 
     Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
     """
-    d = fraction[-1]
-    if d < LARGE and all(-LARGE < c < LARGE for c in fraction):
-        g = gcd(*fraction) if d > 0 else -gcd(*fraction)
-        return tuple(int(c) // g for c in fraction)
     large = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
     g = large[-1]
     for c in large:
         if g == 1:
             break
         g = g.gcd(c)
-    if d < 0:
-        g = -g
-    return tuple(large) if g == 1 else tuple([c // g for c in large])
+    if g != 1:
+        large = [c // g for c in large]
+    if all(-LARGE < c < LARGE for c in reversed(large)):
+        return tuple(map(int, large))
+    return tuple(large)
