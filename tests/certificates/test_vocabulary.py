@@ -280,6 +280,9 @@ BAD: list[tuple[str, str | None, dict[str, Any]]] = [
     ("modulus-law{*}", "QQ(I)", {"evidence": {**CHOICES, "elements": ELEMENTS[:1], "roots": ["1"]}}),
     ("modulus-law{*}", "QQ(I)", {"evidence": {**CHOICES, "elements": ELEMENTS * 5, "roots": ["1", "I"] * 5}}),
     ("modulus-law{*}", "QQ(I)", {"evidence": {**CHOICES, "elements": [], "roots": []}}),
+    # The root of 1 that is given breaks the law, and the other one does not.
+    ("modulus-law{*}", "QQ(I)",
+     {"evidence": {**CHOICES, "elements": ELEMENTS[:1], "roots": ["-1"]}}),
     (DIVIDES, "QQ", {"field": "QQ(I)"}),
     (COMMUTES, "GF(3)", {"evidence": both(refuted(HALF), refuted(NOT_COMMUTING))}),
     (COMMUTES, "GF(3)", {"evidence": both(proved(LEVEL), proved(IDENTITY))}),
