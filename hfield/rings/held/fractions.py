@@ -75,14 +75,13 @@ class Fractions(Numerators):
 
     def whole(self, w: int, x: int, y: int, z: int) -> Held:
         """Hold four ints."""
-        if (
-            self.degree == 1
-            and not self.is_scaled
-            and -LARGE < min(w, x, y, z) <= max(w, x, y, z) < LARGE
-        ):
-            return w, x, y, z, 1
-        held: Held = super().whole(w, x, y, z)
-        return held
+        held: Held
+        if self.is_scaled:
+            held = super().whole(w, x, y, z)
+            return held
+        zeros = (0,) * (self.degree - 1)
+        held = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, elements of the field."""
