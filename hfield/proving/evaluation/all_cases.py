@@ -6,10 +6,9 @@ from itertools import product
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
-from hfield.proving.counterexamples.candidates import Assignment, Searcher
 from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value
-from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value, constant
+from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
