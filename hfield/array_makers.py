@@ -60,7 +60,7 @@ class ArrayMakers:
 
         >>> from hfield import H
         >>> p = H("GF(3)").element_array()
-        >>> int(p.is_unit().sum()), int((p * p == -1).sum())
+        >>> int(p.units().sum()), int((p * p == -1).sum())
         (48, 6)
         """
         if self.ring.order is None:
