@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink
-from hfield.commands.parser import UsageError, add_output
+from hfield.commands.parser import UsageError, add_output, add_standalone
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -35,7 +35,8 @@ LABEL = 16  # the width of the first column
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     what = "such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
-    add_inputs(parser, "ALGEBRA", what, "plain", "json")
+    add_inputs(parser, "ALGEBRA", what, "plain", "json", "latex")
+    add_standalone(parser)
     parser.add_argument(
         "--factors",
         metavar="P,…",
@@ -49,12 +50,12 @@ def run(args: Namespace) -> int:
     from hfield.factorisation import known_primes
 
     with known_primes(_primes(args.factors), "--factors"):
-        return answer_all(args, partial(_describe, args.format), COLUMNS)
+        return answer_all(args, partial(_describe, args), COLUMNS)
 
 
-def _describe(style: str, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.algebra import QuaternionAlgebra
-    from hfield.commands.count import count_lines, counts
+    from hfield.commands.count import count_latex, count_lines, counts
     from hfield.description import describe
 
     A = QuaternionAlgebra.from_text(text)
@@ -63,8 +64,12 @@ def _describe(style: str, text: str) -> tuple[int, dict[str, object], Callable[[
     data = {**description.to_json(), "counts": counted and counted.to_json()}
 
     def show(out: Sink) -> None:
-        if style == "json":
+        if args.format == "json":
             out.write_json(data)
+            return
+        if args.format == "latex":
+            parts = [page_latex(description), *([count_latex(counted)] if counted else [])]
+            out.write_latex("\n\n".join(parts), args.standalone)
             return
         lines = page(description, out.style().width)
         if counted is not None:
@@ -93,12 +98,37 @@ def page(d: Description, width: int) -> list[str]:
     if max(map(len, table)) > width:
         table = ["  The table is wider than this page; `hfield table` prints it."]
     lines += table
-    for title, rows in (("Base ring", _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))):
+    for title, rows in _facts(d):
         if rows:
-            lines += ["", "Base field" if title == "Base ring" and A.ring.is_field else title]
+            lines += ["", title]
             for label, text in rows:
                 lines += row(label, text, width)
     return lines
+
+
+def page_latex(d: Description) -> str:
+    """Set the page in LaTeX: the algebra and its table as formulas, and what is known of it as lists."""
+    from hfield.latex import descriptions, words
+
+    A = d.algebra
+    parts = [rf"\[ {A.latex()} \]", rf"\noindent over {words(A.ring.in_words())}."]
+    parts.append(rf"\[ {A.table_text('latex')} \]")
+    for title, rows in _facts(d):
+        if rows:
+            pairs: list[tuple[str, str]] = []
+            for label, text in rows:  # a row without a label goes on with the one above
+                if label or not pairs:
+                    pairs.append((label, words(text)))
+                else:
+                    pairs[-1] = (pairs[-1][0], f"{pairs[-1][1]} {words(text)}")
+            parts += [rf"\paragraph{{{title}}}", descriptions(pairs)]
+    return "\n\n".join(parts)
+
+
+def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
+    """Return what is known in three parts: title, and pairs of a label and a text."""
+    base = "Base field" if d.algebra.ring.is_field else "Base ring"
+    return [(base, _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))]
 
 
 def _title(name: str, ring: str, width: int) -> list[str]:
