@@ -20,6 +20,7 @@ SLOW = {
     *("test_certified.py", "test_existence.py", "test_scopes.py", "test_broken_product.py"),
     *(
         "test_picture_depth.py",
+        "test_picture_in_frame.py",
         "test_output.py",
         "test_output_failures.py",
         "test_render_command.py",
