@@ -8,7 +8,14 @@ from typing import Any
 
 from hfield import notation, structure, syntax
 from hfield.embedding import embedding
-from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, RingError, shorten
+from hfield.errors import (
+    CoercionError,
+    MixedParentsError,
+    NotFiniteError,
+    RingError,
+    TooLargeError,
+    shorten,
+)
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
 from hfield.product import Constants
@@ -217,6 +224,28 @@ class QuaternionAlgebra(Invariants):
             for y in few or F.elements()
             for z in few or F.elements()
         )
+
+    def element_array(self) -> Quaternion:
+        """Return all q⁴ elements over a finite ring as one array, in the order of :meth:`elements`.
+
+        Raises :class:`NotFiniteError`, and :class:`TooLargeError` beyond 10⁸ elements.
+
+        >>> p = H("GF(3)").element_array()
+        >>> int(p.is_unit().sum()), int((p * p == -1).sum())
+        (48, 6)
+        """
+        if self.ring.order is None:
+            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
+        if self.ring.order**4 > LISTED**2:
+            raise TooLargeError(
+                f"{self} has more than 10^8 elements; A.elements() runs through them"
+            )
+        import numpy as np
+
+        scalars = self(list(self.ring.elements()), 0, 0, 0)
+        w, x, y, z = (scalars[n.ravel()] for n in np.indices((len(scalars),) * 4, np.uint32))
+        _, i, j, k = self.basis
+        return w + x * i + y * j + z * k
 
     def random_element(self, seed: int | None = None) -> Quaternion:
         """Return a random element; the same one for the same seed."""

@@ -38,7 +38,7 @@ FLOORS = [
     {"rotation.arrays"},
     {"rotation.sampling"},
     {"rotation.kernels", "rotation.namespaces", "rotation.plane"},
-    {"rotation.rowwise"},
+    {"rotation.rowwise", "rotation.shaped"},
     {"rotation.coordinates", "rotation.compensated", "rotation.angles"},
     {"rotation.quaternions", "rotation.matrices"},
     {"rotation.vectors", "rotation.euler", "rotation.averaging", "rotation.products"},

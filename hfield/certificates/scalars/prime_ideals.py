@@ -18,8 +18,6 @@ from hfield.certificates.scalars.quotients import Quotient
 from hfield.certificates.scalars.residues import OverFiniteField, modulo
 from hfield.certificates.work import charge
 
-MAX_STEPS = 400
-
 
 class Field(Protocol):
     """What is used of the number field."""
@@ -28,9 +26,6 @@ class Field(Protocol):
     degree: int
     scale: int
     modulus: list[Fraction]
-
-    def mul(self, x: Any, y: Any) -> Any:
-        """Return x·y."""
 
     def read(self, text: str) -> Any:
         """Read an element."""
@@ -60,7 +55,7 @@ class PrimeIdeal(OverFiniteField):
         power = [1]
         for _ in range(e):
             power = _times(power, g, p)
-        self.cleared = self._element(_one_at(power, h, p))
+        self.cleared = _one_at(power, h, p)
 
     def _is_regular(self, g: list[int], e: int, h: list[int]) -> bool:
         """Tell whether (f − gᵉ·h)/p is prime to g modulo p."""
@@ -78,15 +73,22 @@ class PrimeIdeal(OverFiniteField):
         return (*map(Fraction, f), *[Fraction(0)] * (n - len(f)))
 
     def residue(self, x: Any) -> Any:
-        """Return the class of x modulo P; None where x is not integral, or not seen to be."""
-        for _ in range(MAX_STEPS):
-            classes = [modulo(c, self.p) for c in x]
-            if None not in classes:
-                return self.residues.reduce(classes)
-            charge(20)
-            if self.cleared == (1, *[0] * (len(x) - 1)):
-                return None  # no other ideal is above p
-            x = self.field.mul(x, self.cleared)
+        """Return the class of x modulo P; None where x is not integral, or not seen to be.
+
+        x is a/pᵏ, where a matters modulo p^(k+1); it is multiplied by what is 1 modulo P and in the other
+        ideals above p until it is integral at these.
+        """
+        p, power = self.p, 1
+        while any(c.denominator % (power * p) == 0 for c in x):
+            power *= p
+        modulus = power * p
+        a = [_modulo(c * power, modulus) for c in x]
+        f = [_modulo(c, modulus) for c in self.field.modulus]
+        steps = 2 * len(x) * (power.bit_length() + 1) if len(self.cleared) > 1 else 1
+        for _ in range(steps):
+            if all(c % power == 0 for c in a):
+                return self.residues.reduce([c // power % p for c in a])
+            a = _divide(_times(a, self.cleared, modulus), f, modulus)[1]
         return None
 
 

@@ -1,7 +1,7 @@
 """Decisions put together from what the procedures found."""
 
 from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
-from hfield.proving.counterexamples.candidates import Assignment, witness_texts
+from hfield.proving.counterexamples.candidates import witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -12,9 +12,10 @@ from hfield.proving.decision import (
     characteristics,
     counted,
 )
-from hfield.proving.methods.field_rules import rules
+from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.methods.implications import Proof
 from hfield.proving.polynomials.expansion import Expanded
+from hfield.proving.polynomials.field_rules import rules
 from hfield.proving.polynomials.vanishing import common_primes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement

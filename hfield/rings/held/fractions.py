@@ -23,6 +23,14 @@ class Fractions(Numerators):
     Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
     """
 
+    inverted = [  # noqa: RUF012
+        "if d == 0:",
+        "    return None",
+        "if d < 0:",
+        "    d, d1 = -d, -d1",
+        *Numerators.inverted[2:],
+    ]
+
     def __init__(
         self,
         ring: Ring,
@@ -31,7 +39,9 @@ class Fractions(Numerators):
         vector: Callable[[Any], Vector],
         element: Callable[..., Any],
     ) -> None:
-        """Take the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``."""
+        """Take the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``,
+
+        the denominator 1 where it is left out."""
         super().__init__(ring, constants)
         self.degree = len(relation)
         self._vector, self._element = vector, element
@@ -93,6 +103,11 @@ class Fractions(Numerators):
         tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
         return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
 
+    def value(self, names: list[str], denominator: str) -> list[str]:
+        """Write how to return ints over a denominator; whole numbers are made quicker."""
+        whole = f"    return element({', '.join(names)})"
+        return ["if d1 == 1:", whole, *super().value(names, denominator)]
+
     def settle(self, names: list[str]) -> list[str]:
         """Write how to return ints over d in lowest terms; one look tells whether they are large."""
         listed = ", ".join(names)
@@ -100,7 +115,7 @@ class Fractions(Numerators):
             "if d == 1:",
             f"    if SMALL < {names[0]} < LARGE:",
             f"        return {listed}, d",
-            f"elif 0 < d < LARGE > {names[0]}:",
+            f"elif d < LARGE > {names[0]}:",
             f"    g = gcd(d, {listed})",
             "    if g == 1:",
             f"        return {listed}, d",
@@ -116,17 +131,18 @@ def _denominator(vector: Vector) -> int:
 def lowest(*fraction: Any) -> Held:
     """Put integers over one denominator, which is the last, in lowest terms, and make that positive.
 
-    Large ones become flint's, which multiply faster from :data:`LARGE` on, the others Python's.
+    Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
     """
-    if all(-LARGE < c < LARGE for c in fraction):
-        g = gcd(*fraction) if fraction[-1] > 0 else -gcd(*fraction)
+    d = fraction[-1]
+    if d < LARGE and all(-LARGE < c < LARGE for c in fraction):
+        g = gcd(*fraction) if d > 0 else -gcd(*fraction)
         return tuple(int(c) // g for c in fraction)
-    large = [flint.fmpz(c) for c in fraction]
+    large = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
     g = large[-1]
     for c in large:
         if g == 1:
             break
         g = g.gcd(c)
-    if large[-1] < 0:
+    if d < 0:
         g = -g
-    return tuple(c // g for c in large) if g != 1 else tuple(large)
+    return tuple(large) if g == 1 else tuple([c // g for c in large])
