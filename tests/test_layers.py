@@ -46,6 +46,7 @@ FLOORS = [
     {"rotation.vectors", "rotation.euler", "rotation.averaging", "rotation.products"},
     {"rotation.davenport", "rotation.groups"},
     {"rotation.acting", "rotation.jacobians", "rotation.dual_numbers"},
+    {"rotation.shown"},
     {"rotation.batch"},
     {"rotation.wahba", "rotation.fused", "rotation.rigid_motions", "rotation.screws"},
     {"rotation.conversions"},
