@@ -11,7 +11,6 @@ from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shor
 from hfield.hints import ELEMENT, Hinted
 from hfield.product import Coordinates
 from hfield.rings.coefficients import Coefficients
-from hfield.rings.holding import Batch
 
 Q = TypeVar("Q")
 
@@ -105,8 +104,6 @@ class ElementFacts(Hinted):
 
     algebra: Any
     coordinates: Coordinates
-    _how: Any
-    _held: Any
 
     def _single(self) -> tuple[Any, product.Constants, Coordinates]:
         """Return the arguments that functions of ``structure`` take."""
@@ -119,10 +116,8 @@ class ElementFacts(Hinted):
 
     # --- units and zero divisors ---------------------------------------------------------------
 
-    def is_unit(self) -> Any:
-        """Tell whether q has an inverse: its norm is a unit of the base ring; of an array, which entries."""
-        if isinstance(self._how, Batch):
-            return self._how.units(self._held)
+    def is_unit(self) -> bool:
+        """Tell whether q has an inverse: its norm is a unit of the base ring."""
         return structure.is_unit(*self._single())
 
     def is_zero_divisor(self) -> bool:

@@ -25,7 +25,7 @@ FLOORS = [
     {"hfield.structure"},
     {"hfield.elements", "hfield.batches"},
     {"hfield.quaternion"},
-    {"hfield.functions", "hfield.maps", "hfield.lattices"},
+    {"hfield.functions", "hfield.maps", "hfield.array_makers", "hfield.lattices"},
     {"hfield.invariants"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
