@@ -34,6 +34,7 @@ html_theme = "furo"
 html_title = f"hfield {version}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 html_copy_source = False
 html_show_sourcelink = False
 html_theme_options = {"footer_icons": [], "top_of_page_buttons": []}

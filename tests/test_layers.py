@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
-    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints"},
+    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints", "hfield.handed_on"},
     {
         "hfield.syntax",
         "hfield.executors",
@@ -16,6 +16,8 @@ FLOORS = [
         "hfield.factorisation",
         "hfield.straight_line",
         "hfield.native",
+        "hfield.rotation",
+        "hfield.anim",
     },
     {"hfield.kernels"},
     {"hfield.rings"},
@@ -44,6 +46,7 @@ FLOORS = [
     {"rotation.vectors", "rotation.euler", "rotation.averaging", "rotation.products"},
     {"rotation.davenport", "rotation.groups"},
     {"rotation.acting", "rotation.jacobians", "rotation.dual_numbers"},
+    {"rotation.shown"},
     {"rotation.batch"},
     {"rotation.wahba", "rotation.fused", "rotation.rigid_motions", "rotation.screws"},
     {"rotation.conversions"},
