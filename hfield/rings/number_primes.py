@@ -8,8 +8,8 @@ Each prime P gets a π with (p, π) = P, a β in pP⁻¹ that is not in pO, with
 
 from __future__ import annotations
 
-import random
 from functools import cached_property, lru_cache
+from random import Random
 from typing import Any
 
 import flint
@@ -262,7 +262,7 @@ class _ResidueAlgebra:
             total = total * m + self.one * c
         return total
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         return self.row([rng.randrange(self.p) for _ in range(self.n)])
 
     def lift(self, x: Any) -> FieldElement:
@@ -276,7 +276,7 @@ class _ResidueAlgebra:
 
     def idempotents(self, count: int) -> list[Any]:
         """Return the primitive idempotents, as many as said."""
-        rng, found = random.Random(1), [self.one]
+        rng, found = Random(1), [self.one]
         while len(found) < count:
             x = self.random(rng)
             f = self.matrix(x).charpoly()
@@ -344,7 +344,7 @@ def _residue_field(
     algebra: _ResidueAlgebra, epsilon: Any, inside: list[Any], f: int
 ) -> tuple[Any, Any, Any]:
     """Return a polynomial that makes the residue field, its root, and the matrix that takes residues."""
-    p, n, rng = algebra.p, algebra.n, random.Random(1)
+    p, n, rng = algebra.p, algebra.n, Random(1)
     project = algebra.matrix(epsilon)
     while True:
         gen = algebra.random(rng) if f > 1 else algebra.one
