@@ -214,8 +214,11 @@ class Quaternion(ElementFacts, BatchMethods):
         return result
 
     def __eq__(self, other: object) -> Any:
-        if type(other) is Quaternion and other._how is self._how:
-            return self._how.equal(self._held, other._held)
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            if how.is_unique:
+                return self._held == other._held
+            return how.equal(self._held, other._held)
         if isinstance(other, str):
             return NotImplemented
         if not isinstance(other, Quaternion):
@@ -263,7 +266,8 @@ class Quaternion(ElementFacts, BatchMethods):
 
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
-        return self._how.norm(self._held)
+        norm = self._how.norm
+        return norm(self._held)
 
     def trace(self) -> Any:
         """Return the reduced trace, an element (or array) of the base ring."""

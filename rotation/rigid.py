@@ -1,6 +1,6 @@
 """`RigidTransform`: one rigid motion of space or a whole array of them, immutable."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
 import numpy as np
@@ -15,9 +15,10 @@ from rotation.matrices import from_matrix
 from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, spread
 from rotation.rotation import Rotation
 from rotation.screws import Screw, from_screw, to_screw
+from rotation.shaped import Shaped
 
 
-class RigidTransform:
+class RigidTransform(Shaped):
     """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
 
     Method names are those of scipy; conventions are those of `Rotation`: ``p * q`` applies q first, dual
@@ -38,11 +39,10 @@ class RigidTransform:
     array([0., 0., 0.])
     """
 
-    __slots__ = ("__weakref__", "_q", "_t")
-    __array_ufunc__ = None
+    __slots__ = ("_t",)
 
-    _q: Array
     _t: Array
+    _called = "transform"
 
     def __new__(cls, matrix: Any) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""
@@ -65,12 +65,6 @@ class RigidTransform:
     @classmethod
     def _of_rows(cls, rows: Array) -> Self:
         return cls._of(rows[..., :4], rows[..., 4:])
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a rigid transform is immutable: {name} cannot be set")
-
-    def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"a rigid transform is immutable: {name} cannot be deleted")
 
     # Making
 
@@ -308,29 +302,6 @@ class RigidTransform:
 
     # As an array
 
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The batch shape, ``()`` for a single transform."""
-        return tuple(self._q.shape[:-1])
-
-    @property
-    def ndim(self) -> int:
-        """The number of batch axes."""
-        return len(self.shape)
-
-    @property
-    def single(self) -> bool:
-        """Whether this is one transform and not an array of them."""
-        return not self.shape
-
-    def __len__(self) -> int:
-        if self.single:
-            raise TypeError("a single transform has no length")
-        return self.shape[0]
-
-    def __bool__(self) -> bool:
-        return True
-
     def __getitem__(self, index: Any) -> Self:
         if self.single:
             raise TypeError("a single transform cannot be indexed")
@@ -342,20 +313,16 @@ class RigidTransform:
             index = (*index, slice(None))
         return self._of(turns._q, self._t[index])
 
-    def __iter__(self) -> Iterator[Self]:
-        return (self[n] for n in range(len(self)))
-
     def __repr__(self) -> str:
         return f"RigidTransform.from_components({self._t!r}, {Rotation._of(self._q)!r})"
 
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q, self._t)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self)._of, (self._q, self._t)
-
-    def __copy__(self) -> Self:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> Self:
-        return self
 
 
 def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
-    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints"},
+    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints", "hfield.handed_on"},
     {
         "hfield.syntax",
         "hfield.executors",
@@ -16,6 +16,8 @@ FLOORS = [
         "hfield.factorisation",
         "hfield.straight_line",
         "hfield.native",
+        "hfield.rotation",
+        "hfield.anim",
     },
     {"hfield.kernels"},
     {"hfield.rings"},
@@ -23,7 +25,7 @@ FLOORS = [
     {"hfield.structure"},
     {"hfield.elements", "hfield.batches"},
     {"hfield.quaternion"},
-    {"hfield.functions", "hfield.maps", "hfield.lattices"},
+    {"hfield.functions", "hfield.maps", "hfield.array_makers", "hfield.lattices"},
     {"hfield.invariants"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
@@ -38,12 +40,13 @@ FLOORS = [
     {"rotation.arrays"},
     {"rotation.sampling"},
     {"rotation.kernels", "rotation.namespaces", "rotation.plane"},
-    {"rotation.rowwise"},
+    {"rotation.rowwise", "rotation.shaped"},
     {"rotation.coordinates", "rotation.compensated", "rotation.angles"},
     {"rotation.quaternions", "rotation.matrices"},
     {"rotation.vectors", "rotation.euler", "rotation.averaging", "rotation.products"},
     {"rotation.davenport", "rotation.groups"},
     {"rotation.acting", "rotation.jacobians", "rotation.dual_numbers"},
+    {"rotation.shown"},
     {"rotation.batch"},
     {"rotation.wahba", "rotation.fused", "rotation.rigid_motions", "rotation.screws"},
     {"rotation.conversions"},

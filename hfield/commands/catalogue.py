@@ -26,6 +26,7 @@ COMMANDS = {
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
     "warm": "compile the loops over arrays beforehand",
+    "docs": "open the documentation in the browser",
     "doctor": "tell what is installed, what is missing and what it would add",
     "completion": "print the completion script of a shell",
     "repl": "an interactive session with e, i, j, k at hand",

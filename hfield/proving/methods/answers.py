@@ -1,6 +1,7 @@
 """Decisions put together from what the procedures found."""
 
-from hfield.proving.counterexamples.candidates import Assignment, witness_texts
+from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
+from hfield.proving.counterexamples.candidates import witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -11,9 +12,10 @@ from hfield.proving.decision import (
     characteristics,
     counted,
 )
-from hfield.proving.methods.field_rules import rules
+from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.methods.implications import Proof
 from hfield.proving.polynomials.expansion import Expanded
+from hfield.proving.polynomials.field_rules import rules
 from hfield.proving.polynomials.vanishing import common_primes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
@@ -144,11 +146,11 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
 
 def _method(problem: Problem) -> str:
     if not problem.ring.is_exact:
-        return "floats, exact on small integers"
+        return FLOATS_EXACT
     node, infinite = problem.statement.node, problem.ring.order is None
     if _is_identity(node, True, infinite):
-        return "identity"
-    return "witness" if _is_identity(node, False, infinite) else "counterexample"
+        return IDENTITY
+    return WITNESS if _is_identity(node, False, infinite) else COUNTEREXAMPLE
 
 
 def implied(proof: Proof, problem: Problem) -> Decision:

@@ -1,0 +1,181 @@
+"""The checker's number fields: what is irreducible, real, a square, a prime ideal, and forged evidence."""
+
+from math import prod
+from random import Random
+
+import pytest
+from flint import fmpz_poly
+
+from hfield import NumberField, QuaternionAlgebra, ring
+from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.check import check
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.irreducible import check_irreducible
+from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
+from hfield.certificates.scalars.real_roots import real_roots
+from hfield.rings.number_primes import PrimeIdeal
+from hfield.structure.global_field import known_field
+from tests.certificates.cases import decided
+from tests.structure.number_field_cases import cases, field
+
+FIELDS = [case["polynomial"] for case in cases("number_fields")]
+
+
+def accepted(f: list[int]) -> bool:
+    try:
+        check_irreducible(f, "a field")
+    except Rejected:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_irreducible_is_what_flint_does_not_factor(seed: int) -> None:
+    """Products are never let pass; nor is much else rejected."""
+    rng, seen = Random(seed), {True: 0, False: 0}
+    for _ in range(40):
+        parts = [
+            fmpz_poly([rng.randint(-9, 9) for _ in range(rng.randint(1, 4))] + [1])
+            for _ in range(rng.choice((1, 1, 2, 3)))
+        ]
+        f = prod(parts[1:], start=parts[0])
+        _, factors = f.factor()
+        irreducible = len(factors) == 1 and factors[0][1] == 1
+        if f.degree() > 1:
+            assert accepted([int(c) for c in f.coeffs()]) == irreducible
+            seen[irreducible] += 1
+    assert min(seen.values()) > 5
+
+
+@pytest.mark.parametrize(
+    "polynomial", ["x^4+1", "x^4-10*x^2+1", "x^8-x^4+1", "x^8-40*x^6+352*x^4-960*x^2+576"]
+)
+def test_irreducible_though_reducible_modulo_every_prime(
+    polynomial: str,
+) -> None:
+    assert read_field(f"QQ[x]/({polynomial})").degree == NumberField(polynomial, "x").degree
+
+
+@pytest.mark.parametrize("n", range(3, 40))
+def test_cyclotomic_polynomials(n: int) -> None:
+    assert cyclotomic(n) == [int(c) for c in fmpz_poly.cyclotomic(n).coeffs()]
+    if len(cyclotomic(n)) > 3:
+        name = f"QQ(zeta{n})+"
+        assert [c.numerator for c in read_field(name).modulus] == twice_cosine(n)
+        assert [int(c.p) for c in ring(name).polynomial.coeffs()] == twice_cosine(n)
+
+
+@pytest.mark.parametrize("polynomial", FIELDS)
+def test_signs_are_those_of_the_real_places(polynomial: str) -> None:
+    K, checked, rng = field(polynomial), read_field(f"QQ[x]/({polynomial})"), Random(1)
+    assert len(real_roots(checked.modulus)) == K.signature[0]
+    for _ in range(5):
+        x = K.random(rng)
+        signs = checked.signs(checked.read(str(x)))
+        assert signs == (tuple(v.sign(x) for v in K.real_places()) or (None,))
+
+
+@pytest.mark.parametrize("polynomial", FIELDS)
+def test_arithmetic_and_squares(polynomial: str) -> None:
+    K, checked, rng = field(polynomial), read_field(f"QQ[x]/({polynomial})"), Random(2)
+    for _ in range(3):
+        x, y = K.random(rng), K.random(rng)
+        a, b = checked.read(str(x)), checked.read(str(y))
+        assert checked.mul(a, b) == checked.read(str(x * y))
+        assert checked.add(a, checked.neg(b)) == checked.read(str(x - y))
+        if x:
+            assert checked.mul(a, checked.inverse(a)) == checked.one
+        try:
+            square = checked.is_square(a)
+        except Rejected:
+            continue
+        assert square == (K.sqrt(x) is not None)
+
+
+@pytest.mark.parametrize("polynomial", FIELDS)
+def test_levels_are_not_overstated(polynomial: str) -> None:
+    K, checked = field(polynomial), read_field(f"QQ[x]/({polynomial})")
+    for bound in (1, 2, 3, 4):
+        assert not checked.level_above(bound) or K.level.value > bound
+    assert checked.level_above(4) == (K.signature[0] > 0)
+
+
+@pytest.mark.parametrize(
+    "polynomial", ["x^3-x^2-2*x-8", *(f for f in FIELDS if field(f).degree < 7)][::4]
+)
+def test_places_that_ramify_are_certified_and_others_are_not(polynomial: str) -> None:
+    """Where ℤ[s] is not maximal, by another generator; and no evidence survives a change of its numbers."""
+    K, rng, seen = field(polynomial), Random(polynomial), 0
+    arithmetic = known_field(K)
+    for _ in range(2):
+        a, b = (K.random(rng) for _ in "ab")
+        if not (a and b):
+            continue
+        A = QuaternionAlgebra(K, a, b)
+        for P in A.ramified_places():
+            if isinstance(P, PrimeIdeal):
+                data = next(
+                    d
+                    for d in arithmetic.evidence(A.constants, [P])
+                    if is_certified(A.name, K.name, d)
+                )
+                assert not is_certified(QuaternionAlgebra(K, a, 1).name, K.name, data)
+                assert not is_certified(A.name, K.name, {**data, "u": data["j"], "j": data["u"]})
+                assert not is_certified(A.name, K.name, {**data, "j": data["u"]})
+                others = [Q for p in (2, 5) for Q in K.primes_above(p)]
+                for Q in others:
+                    if Q not in A.ramified_places():
+                        assert not is_certified(A.name, K.name, {**data, "place": str(Q)})
+                seen += 1
+    assert seen
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "why"),
+    [
+        ("QQ[s]/(s^3-2)", "(4, s)", "no prime"),
+        ("QQ[s]/(s^3-2)", "(5, s)", "no prime ideal"),
+        ("QQ[s]/(s^3-2)", "5", "reducible"),
+        ("QQ[s]/(s^3-s^2-2*s-8)", "(2, s)", "no valuation ring|no prime ideal|reducible"),
+        ("QQ[s]/(s^2-9/2)", "(2, s)", "not integral"),
+        ("QQ[s]/(s^3-2)", "(2, s^3)", "generator|expected|no prime|needs a polynomial"),
+        ("QQ[s]/(s^4-16*s^2+4)", "(2, s)", "no valuation ring"),
+        ("QQ[s]/(s^4-16*s^2+4)", "(2, x; s)", "no valuation ring"),
+        ("QQ[s]/(s^4-16*s^2+4)", "(2, x; s^2)", "does not generate"),
+        ("QQ[s]/(s^4-16*s^2+4)", "(2, x; s/4)", "not integral|is integral"),
+        ("QQ[s]/(s^3-2)", "(2, x+1; s)", "no prime ideal"),
+    ],
+)
+def test_what_is_no_place_is_rejected(name: str, place: str, why: str) -> None:
+    with pytest.raises(Rejected, match=why):
+        read_field(name).place(place)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["QQ[s]/(s^4-4)", "QQ[s]/(2*s^3-2)", "QQ[s]/(s)", "QQ(root(4,4))", "QQ(root(-4,4))", "QQ(zeta5)(zeta7)",
+     "QQ[s]/(s^2-t)", "QQ(root(2,3),zeta3)", "QQ[i]/(i^2+1)", "QQ(zeta2)"],
+)  # fmt: skip
+def test_what_is_no_field_here_is_rejected(name: str) -> None:
+    with pytest.raises(Rejected):
+        read_field(name)
+
+
+@pytest.mark.parametrize(
+    ("statement", "name", "algebra", "verdict"),
+    [
+        ("norm(q) == 0 => q == 0", "QQ[x]/(x^3-2)", "(-1,-1|QQ[x]/(x^3-2))", "proved"),
+        ("p*q == 0 => p == 0 or q == 0", "QQ[x]/(x^3-2)", "(x,5|QQ[x]/(x^3-2))", "proved"),
+        ("exists q: norm(q) == 0 and q != 0", "QQ(zeta5)", "(-1,-1|QQ(zeta5))", "proved"),
+        ("norm(q) == 0 => q == 0", "QQ(zeta7)", "(-1,-1|QQ(zeta7))", "proved"),
+        ("p*q == 0 => p == 0 or q == 0", "QQ(zeta5)", "(zeta5,2+zeta5|QQ(zeta5))", "refuted"),
+        ("s*s + x*x + y*y + z*z == 0 => x == 0", "QQ(zeta7)", "(-1,-1|QQ(zeta7))", "proved"),
+        ("p*q == q*p", "QQ(root(2,3))", "(-1,-1|QQ(root(2,3)))", "refuted"),
+        ("norm(q) == 0 => q == 0", "QQ(sqrt(2),sqrt(3))", "(-1,-1|QQ(sqrt(2),sqrt(3)))", "proved"),
+    ],
+)
+def test_certificates_are_accepted(statement: str, name: str, algebra: str, verdict: str) -> None:
+    data = decided(statement, name, algebra)
+    assert check(data).verdict == data["verdict"] == verdict
+    assert data["assumes"] == []
