@@ -1,7 +1,7 @@
 """The documentation as a site: nothing from outside, and nothing that keeps a reader out.
 
-Needs the site (``python tasks.py docs``); the second part needs Chromium, and axe-core (``npm install axe-core``
-in any folder) at the place that ``HFIELD_AXE`` names, a file ``axe.min.js``.
+Needs the site (``python tasks.py docs``, or one that ``HFIELD_SITE`` names); the second part needs Chromium, and
+axe-core (``npm install axe-core`` in any folder): ``HFIELD_AXE`` names its file ``axe.min.js``.
 """
 
 import os
@@ -87,7 +87,8 @@ def test_a_page_keeps_nobody_out(browser, page, width, scheme):
     assert browser.evaluate("document.documentElement.scrollWidth") <= width
     browser.evaluate(AXE.read_text(encoding="utf-8") + ";0")
     found = browser.evaluate(
-        "axe.run({preload: false}).then(r => r.violations.filter(v => ['serious', 'critical'].includes(v.impact))"
+        "axe.run({preload: false}).then(r => r.violations"
+        ".filter(v => ['serious', 'critical'].includes(v.impact))"
         ".map(v => [v.id, v.nodes.length, v.nodes[0].html.slice(0, 200), v.nodes[0].failureSummary]))"
     )
     assert found == []

@@ -33,7 +33,7 @@ def _entries(package: str) -> list[str]:
         members = ""
         if isclass(value):
             directive = "autoclass"
-            members = "\n   :members:\n   :inherited-members: Exception, tuple, Enum"
+            members = "\n   :members:\n   :inherited-members: Exception, BaseException, tuple, Enum"
         else:
             directive = "autofunction" if isroutine(value) else "autodata"
         entries.append(f"```{{eval-rst}}\n.. {directive}:: {package}.{name}{members}\n```")
