@@ -16,7 +16,6 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
-    "sphinx.ext.viewcode",
     "reference_pages",
 ]
 sys.path.insert(0, str(Path(__file__).parent / "extensions"))

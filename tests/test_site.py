@@ -1,7 +1,7 @@
 """The documentation as a site: nothing from outside, and nothing that keeps a reader out.
 
-Needs the site (``python tasks.py docs``, or one that ``HFIELD_SITE`` names); the second part needs Chromium
-and axe-core (``npm install axe-core`` in any folder): ``HFIELD_AXE`` names its file ``axe.min.js``.
+Needs the site (``python tasks.py docs``); the second part needs Chromium, and axe-core (``npm install
+axe-core`` in any folder) at the place that ``HFIELD_AXE`` names, a file ``axe.min.js``.
 """
 
 import os

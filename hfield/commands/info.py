@@ -8,7 +8,7 @@ from functools import partial
 
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink
-from hfield.commands.parser import UsageError, add_output
+from hfield.commands.parser import UsageError, add_output, add_standalone
 from hfield.errors import shorten
 
 HELP = (
@@ -29,7 +29,8 @@ COLUMNS = (
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     what = "such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
-    add_inputs(parser, "ALGEBRA", what, "plain", "json")
+    add_inputs(parser, "ALGEBRA", what, "plain", "json", "latex")
+    add_standalone(parser)
     parser.add_argument(
         "--factors",
         metavar="P,…",
@@ -43,14 +44,14 @@ def run(args: Namespace) -> int:
     from hfield.factorisation import known_primes
 
     with known_primes(_primes(args.factors), "--factors"):
-        return answer_all(args, partial(_describe, args.format), COLUMNS)
+        return answer_all(args, partial(_describe, args), COLUMNS)
 
 
-def _describe(style: str, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.algebra import QuaternionAlgebra
-    from hfield.commands.count import count_lines, counts
+    from hfield.commands.count import count_latex, count_lines, counts
     from hfield.description import info
-    from hfield.description.page import page
+    from hfield.description.page import page, page_latex
 
     A = QuaternionAlgebra.from_text(text)
     description = info(A)
@@ -58,8 +59,12 @@ def _describe(style: str, text: str) -> tuple[int, dict[str, object], Callable[[
     data = {**description.to_json(), "counts": counted and counted.to_json()}
 
     def show(out: Sink) -> None:
-        if style == "json":
+        if args.format == "json":
             out.write_json(data)
+            return
+        if args.format == "latex":
+            parts = [page_latex(description), *([count_latex(counted)] if counted else [])]
+            out.write_latex("\n\n".join(parts), args.standalone)
             return
         lines = page(description, out.style().width)
         if counted is not None:

@@ -25,12 +25,37 @@ def page(d: Description, width: int) -> list[str]:
     if max(map(len, table)) > width:
         table = ["  The table is wider than this page; `hfield table` prints it."]
     lines += table
-    for title, rows in (("Base ring", _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))):
+    for title, rows in _facts(d):
         if rows:
-            lines += ["", "Base field" if title == "Base ring" and A.ring.is_field else title]
+            lines += ["", title]
             for label, text in rows:
                 lines += row(label, text, width)
     return lines
+
+
+def page_latex(d: Description) -> str:
+    """Set the page in LaTeX: the algebra and its table as formulas, and what is known of it as lists."""
+    from hfield.latex import descriptions, words
+
+    A = d.algebra
+    parts = [rf"\[ {A.latex()} \]", rf"\noindent over {words(A.ring.in_words())}."]
+    parts.append(rf"\[ {A.table_text('latex')} \]")
+    for title, rows in _facts(d):
+        if rows:
+            pairs: list[tuple[str, str]] = []
+            for label, text in rows:  # a row without a label goes on with the one above
+                if label or not pairs:
+                    pairs.append((label, words(text)))
+                else:
+                    pairs[-1] = (pairs[-1][0], f"{pairs[-1][1]} {words(text)}")
+            parts += [rf"\paragraph{{{title}}}", descriptions(pairs)]
+    return "\n\n".join(parts)
+
+
+def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
+    """Return what is known in three parts: title, and pairs of a label and a text."""
+    base = "Base field" if d.algebra.ring.is_field else "Base ring"
+    return [(base, _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))]
 
 
 def _title(name: str, ring: str, width: int) -> list[str]:
