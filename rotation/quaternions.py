@@ -166,8 +166,9 @@ def _power(q: Array, exponent: Array) -> Array:
     n = length(xp, tuple(u))
     half = xp.atan2(n, w) * exponent
     turning = n > 0.0
-    # Without an axis, at ±1, nothing turns.
-    ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), 0.0 * n)
+    # Without an axis, at ±1, nothing turns; of the power near 1 the ratio is the exponent.
+    near = xp.where(xp.isfinite(exponent) & (w > 0.0), exponent, xp.zeros_like(half))
+    ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), near + 0.0 * n)
     cosine = xp.where(n == 0.0, xp.ones_like(half), xp.cos(half))
     return join(xp, (cosine, *(ratio * c for c in u)))
 

@@ -26,7 +26,9 @@ def warm_up() -> None:
     r = Rotation(q)
     (r * r, r**0.5, r.inv(), r.magnitude(), r.apply(points), r.apply(points, inverse=True))
     (r.as_matrix(), r.as_mrp(), r.as_quat(canonical=True), r[0].apply(points), slerp(r, r, 0.5))
-    Rotation.from_matrix(r.as_matrix())
+    for kind in _PRECISIONS:  # each with its own tolerance
+        Rotation.from_matrix(r.as_matrix().astype(kind))
+    Rotation.from_matrix(r.as_matrix(), orthonormalize=True)
     Rotation.from_mrp(r.as_mrp())
     for degrees in (False, True):
         Rotation.from_rotvec(r.as_rotvec(degrees), degrees)
