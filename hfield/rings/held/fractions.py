@@ -70,18 +70,18 @@ class Fractions(Numerators):
         vectors = map(self._vector, coordinates)
         every = [c / s for v, s in zip(vectors, scales, strict=True) for c in v]
         d = lcm(*(int(c.q) for c in every))
-        return lowest(*(int(c.p) * (d // int(c.q)) for c in every), d)
+        held = *(int(c.p) * (d // int(c.q)) for c in every), d
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
     def whole(self, w: int, x: int, y: int, z: int) -> Held:
         """Hold four ints."""
-        if (
-            self.degree == 1
-            and not self.is_scaled
-            and -LARGE < min(w, x, y, z) <= max(w, x, y, z) < LARGE
-        ):
-            return w, x, y, z, 1
-        held: Held = super().whole(w, x, y, z)
-        return held
+        held: Held
+        if self.is_scaled:
+            held = super().whole(w, x, y, z)
+            return held
+        zeros = (0,) * (self.degree - 1)
+        held = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, elements of the field."""
@@ -129,20 +129,18 @@ def _denominator(vector: Vector) -> int:
 
 
 def lowest(*fraction: Any) -> Held:
-    """Put integers over one denominator, which is the last, in lowest terms, and make that positive.
+    """Put integers over one positive denominator, which is the last, in lowest terms.
 
     Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
     """
-    d = fraction[-1]
-    if d < LARGE and all(-LARGE < c < LARGE for c in fraction):
-        g = gcd(*fraction) if d > 0 else -gcd(*fraction)
-        return tuple(int(c) // g for c in fraction)
     large = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
     g = large[-1]
     for c in large:
         if g == 1:
             break
         g = g.gcd(c)
-    if d < 0:
-        g = -g
-    return tuple(large) if g == 1 else tuple([c // g for c in large])
+    if g != 1:
+        large = [c // g for c in large]
+    if all(-LARGE < c < LARGE for c in reversed(large)):
+        return tuple(map(int, large))
+    return tuple(large)
