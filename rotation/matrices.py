@@ -192,7 +192,8 @@ def _from_matrix(m: Array, tolerance: float) -> Array:
     r = _polished(xp, r)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     q = unit(xp, _dominant_row(xp, r))
-    return join(xp, tuple(xp.where(finite, c, xp.nan * c) for c in q))
+    nan = xp.nan * xp.ones_like(q[0])
+    return join(xp, tuple(xp.where(finite, c, nan) for c in q))
 
 
 _FROM_MATRIX = {
