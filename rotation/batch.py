@@ -89,6 +89,11 @@ class Batch(Shaped):
         )
         return f"Rotation.from_quat({array})"
 
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return _restore, (type(self), self._q)
 

@@ -316,6 +316,11 @@ class RigidTransform(Shaped):
     def __repr__(self) -> str:
         return f"RigidTransform.from_components({self._t!r}, {Rotation._of(self._q)!r})"
 
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q, self._t)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self)._of, (self._q, self._t)
 

@@ -6,10 +6,10 @@ import pytest
 
 NAMES = {
     "hfield": """
-        CC CoercionError GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
+        CC CoercionError Description GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
         NotInvertibleError NotationError NumberField Order QQ Quaternion QuaternionAlgebra RDF
         RR RingError TooLargeError UndecidedError ZZ Zmod conj conjugator errors explain
-        four_squares hilbert_symbol inv norm places prove ring trace verify
+        four_squares hilbert_symbol info inv norm places prove ring trace verify
     """,
     "rotation": """
         DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError

@@ -149,3 +149,7 @@ def _two(colours: Any) -> tuple[str, str]:
     for value in values:
         colour("a colour of the top", value)
     return values[0], values[1]
+
+
+FILM_LOOK = Look(style="shaded", trace=True, shadow=True)
+"""What a film looks like unless it is told otherwise."""

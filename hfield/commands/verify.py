@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import OutputError, Progress, note, open_output
-from hfield.commands.parser import add_format, add_output, processes
+from hfield.commands.parser import add_format, add_output, add_standalone, processes
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -45,7 +45,8 @@ def configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--section", metavar="S", help="the claims of a section, such as 1.3.1")
     parser.add_argument("--all", action="store_true", help="show every row, not only the report")
-    add_format(parser, "table", "json", "markdown")
+    add_format(parser, "table", "json", "markdown", "latex")
+    add_standalone(parser)
     parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
     parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at tcp://HOST:PORT")
     parser.add_argument(
@@ -95,6 +96,10 @@ def _verify(args: Namespace, executor: Executor) -> int:
             from hfield.ledger.markdown import markdown
 
             out.write(markdown(rows, everything=args.all))
+        elif args.format == "latex":
+            from hfield.ledger import paper
+
+            out.write_latex(paper.report(rows, everything=args.all), args.standalone)
         else:
             from hfield.ledger.report import report
 
