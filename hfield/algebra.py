@@ -7,8 +7,15 @@ from functools import cached_property
 from typing import Any
 
 from hfield import notation, structure, syntax
+from hfield.array_makers import ArrayMakers
 from hfield.embedding import embedding
-from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, RingError, shorten
+from hfield.errors import (
+    CoercionError,
+    MixedParentsError,
+    NotFiniteError,
+    RingError,
+    shorten,
+)
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
 from hfield.product import Constants
@@ -20,7 +27,7 @@ from hfield.rings.holding import Batch, Holding
 LISTED = 10_000
 
 
-class QuaternionAlgebra(Invariants):
+class QuaternionAlgebra(Invariants, ArrayMakers):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Calling the
@@ -116,35 +123,6 @@ class QuaternionAlgebra(Invariants):
     def _element(self, values: tuple[Any, ...]) -> Quaternion:
         how: Holding = self.array_holding if any(map(_is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
-
-    def from_array(self, values: Any) -> Quaternion:
-        """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
-
-        An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.
-        Raises :class:`CoercionError` for what stands for no elements.
-
-        >>> import numpy as np
-        >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
-        1 + 5k
-        """
-        return held_by(self, self.array_holding, self.array_holding.from_array(values))
-
-    def product(self, values: Any, axis: int | None = None) -> Quaternion:
-        """Return the ordered product of an array, or of a list of elements, from left to right.
-
-        An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
-
-        >>> H("QQ").product(["i", "j", "k"])
-        −1
-        """
-        if isinstance(values, Quaternion) and values.shape:
-            found: Quaternion = self(values).product(axis)
-            return found
-        parts = [self(x) for x in values] or [self.one]
-        while len(parts) > 1:  # factors of equal size multiply fastest
-            pairs = zip(parts[::2], parts[1::2], strict=False)
-            parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
-        return parts[0]
 
     def scalar(self, x: Any) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""

@@ -14,6 +14,8 @@ from hfield.errors import CoercionError, HFieldError, shorten
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.functions import FunctionField
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_sums import evaluate, roots_in
 
 
 def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
@@ -31,6 +33,8 @@ def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
         raise CoercionError(
             f"{source} does not map into {target}: its characteristic is {p}, the other's {q}"
         )
+    if isinstance(source, NumberField) and isinstance(target, NumberField):
+        return _from_number_field(source, target)
     names = {**target.names(), **_generators(source, target)}
     functions = {"/": target.divide, "**": target.power, **target.functions()}
     reader = syntax.Reader(target, names, functions, target.name, target.parse_limit)
@@ -47,10 +51,28 @@ def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
     return embed
 
 
+def _from_number_field(source: NumberField, target: NumberField) -> Callable[[Any], Any]:
+    """Return the map into a number field by a root of the polynomial of the source.
+
+    Of several it takes, if there is one, the root that is the generator's value at the principal embedding.
+    """
+    roots = roots_in(target, source.polynomial)
+    if not roots:
+        raise CoercionError(
+            f"{shorten(target)} contains no root of the polynomial of {shorten(source)}"
+        )
+    value = source.embed(source.gen)
+    root = next((x for x in roots if target.embed(x).overlaps(value)), roots[0])
+    return lambda x: evaluate(target, x.poly, root)
+
+
 def _generators(source: Ring, target: Ring) -> dict[str, Any]:
     """Return the images of the generators whose text alone would not tell them."""
     if isinstance(source, ExtensionField):
         return {str(source.gen_name): _image(source, target)}
+    if source.name == "QQ(I)" and isinstance(target, NumberField):
+        root = target.sqrt(target(-1))
+        return {} if root is None else {"I": root}
     if not isinstance(source, FunctionField):
         return {}
     if (

@@ -3,11 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar, NoReturn
+
+
+class Elsewhere:
+    """A name that is called otherwise here: asked for, it raises an AttributeError that says so."""
+
+    def __init__(self, name: str, hint: str) -> None:
+        self.name, self.hint = name, hint
+
+    def __get__(self, instance: object, owner: type) -> NoReturn:
+        raise AttributeError(
+            f"a {owner.__name__} has no {self.name!r}: write {self.hint}",
+            name=self.name,
+            obj=instance,
+        )
 
 
 class Hinted:
     """A class that answers a name of another system with its own, in the AttributeError.
+
+    A ``__getattr__`` would do it too, and make every other attribute slower to find.
 
     >>> from hfield import H, QQ
     >>> H(QQ).ramified_primes()
@@ -19,12 +35,14 @@ class Hinted:
 
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
-    if not TYPE_CHECKING:  # a type checker shall go on finding misspelt names
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        for name, hint in cls.elsewhere.items():
+            if not any(name in base.__dict__ for base in cls.__mro__):
+                setattr(cls, name, Elsewhere(name, hint))
 
-        def __getattr__(self, name: str) -> Any:
-            what = f"a {type(self).__name__} has no {name!r}"
-            hint = type(self).elsewhere.get(name)
-            raise AttributeError(f"{what}: write {hint}" if hint else what, name=name, obj=self)
+    def __dir__(self) -> list[str]:
+        return [name for name in super().__dir__() if name not in self.elsewhere]
 
 
 ELEMENT = {

@@ -297,11 +297,23 @@ class Invariants(Hinted, Parent):
 
         return Order.from_basis(self, elements)
 
-    def maximal_order(self, factors: Factors | None = None) -> Order:
-        """Return a maximal order over ℤ, of an algebra over ℚ that is not degenerate: always the same."""
+    def maximal_order(self, factors: Factors | None = None) -> Any:
+        """Return a maximal order, of an algebra that is not degenerate: always the same.
+
+        Over ℚ it is an :class:`hfield.Order`. Over another number field it is one over the integers of the
+        field, with ``basis`` over ℤ, ``pseudo_basis()`` and ``discriminant()``: an ``IntegersOrder``.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.discriminant(), len(O.basis)
+        ((), 8)
+        """
         from hfield.lattices.named import maximal_order
+        from hfield.lattices.over_integers import maximal_order_over_integers
 
         with known_primes(factors):
+            if self.ring.arithmetic and self.ring.name != "QQ" and not self.ring.characteristic:
+                return maximal_order_over_integers(self)
             return maximal_order(self)
 
     def eichler_order(self, level: int, factors: Factors | None = None) -> Order:

@@ -42,6 +42,11 @@ class Quaternion(ElementFacts, BatchMethods):
     or four arrays of one shape, and then every operation is elementwise. Ints and Fractions mix in
     as multiples of e, elements of the base ring too. Elements of two algebras never mix:
     arithmetic raises :class:`MixedParentsError`, and ``==`` between them is False.
+
+    >>> from hfield import H
+    >>> q = H("QQ")(1, 2, 0, 1)
+    >>> q * q.conjugate() == q.norm(), q.inverse()
+    (True, 1/6 − 1/3i − 1/6k)
     """
 
     # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
@@ -214,8 +219,11 @@ class Quaternion(ElementFacts, BatchMethods):
         return result
 
     def __eq__(self, other: object) -> Any:
-        if type(other) is Quaternion and other._how is self._how:
-            return self._how.equal(self._held, other._held)
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            if how.is_unique:
+                return self._held == other._held
+            return how.equal(self._held, other._held)
         if isinstance(other, str):
             return NotImplemented
         if not isinstance(other, Quaternion):
@@ -263,7 +271,8 @@ class Quaternion(ElementFacts, BatchMethods):
 
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
-        return self._how.norm(self._held)
+        norm = self._how.norm
+        return norm(self._held)
 
     def trace(self) -> Any:
         """Return the reduced trace, an element (or array) of the base ring."""

@@ -1,57 +1,29 @@
 """An immutable array of unit quaternions: the half of `Rotation` that knows shapes and storage."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
 import numpy as np
 
 from rotation.errors import DTypeError, MemberError, RotationError
 from rotation.namespaces import Array, is_numpy, namespace
+from rotation.shaped import Shaped
 
 
-class Batch:
-    """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
+class Batch(Shaped):
+    """Holds unit quaternions (…, 4), scalar first, and nothing else."""
 
-    __slots__ = ("__weakref__", "_q")
-    # numpy must not distribute `array * rotation` over the array's entries.
-    __array_ufunc__ = None
-
-    _q: Array
+    __slots__ = ()
+    _called = "rotation"
 
     @classmethod
     def _of(cls, q: Array) -> Self:
         """Wrap unit quaternions that nobody else will write to."""
         self = object.__new__(cls)
-        if is_numpy(namespace(q)):
-            q.flags.writeable = False
+        if isinstance(q, np.ndarray):
+            q.setflags(write=False)
         object.__setattr__(self, "_q", q)
         return self
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a rotation is immutable: {name} cannot be set")
-
-    def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"a rotation is immutable: {name} cannot be deleted")
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The batch shape, ``()`` for a single rotation."""
-        return tuple(self._q.shape[:-1])
-
-    @property
-    def ndim(self) -> int:
-        """The number of batch axes."""
-        return len(self.shape)
-
-    @property
-    def size(self) -> int:
-        """The number of rotations."""
-        return int(np.prod(self.shape, dtype=np.int64))
-
-    @property
-    def single(self) -> bool:
-        """Whether this is one rotation and not an array of them."""
-        return not self.shape
 
     def reshape(self, *shape: Any) -> Self:
         """Return the same rotations in another batch shape; one axis may be −1."""
@@ -65,14 +37,6 @@ class Batch:
             raise RotationError(f"{self.size} rotations do not fit the shape {tuple(wanted)}")
         return self._of(namespace(self._q).reshape(self._q, (*wanted, 4)))
 
-    def __len__(self) -> int:
-        if self.single:
-            raise TypeError("a single rotation has no length")
-        return self.shape[0]
-
-    def __bool__(self) -> bool:
-        return True
-
     def __getitem__(self, index: Any) -> Self:
         index = index if isinstance(index, tuple) else (index,)
         if self.single and not all(i is None or i is Ellipsis for i in index):
@@ -84,9 +48,6 @@ class Batch:
         if not any(i is Ellipsis for i in index):
             index = (*index, Ellipsis)
         return self._of(self._q[(*index, slice(None))])
-
-    def __iter__(self) -> Iterator[Self]:
-        return (self[n] for n in range(len(self)))
 
     @classmethod
     def concatenate(cls, rotations: Any) -> Self:
@@ -128,14 +89,13 @@ class Batch:
         )
         return f"Rotation.from_quat({array})"
 
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return _restore, (type(self), self._q)
-
-    def __copy__(self) -> Self:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> Self:
-        return self
 
 
 def expect_rotations(**named: Any) -> None:

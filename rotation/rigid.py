@@ -1,6 +1,6 @@
 """`RigidTransform`: one rigid motion of space or a whole array of them, immutable."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
 import numpy as np
@@ -12,12 +12,13 @@ from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import DTypeError, RotationError
 from rotation.matrices import from_matrix
-from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, spread
+from rotation.namespaces import Array, copied, expect_last, floats, is_numpy, namespace, spread
 from rotation.rotation import Rotation
 from rotation.screws import Screw, from_screw, to_screw
+from rotation.shaped import Shaped
 
 
-class RigidTransform:
+class RigidTransform(Shaped):
     """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
 
     Method names are those of scipy; conventions are those of `Rotation`: ``p * q`` applies q first, dual
@@ -38,11 +39,10 @@ class RigidTransform:
     array([0., 0., 0.])
     """
 
-    __slots__ = ("__weakref__", "_q", "_t")
-    __array_ufunc__ = None
+    __slots__ = ("_t",)
 
-    _q: Array
     _t: Array
+    _called = "transform"
 
     def __new__(cls, matrix: Any) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""
@@ -66,12 +66,6 @@ class RigidTransform:
     def _of_rows(cls, rows: Array) -> Self:
         return cls._of(rows[..., :4], rows[..., 4:])
 
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a rigid transform is immutable: {name} cannot be set")
-
-    def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"a rigid transform is immutable: {name} cannot be deleted")
-
     # Making
 
     @classmethod
@@ -92,7 +86,7 @@ class RigidTransform:
         m = floats(matrix, "matrices")
         motions.expect_affine(m)
         q = from_matrix(m[..., :3, :3], orthonormalize)
-        return cls._of(q, namespace(m).asarray(m[..., :3, 3], copy=True))
+        return cls._of(q, copied(m[..., :3, 3]))
 
     @classmethod
     def from_rotation(cls, rotation: Rotation) -> Self:
@@ -167,12 +161,12 @@ class RigidTransform:
     @property
     def rotation(self) -> Rotation:
         """The rotations, of the same batch shape."""
-        return Rotation._of(namespace(self._q).asarray(self._q, copy=True))
+        return Rotation._of(copied(self._q))
 
     @property
     def translation(self) -> Array:
         """The translations, shape (…, 3), as a copy."""
-        return namespace(self._t).asarray(self._t, copy=True)
+        return copied(self._t)
 
     def as_components(self) -> tuple[Array, Rotation]:
         """Return the translations and the rotations."""
@@ -308,29 +302,6 @@ class RigidTransform:
 
     # As an array
 
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The batch shape, ``()`` for a single transform."""
-        return tuple(self._q.shape[:-1])
-
-    @property
-    def ndim(self) -> int:
-        """The number of batch axes."""
-        return len(self.shape)
-
-    @property
-    def single(self) -> bool:
-        """Whether this is one transform and not an array of them."""
-        return not self.shape
-
-    def __len__(self) -> int:
-        if self.single:
-            raise TypeError("a single transform has no length")
-        return self.shape[0]
-
-    def __bool__(self) -> bool:
-        return True
-
     def __getitem__(self, index: Any) -> Self:
         if self.single:
             raise TypeError("a single transform cannot be indexed")
@@ -342,20 +313,16 @@ class RigidTransform:
             index = (*index, slice(None))
         return self._of(turns._q, self._t[index])
 
-    def __iter__(self) -> Iterator[Self]:
-        return (self[n] for n in range(len(self)))
-
     def __repr__(self) -> str:
         return f"RigidTransform.from_components({self._t!r}, {Rotation._of(self._q)!r})"
 
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q, self._t)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self)._of, (self._q, self._t)
-
-    def __copy__(self) -> Self:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> Self:
-        return self
 
 
 def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
@@ -363,6 +330,12 @@ def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
 
     At constant rate: ``p·(p⁻¹·q)ᵗ``, the shorter way round. The shapes of p, q and t broadcast. L. Kavan et
     al., "Dual quaternions for rigid transformation blending" (2006), screw linear interpolation.
+
+    Examples
+    --------
+    >>> move = RigidTransform.from_translation([2, 0, 0])
+    >>> sclerp(RigidTransform.identity(), move, 0.5).translation
+    array([1., 0., 0.])
     """
     for name, value in (("p", p), ("q", q)):
         if not isinstance(value, RigidTransform):
@@ -376,4 +349,4 @@ def _copied(value: Any, what: str, length: int = 3) -> Array:
     if not array.ndim:
         raise RotationError(f"{what} has shape (); expected (…, {length})")
     expect_last(array, (length,), what)
-    return namespace(array).asarray(array, copy=True)
+    return copied(array)

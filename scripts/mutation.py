@@ -31,7 +31,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "product": (("hfield/product.py",), ("tests/adversary/test_product.py",)),
     "polynomials": (
         ("hfield/certificates/polynomials.py",),
-        ("tests/certificates/test_polynomials.py", "tests/certificates/test_core.py"),
+        ("tests/certificates/test_polynomials.py", "tests/certificates/test_core_reading.py"),
     ),
     "checker": (
         tuple(

@@ -15,6 +15,7 @@ from hfield.straight_line import (
     GENERAL,
     ONE,
     SECOND,
+    _Tape,
     arithmetic_text,
     parts,
     pattern,
@@ -142,6 +143,12 @@ def test_nothing_is_computed_twice_or_for_nothing() -> None:
             assert len(set(steps)) == len(steps)
             used = {x for step in program.steps for x in step.operands} | set(program.outputs)
             assert all(step.name in used for step in program.steps)
+
+
+def test_what_is_known_already() -> None:
+    tape = _Tape(0)
+    assert tape.write("*", "x", "y") == tape.write("*", "y", "x")
+    assert tape.write("-", "x", "y") != tape.write("-", "y", "x")
 
 
 def test_pattern() -> None:

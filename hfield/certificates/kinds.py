@@ -40,6 +40,7 @@ from hfield.certificates.roots import complex_root, real_root
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement, read_tree
+from hfield.certificates.subfields import subfield
 from hfield.certificates.transfer import fractions, reduction
 from hfield.certificates.values import read_values
 
@@ -179,6 +180,7 @@ KINDS: dict[tuple[str, bool, str], Check] = {
     ("proved", False, "multilinear"): _multilinear,
     ("proved", True, "exhaustion"): _exhaustion,
     ("proved", True, "witness"): _example,
+    ("proved", True, "subfield"): partial(subfield, _example),
     ("proved", True, "terms"): partial(terms, prove),
     ("proved", True, "cases"): partial(cases, prove),
     ("proved", True, "real root"): real_root,
@@ -187,6 +189,7 @@ KINDS: dict[tuple[str, bool, str], Check] = {
     ("proved", False, "fractions"): partial(fractions, prove),
     ("proved", False, "reduction"): partial(reduction, prove),
     ("refuted", False, "witness"): _counterexample,
+    ("refuted", False, "subfield"): partial(subfield, _counterexample),
     ("refuted", True, "none exists"): partial(none_exists, prove),
     ("refuted", True, "place"): partial(place, prove),
     ("vacuous", False, "unsatisfiable"): _unsatisfiable,

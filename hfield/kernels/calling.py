@@ -22,8 +22,10 @@ Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
 PIECE = 1 << 16  # elements that a thread takes at a time
-MANY = 250_000  # from so many elements on a second thread is woken
+MANY = 500_000  # from so many elements on a second thread is woken
 _lock = Lock()
+# The compiled loops of each program in each arithmetic, by which operands are single elements.
+_loops: dict[Any, dict[tuple[bool, ...], compiling.Function]] = {}
 _announce = compiling.Announcer(
     "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"
 )
@@ -53,7 +55,8 @@ class Kernel:
         self.sides = (*sides, tuple(named)) if named else tuple(sides)
         self.constants = tuple(np.array(x, arithmetic.dtype) for x in named.values())
         self.tables = arithmetic.tables()
-        self._loops: dict[tuple[bool, ...], compiling.Function] = {}
+        key = (program, arithmetic, self.sides, *self.literals.items())
+        self._loops = _loops.setdefault(key, {})
 
     def __call__(self, *operands: Rows) -> tuple[Rows, int]:
         """Return the rows of the results, of the shape that the operands broadcast to, and the flags.

@@ -17,7 +17,11 @@ SUM = _each("+", tuple(zip(FIRST, SECOND, strict=True)))
 DIFFERENCE = _each("-", tuple(zip(FIRST, SECOND, strict=True)))
 NEGATIVE = _each("neg", tuple((name,) for name in FIRST))
 SCALED = _each("*", tuple((name, *SCALAR) for name in FIRST))
-SCALAR_PRODUCT = _each("*", ((*SCALAR, *OTHER_SCALAR),))
+_TWO_SCALARS = ((*SCALAR, *OTHER_SCALAR),)
+SCALAR_SUM = _each("+", _TWO_SCALARS)
+SCALAR_DIFFERENCE = _each("-", _TWO_SCALARS)
+SCALAR_PRODUCT = _each("*", _TWO_SCALARS)
+SCALAR_NEGATIVE = _each("neg", (SCALAR,))
 
 
 def with_denominators(program: Program) -> Program:

@@ -17,9 +17,10 @@ from hfield.errors import LatticeError, shorten
 from hfield.factorisation import factorise, is_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import rows_json
-from hfield.lattices.lattice import Lattice, checked_side, element_row, listed, natural
+from hfield.lattices.lattice import Lattice, checked_side, element_row, listed
 from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import Regular, regular
+from hfield.lattices.short_vectors import natural
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.rational import rational
 

@@ -6,11 +6,12 @@ from functools import lru_cache
 
 from hfield.errors import HFieldError
 from hfield.proving.clock import Clock
-from hfield.proving.counterexamples.candidates import Assignment, true_place
+from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decide import decide
 from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import PrimeScalars
+from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators, read_statement
 from hfield.proving.statements.setting import read_setting

@@ -73,12 +73,12 @@ def compiled(
     import llvmlite.binding as llvm
 
     target = machine()
-    module = llvm.parse_assembly(text)
     made = f"{llvmlite.__version__} {llvm.llvm_version_info} {target.triple} {vectorise} "
     made += llvm.get_host_cpu_name() + _features().flatten()
     key = hashlib.sha256((made + text).encode()).hexdigest()
     if key in _engines:
         return int(_engines[key].get_function_address(name))
+    module = llvm.parse_assembly(text)
     code = kept(key)
     if code is None:
         if announce is not None:

@@ -9,6 +9,7 @@ from hfield.proving.decision import NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, 
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.existence import quantifiers
 from hfield.proving.methods import universal
+from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.question import TIMEOUT, Question, read_question
 from hfield.proving.subprocess_limits import decide_apart, is_risky
@@ -56,6 +57,9 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
         return _no_algebra(problem)
     try:
         decision = chosen(problem)(problem)
+        if decision.verdict == UNDECIDED:
+            found = decide_in_subfields(problem, lambda p: chosen(p)(p))
+            decision = decision if found is None else found
     except TooLargeError as error:
         return Decision(UNDECIDED, "none", tried=(str(error),))
     if exists is None and decision.verdict in (PROVED, VACUOUS):

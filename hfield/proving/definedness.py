@@ -7,9 +7,10 @@ statement speaks of those values of the letters only; where there are none, it s
 from dataclasses import replace
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
-from hfield.proving.counterexamples.candidates import Searcher, prime_search, ring_search
+from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.evaluation.searcher import Searcher
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.vanishing import vanishes_as_function
 from hfield.proving.problem import Problem

@@ -4,8 +4,6 @@ Nearly everything is decided where it is asked, since the procedures estimate be
 things cannot be estimated: factoring structure constants of many digits, or comparing nested roots.
 """
 
-import json
-import subprocess
 import sys
 from typing import Any
 
@@ -40,6 +38,9 @@ def is_risky(problem: Problem) -> bool:
 
 def decide_apart(question: Question) -> Decision | None:
     """Decide in another process; None when the field is a user's own, which has no name there."""
+    import json
+    import subprocess
+
     field = question.problem.field
     if field is not None and not _is_ours(field):
         return None

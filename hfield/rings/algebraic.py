@@ -4,7 +4,7 @@ Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree
 π) is a :class:`Closed` form, which sympy holds and which is imported when the first one is met.
 """
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from random import Random
 from typing import Any
 
@@ -12,16 +12,17 @@ import flint
 
 from hfield import syntax
 from hfield.errors import CoercionError, NotInvertibleError, shorten
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import INFINITY, Known
 from hfield.rings.printing import from_unicode
 from hfield.rings.radicals import FUNCTIONS
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.surds import Surd, from_rational
+from hfield.rings.values import ValueRing
 
 _I = Surd({-1: flint.fmpq(1)})
 
 
-class AlgebraicNumbers(Ring):
+class AlgebraicNumbers(ValueRing):
     """The algebraic numbers, real or complex. Elements are ``Surd`` or ``Closed``, both hashable.
 
     >>> RR("1/(sqrt(2)-1)")
@@ -106,18 +107,6 @@ class AlgebraicNumbers(Ring):
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
         return not x.terms if isinstance(x, Surd) else x.is_zero()
-
-    def equal(self, x: Any, y: Any) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
-
-    def key(self, x: Hashable) -> Hashable:
-        """Return x itself: equal numbers have equal hashes, whatever form they have."""
-        return x
-
-    def state(self, x: Any) -> Any:
-        """Return x itself: these numbers pickle."""
-        return x
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""

@@ -1,14 +1,15 @@
 """Floats as a ring: RDF, the real numbers as far as float64 goes. It computes, but proves nothing."""
 
 import math
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
-from hfield.rings.base import Known, Ring
+from hfield.rings.base import Known
 from hfield.rings.printing import number_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.values import ValueRing
 
 _FUNCTIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt, "cbrt": math.cbrt, "cos": math.cos, "sin": math.sin, "tan": math.tan,
@@ -16,7 +17,7 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 }  # fmt: skip
 
 
-class Floats(Ring):
+class Floats(ValueRing):
     """float64, without NaN and infinity; elements are Python floats, arrays numpy's.
 
     >>> RDF("1/3")
@@ -65,22 +66,6 @@ class Floats(Ring):
 
     def _not_finite(self, shown: str) -> CoercionError:
         return CoercionError(f"{shown} is not an element of RDF: expected a finite float64")
-
-    def is_zero(self, x: Any) -> bool:
-        """Tell whether x is 0.0, exactly; this proves nothing about the number meant."""
-        return bool(x == 0)
-
-    def equal(self, x: Any, y: Any) -> bool:
-        """Tell whether two floats are the same."""
-        return bool(x == y)
-
-    def key(self, x: Hashable) -> Hashable:
-        """Return x itself."""
-        return x
-
-    def state(self, x: Any) -> Any:
-        """Return x itself."""
-        return x
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""

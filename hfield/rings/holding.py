@@ -27,6 +27,7 @@ class Holding:
     """
 
     is_batch = False
+    is_unique = False  # whether ``==`` between held values tells whether elements are equal
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         self.ring, self.constants = ring, constants

@@ -1,7 +1,7 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
 import itertools
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -17,11 +17,12 @@ from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import rational_roots
+from hfield.rings.values import ValueRing
 
 _ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
 
 
-class _Ordered(Ring):
+class _Ordered(ValueRing):
     """What ℤ and ℚ share: exact numbers with their one ordering."""
 
     characteristic = 0
@@ -41,29 +42,17 @@ class _Ordered(Ring):
         self.check_ordering(ordering)
         return int(x > 0) - int(x < 0)
 
-    def is_zero(self, x: Any) -> bool:
-        """Tell whether x is 0."""
-        return bool(x == 0)
-
-    def equal(self, x: Any, y: Any) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
-
-    def key(self, x: Hashable) -> Hashable:
-        """Return x itself: flint's numbers are hashable."""
-        return x
-
-    def state(self, x: Any) -> Any:
-        """Return x itself: flint's integers and rationals pickle."""
-        return x
-
     def text(self, x: Any, style: str = "plain") -> str:
         """Write x, such as ``-1/2``."""
         return number_text(x, style)
 
 
 class Integers(_Ordered):
-    """ℤ; elements are flint's ``fmpz``. ``ZZ / 6`` is the residue ring."""
+    """ℤ; elements are flint's ``fmpz``. ``ZZ / 6`` is the residue ring.
+
+    >>> (ZZ / 6).order, ZZ(6) * 7
+    (6, 42)
+    """
 
     name = "ZZ"
 
@@ -99,7 +88,7 @@ class Integers(_Ordered):
         from hfield.rings.held.fractions import Fractions
 
         return Fractions(
-            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _: flint.fmpz(n)
+            self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
         )
 
     def __truediv__(self, n: int) -> Modular:
@@ -142,7 +131,11 @@ class Integers(_Ordered):
 
 
 class Rationals(_Ordered):
-    """ℚ; elements are flint's ``fmpq``."""
+    """ℚ; elements are flint's ``fmpq``.
+
+    >>> QQ("1/3") + 1, QQ.level.value
+    (4/3, inf)
+    """
 
     name = "QQ"
     is_field = True
@@ -246,7 +239,12 @@ class Residues(Modular):
 
 
 def Zmod(n: int) -> Modular:
-    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int, at least 2."""
+    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int, at least 2.
+
+    >>> from hfield import H
+    >>> H(Zmod(6)).count("units")
+    384
+    """
     number = rational(n)
     if not isinstance(number, int):
         raise RingError(f"ZZ/{shorten(n)}: the modulus must be an integer, as in ZZ/6")

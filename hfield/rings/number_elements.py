@@ -149,8 +149,9 @@ class FieldElement:
         the names of the field suggest.
 
         >>> from hfield import ring
-        >>> print(ring("QQ(zeta5)").gen.complex(digits=5))
-        [0.3090170 +/- 9.13e-9] + [0.9510565 +/- 3.73e-8]j
+        >>> z = ring("QQ(zeta5)").gen.complex(digits=30)
+        >>> z.real.str(20), z.imag.str(20)
+        ('[0.30901699437494742410 +/- 2.30e-21]', '[0.95105651629515357212 +/- 3.57e-21]')
         """
         return self.field.embed(self, place, digits)
 

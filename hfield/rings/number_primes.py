@@ -8,6 +8,7 @@ Each prime P gets a π with (p, π) = P, a β in pP⁻¹ that is not in pO, with
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from random import Random
 from typing import Any
@@ -17,6 +18,7 @@ import flint
 from hfield.errors import RingError, TooLargeError, shorten
 from hfield.factorisation import is_prime
 from hfield.rings.base import Ring
+from hfield.rings.finite import modulus_text
 from hfield.rings.modular import WORD
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
@@ -144,7 +146,6 @@ class PrimeIdeal:
     def residue_field(self) -> Ring:
         """The field of residues GF(p^f), in which x is ``residue_gen``."""
         from hfield.rings.field_specs import GF
-        from hfield.rings.finite import modulus_text
 
         if self.f == 1:
             return GF(self.p)
@@ -202,6 +203,20 @@ def primes_above(field: NumberField, p: Any) -> tuple[PrimeIdeal, ...]:
 def _primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
     order = local_order(field, p)
     return _by_kummer(order) if order.plain else _by_idempotents(order)
+
+
+def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[str]:
+    """Yield texts ``(p, g(x); θ)``, where g is the polynomial over GF(p) of the residue of an integer θ."""
+    field, rng = prime.field, Random(1)
+    for _ in range(count):
+        theta = prime.order.element(rng.randrange(4 * prime.p) for _ in range(field.degree))
+        powers = [prime.residue_of(theta**k) for k in range(prime.f + 1)]
+        rows = [coefficients(r) + [0] * (prime.f - len(coefficients(r))) for r in powers]
+        entries = [c for row in rows for c in row]
+        kernel = left_kernel(flint.nmod_mat(prime.f + 1, prime.f, entries, prime.p))
+        g = residues(prime.p, kernel[0])
+        if len(kernel) == 1 and g.degree() == prime.f:
+            yield f"({prime.p}, {modulus_text(coefficients(g))}; {field.text(theta)})"
 
 
 def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:

@@ -35,6 +35,26 @@ def _at(polynomial: Any, z: Any) -> Any:
     return total
 
 
+def roots_in(field: NumberField, f: Any) -> list[FieldElement]:
+    """Return the roots in the field of an irreducible polynomial over ℚ (Trager, 1976).
+
+    The polynomial of all sums of a root of f and a multiple of s has a factor of the degree of the field for
+    each of them.
+    """
+    f = f / f.leading_coefficient()
+    for scale in range(1, 100):
+        whole = sums_of_roots(f, field.polynomial, scale)
+        if whole.gcd(whole.derivative()).degree() == 0:
+            break
+    out = []
+    for factor, _ in whole.factor()[1]:
+        if factor.degree() == field.degree:
+            # h(β + k·s) = 0 as a condition on s + β/k
+            stretched = flint.fmpq_poly([c * scale**n for n, c in enumerate(factor.coeffs())])
+            out.append(common_root(field, f, stretched, flint.fmpq(-1, scale)))
+    return out
+
+
 def sums_of_roots(f: Any, g: Any, scale: int) -> Any:
     """Return the polynomial whose roots are α + scale·β for the roots α of f and β of g, by Newton's sums."""
     m, n = int(f.degree()), int(g.degree())
@@ -68,7 +88,7 @@ def _newton_sums(f: Any, count: int) -> list[Any]:
     return sums
 
 
-def common_root(field: NumberField, f: Any, g: Any, scale: int) -> FieldElement:
+def common_root(field: NumberField, f: Any, g: Any, scale: Any) -> FieldElement:
     """Return the one common root β of f(x) and g(θ − scale·x), θ the generator."""
     line = [field.gen, field(-scale)]
     first = [field(c) for c in f.coeffs()]

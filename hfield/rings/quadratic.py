@@ -16,12 +16,13 @@ from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.squares import minus_one
 from hfield.rings.surds import Surd, from_rational
+from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     from hfield.rings.quadratic_places import QuadraticPlace
 
 
-class QuadraticField(Ring):
+class QuadraticField(ValueRing):
     """ℚ(√d) for a squarefree integer d ≠ 1; ``gen`` is √d, or I for d = −1.
 
     >>> from hfield.rings import ring
@@ -93,17 +94,9 @@ class QuadraticField(Ring):
         """Tell whether x is 0."""
         return not x.terms
 
-    def equal(self, x: Any, y: Any) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
-
     def key(self, x: Any) -> tuple[Any, Any]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
-
-    def state(self, x: Any) -> Any:
-        """Return x itself: these numbers pickle."""
-        return x
 
     def inverse(self, x: Any) -> Any:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
@@ -160,7 +153,7 @@ class QuadraticField(Ring):
 
         return Fractions(self, constants, (self.d, 0), self.key, self._element)
 
-    def _element(self, a: Any, b: Any, denominator: Any) -> Surd:
+    def _element(self, a: Any, b: Any, denominator: Any = 1) -> Surd:
         """Return (a + b·√d)/denominator for integers."""
         terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
         return Surd({n: c for n, c in terms.items() if c})

@@ -17,7 +17,7 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     """Return the Hilbert symbol ``(a, b)`` at a place: 1 if ``(a, b | F)`` splits there, else −1.
 
     Over ℚ, a and b are nonzero ints, Fractions, elements of QQ or their texts, and the place is a
-    prime or ``"inf"``. Over a quadratic field or GF(q)(t) they are its elements, and the place is one of the
+    prime or ``"inf"``. Over a number field or GF(q)(t) they are its elements, and the place is one of the
     field's or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0. ``factors``
     may name primes of the norms of a and b, which a quadratic field needs at a lone place above 2.
 
@@ -39,6 +39,11 @@ def places(ring: Ring) -> Iterator[Any]:
     """Run through the places of a global field, without end: infinite ones, then by size.
 
     Raises :class:`UndecidedError` for a ring that has no such list.
+
+    >>> from itertools import islice
+    >>> from hfield import QQ
+    >>> list(islice(places(QQ), 4))
+    ['inf', 2, 3, 5]
     """
     return ring.places()
 

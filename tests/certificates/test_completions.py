@@ -6,6 +6,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, prove, ring
 from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_field
 from hfield.structure import norm_evidence, zero_norm
@@ -94,3 +95,55 @@ def test_squares_are_refused_only_where_they_are_none():
             except Rejected:
                 continue
             assert not field.is_square(field(n)), (p, n)
+
+
+REFUTED = ("norm(q) == 0 => q == 0", "(-1,-1|Qp(7))")
+FOUND = ("exists s: s*s == -7", "(-1,-1|Qp(2))")
+
+
+@pytest.mark.parametrize(("statement", "algebra"), [REFUTED, FOUND])
+def test_a_witness_in_a_subfield_with_a_root_that_hensel_lifts(statement, algebra):
+    data = prove(statement, algebra=algebra).certificate
+    assert data["evidence"]["kind"] == "subfield"
+    assert check(data).field == ring(data["field"]).name
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"root": "0"}, "not so near"),
+        ({"root": "3"}, "not so near"),
+        ({"root": "1/7"}, "not so near"),
+        ({"root": "x"}, "no element"),
+        ({"field": "QQ(sqrt(-1))"}, None),
+        ({"field": "QQ"}, "no quadratic field"),
+        ({"field": "QQ(sqrt(-5))"}, None),
+        ({"witness": {"kind": "identity"}}, None),
+    ],
+)
+def test_a_changed_subfield_is_none(changes, why):
+    data = prove(REFUTED[0], algebra=REFUTED[1]).certificate
+    forged = {**data, "evidence": {**data["evidence"], **changes}}
+    with pytest.raises(Rejected, match=why):
+        check(forged)
+
+
+def test_no_subfield_of_another_field_and_no_root_that_is_none():
+    data = prove("exists s: s*s == -7", algebra="(-1,-1|Qp(2))").certificate
+    for field in ("Qp(3)", "Qp(5)", "QQ(I)_(2)", "QQ"):
+        with pytest.raises(Rejected):
+            check({**data, "field": field, "algebra": f"(-1,-1|{field})"})
+    for root, near in (
+        ("1", True),
+        ("3", True),
+        ("5/3", True),
+        ("2", False),
+        ("4", False),
+        ("1/2", False),
+    ):
+        forged = {**data, "evidence": {**data["evidence"], "root": root}}
+        if near:  # r² + 7 is divisible by 8 = 2^(2·v(2r) + 1)
+            assert check(forged)
+        else:
+            with pytest.raises(Rejected, match="not so near"):
+                check(forged)

@@ -146,3 +146,23 @@ def test_a_cold_start_is_light():
         "assert not heavy, heavy\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_cases_that_go_alike_are_one_line():
+    """Sixteen choices of coordinates are one line of the proof, with its first and its last case."""
+    steps = decide("p*q == 0 => p == 0 or q == 0", "QQ").steps
+    (line,) = [step for step in steps if "in the ideal" in step]
+    assert "16 cases, from p[0] ≠ 0 and q[0] ≠ 0 to p[3] ≠ 0 and q[3] ≠ 0" in line
+    assert line.endswith("after 1 conclusion from these facts")
+
+
+@pytest.mark.parametrize(
+    ("text", "field", "line"),
+    [
+        ("1 == 1", None, "compute both sides"),
+        ("s == s + 0", None, "expand both sides in the 1 coordinate of what is unknown"),
+        ("2*q == 0 => q == 0", None, "over the fields of every characteristic but 2 it holds"),
+    ],
+)
+def test_proofs_agree_in_number(text, field, line):
+    assert line in decide(text, field).steps

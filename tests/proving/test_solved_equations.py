@@ -131,3 +131,18 @@ def test_forged_quaternion_roots() -> None:
                     "evidence": {"kind": "quaternion root"},
                 }
             )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_quadratics_over_a_field_that_is_not_tried_through(seed: int) -> None:
+    """Over GF(1009) and ℤ/(3·1009) a quadratic has a root where trying finds one."""
+    a, b, c = (pow(7, seed + 5 * n, 1009) for n in range(3))
+    for field, n in (("GF(1009)", 1009), ("ZZ/3027", 3027)):
+        roots = any((a * x * x + b * x + c) % n == 0 for x in range(n))
+        answer = proving.prove(f"exists s: {a}*s**2 + {b}*s + {c} == 0", field)
+        assert answer.verdict == ("proved" if roots else "refuted")
+        assert answer.certificate is not None, answer.why_no_certificate
+    zero = any((x * x - a * y * y) % 1009 == 0 for x in range(1, 1009) for y in (1,))
+    assert decide(f"s**2 == {a}*y**2 => s == 0", "GF(1009)").verdict == (
+        "refuted" if zero else "proved"
+    )

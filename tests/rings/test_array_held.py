@@ -28,7 +28,7 @@ FINITE = [
     "GF(4)", "GF(2^8, x^8+x^4+x^3+x+1)", "GF(2^9)", "GF(2^32)", "GF(2^33)", "GF(2^64)",
     "GF(9, x^2+1)", "GF(7^3)", "GF(65521^2)", "GF(3^4)", "GF(3^5)", "GF(3^10)", "GF(37^4)",
 ]  # fmt: skip
-COUNT = 25
+COUNT = 20
 
 
 def constants(F, seed):
@@ -38,12 +38,19 @@ def constants(F, seed):
 
 
 def elements(F, rng, count):
-    """Random elements, and the least and greatest, of four coordinates."""
-    ends = [F.zero, F.one, -F.one]
+    """Random elements, and the least and greatest labels, and those next to the middle."""
+    q = F.order
+    ends = [F.zero, F.one, -F.one] + ([F.from_label(n) for n in (q // 2, q // 2 - 1)] if q else [])
     return [
-        tuple(rng.choice(ends) if rng.random() < 0.3 else F.random(rng) for _ in range(4))
+        tuple(rng.choice(ends) if rng.random() < 0.4 else F.random(rng) for _ in range(4))
         for _ in range(count)
     ]
+
+
+def extremes(F):
+    """Elements whose coordinates are farthest from 0 modulo n, with all signs."""
+    half = [F.from_label(F.order // 2), F.from_label((F.order + 1) // 2 % F.order)]
+    return list(cartesian(half, repeat=4))
 
 
 def scalars(A, p, name):
@@ -98,7 +105,8 @@ def agrees(A, P, Q):
 def test_finite_rings(name):
     F, rng = ring(name), Random(name)
     for a, b, t in constants(F, name):
-        agrees(QuaternionAlgebra(F, a, b, t), elements(F, rng, COUNT), elements(F, rng, COUNT))
+        P, Q = (extremes(F) + elements(F, rng, COUNT) for _ in range(2))
+        agrees(QuaternionAlgebra(F, a, b, t), P, Q)
 
 
 @pytest.mark.parametrize("name", ["GF(2)", "GF(3)", "GF(4)", "ZZ/4"])
@@ -231,7 +239,7 @@ def test_threads_share_long_arrays():
 
     A = H("GF(7)")
     rng = np.random.default_rng(1)
-    p, q = (A.from_array(rng.integers(0, 7, (4, 300_001), dtype=np.uint8)) for _ in range(2))
+    p, q = (A.from_array(rng.integers(0, 7, (4, 600_001), dtype=np.uint8)) for _ in range(2))
     before = threads()
     try:
         found = []
@@ -291,7 +299,9 @@ def test_arrays_of_integers_go_out_and_in(name, tmp_path):
     ):
         assert again.shape == (3, 4)
         assert (again == q).all()
+    assert (A.from_array(q[::-1].to_array()) == q[::-1]).all()
     product = q * q
+    assert (A.from_array(product[::-1].to_array()) == product[::-1]).all()
     assert np.shares_memory(product.to_array(), product.to_array())
     if name != "QQ":  # which copies, to put it in lowest terms
         assert np.shares_memory(A.from_array(product.to_array()).to_array(), product.to_array())

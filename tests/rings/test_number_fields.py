@@ -9,6 +9,7 @@ import pytest
 from flint import arb
 
 from hfield import NumberField, QuaternionAlgebra, ring
+from hfield.embedding import embedding
 from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError
 from hfield.rings.number_field_places import place_of_number_field
 from tests.structure.number_field_cases import cases, field, prime
@@ -270,3 +271,32 @@ def test_levels(name: str, level: float) -> None:
     squares = K.minus_one_as_squares()
     assert len(squares) == (0 if level == float("inf") else level)
     assert not squares or sum((x * x for x in squares), K.one) == 0
+
+
+@pytest.mark.parametrize(
+    ("source", "target"),
+    [
+        ("QQ(zeta5)", "QQ(zeta15)"), ("QQ(zeta7)+", "QQ(zeta7)"), ("QQ[s]/(s^3-2)", "QQ(root(2,3),zeta3)"),
+        ("QQ(sqrt(2),sqrt(3))", "QQ(sqrt(2),sqrt(3),I)"), ("QQ(root(2,3))", "QQ[s]/(s^3-2)"),
+        ("QQ[s]/(s^2-5)", "QQ(zeta5)"), ("QQ(sqrt(5))", "QQ(zeta5)"), ("QQ(I)", "QQ(zeta12)"),
+        ("QQ", "QQ(zeta5)"),
+    ],
+)  # fmt: skip
+def test_fields_map_into_larger_ones(source: str, target: str) -> None:
+    F, rng = embedding(ring(source), ring(target)), Random(1)
+    K, L = ring(source), ring(target)
+    for _ in range(5):
+        x, y = K.random(rng), K.random(rng)
+        assert F(x * y) == F(x) * F(y)
+        assert F(x + y) == F(x) + F(y)
+        assert L(F(x)) == F(x)
+        if hasattr(K, "embeddings"):
+            assert (L.embed(F(x)) - K.embed(x)).contains(0)
+
+
+def test_fields_that_do_not_map_say_so() -> None:
+    with pytest.raises(CoercionError, match="contains no root"):
+        embedding(ring("QQ(zeta5)"), ring("QQ(zeta7)"))
+    for target in ("QQ(x)", "GF(7)"):
+        with pytest.raises(CoercionError, match="has no image"):
+            embedding(ring("QQ[s]/(s^3-2)"), ring(target))(ring("QQ[s]/(s^3-2)").gen)

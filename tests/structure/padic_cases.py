@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from fractions import Fraction
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -72,3 +73,13 @@ def pari() -> Any:
 
     cypari = pytest.importorskip("cypari", reason="cypari, an oracle, is not installed")
     return cypari.pari
+
+
+if __name__ == "__main__":  # writes the vectors; cypari must be installed
+    folder, oracle = Path(__file__).parents[1] / "vectors", pari()
+    own = [int(oracle(f"hilbert({a},{b},{p})")) for p, a, b in cases()]
+    above = [pari_symbol(oracle, *case) for case in extension_cases()]
+    for name, symbols in (("padic_symbols", own), ("padic_extension_symbols", above)):
+        signs = "".join("+" if s == 1 else "-" for s in symbols)
+        rows = (signs[n : n + 100] for n in range(0, len(signs), 100))
+        (folder / f"{name}.txt").write_text("\n".join(rows) + "\n", encoding="utf-8")

@@ -4,14 +4,14 @@ from itertools import islice
 from random import Random
 
 import pytest
-from hfield.structure.number_fields.local_place import local_place
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
 from hfield.errors import CoercionError, RingError
 from hfield.product import Constants
 from hfield.rings.number_field_places import ComplexPlace, RealPlace
 from hfield.rings.number_primes import PrimeIdeal
-from hfield.structure.minimise import Conic, minimise, norm_form
+from hfield.rings.residues.number_ideals import local_place
+from hfield.structure.minimal_conics import Conic, minimise, norm_form
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import candidates
 from tests.steps import steps
@@ -80,8 +80,10 @@ def test_what_has_no_symbol_is_refused() -> None:
     K, L = ring("QQ[s]/(s^3-2)"), ring("QQ(zeta5)")
     with pytest.raises(RingError, match="0"):
         hilbert_symbol(K.zero, K.one, K.primes_above(3)[0])
-    with pytest.raises(CoercionError, match="different rings"):
+    with pytest.raises(RingError, match=r"3 is a place of QQ\(zeta5\), not of"):
         hilbert_symbol(K.gen, K.one, L.primes_above(3)[0])
+    with pytest.raises(CoercionError, match="different rings"):
+        hilbert_symbol(K.gen, L.gen, K.primes_above(3)[0])
     with pytest.raises(RingError, match="names no single place"):
         hilbert_symbol(K.gen, K.one, "5")
     assert hilbert_symbol(K(-1), K(-1), "(2, s)") == -1
@@ -179,3 +181,14 @@ def test_places_of_every_kind_are_seen() -> None:
     K = ring("QQ[s]/(s^4-2)")
     kinds = [type(v) for v in islice(K.places(), 5)]
     assert kinds == [RealPlace, RealPlace, ComplexPlace, PrimeIdeal, PrimeIdeal]
+
+
+def test_square_roots_in_division_algebras() -> None:
+    A = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1)
+    for s in ("-3", "-s", "s-3"):
+        roots = A(s).square_roots()
+        assert all(q * q == A(s) for q in roots)
+        assert len(list(roots)) > 0
+    assert not list(A("s").square_roots())
+    assert A.basis[1].order() == 4
+    assert QuaternionAlgebra("QQ(zeta5)", -1, -1)("-zeta5*e").order() == 10

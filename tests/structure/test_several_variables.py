@@ -7,9 +7,11 @@ import pytest
 
 from hfield import QuaternionAlgebra, prove, ring
 from hfield.errors import RingError, UndecidedError
-from hfield.product import norm
+from hfield.product import Constants, norm
 from hfield.structure import zero_norm
+from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
+from hfield.structure.several_variables.leading_terms import by_leading_terms
 
 
 @pytest.mark.parametrize(
@@ -76,10 +78,22 @@ def test_a_norm_is_never_ramified(name):
             assert known_field(F).ramified(_form(F, a, b)) == (), (a, b)
 
 
-def _form(F, a, b):
-    from hfield.product import Constants
-    from hfield.structure.forms import normal_form
+@pytest.mark.parametrize("name", ["QQ(x,y)", "GF(9)(s,t)", "GF(2)(s,t)", "GF(4)(s,t)"])
+def test_leading_terms_never_speak_against_a_zero(name):
+    """(a, u² − a·v²), or [a, u² + uv + a·v²) in characteristic 2, has one."""
+    F, rng, t = ring(name), Random(9), int(ring(name).characteristic == 2)
+    for _ in range(30):
+        a, u, v = (F.random(rng) for _ in range(3))
+        b = u * u + t * u * v - a * v * v
+        if not (F.is_zero(a) or F.is_zero(b)):
+            c = Constants(a, F(t), b)
+            assert by_leading_terms(F, c, normal_form(F, c)) is None
+    x, y = (F.names()[n] for n in ("x", "y")) if name[0] == "Q" else (F("s"), F("t"))
+    c = Constants(x, F(t), y)
+    assert by_leading_terms(F, c, normal_form(F, c)) is not None
 
+
+def _form(F, a, b):
     return normal_form(F, Constants(a, F.zero, b))
 
 

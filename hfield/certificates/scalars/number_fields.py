@@ -13,6 +13,7 @@ from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.finite import gcd_modulo
 from hfield.certificates.scalars.irreducible import check_irreducible
+from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.scalars.names import integer, variable
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.polynomials import Polynomials, dense
@@ -76,25 +77,16 @@ class NumberField(Ring):
         return tuple([bounded(c) for c in wide])
 
     def inverse(self, x: Element) -> Element | None:
-        """Return 1/x: the y with x·y = 1, by elimination in the matrix of the multiplication by x."""
-        n = self.degree
+        """Return 1/x: the first row of the inverse of the multiplication by x."""
         if self.is_zero(x):
             return None
-        charge(10 * n**3)
-        columns, power = [], x
-        for _ in range(n):
-            columns.append(power)
+        rows, power = [], x
+        for _ in range(self.degree):
+            rows.append(list(power))
             power = self.mul(power, (Fraction(0), Fraction(1), *self.zero[2:]))
-        rows = [[columns[j][i] for j in range(n)] + [self.one[i]] for i in range(n)]
-        for k in range(n):
-            pivot = next(r for r in range(k, n) if rows[r][k])  # f is irreducible
-            rows[k], rows[pivot] = rows[pivot], rows[k]
-            rows[k] = [bounded(c / rows[k][k]) for c in rows[k]]
-            for r in range(n):
-                if r != k and rows[r][k]:
-                    c = rows[r][k]
-                    rows[r] = [bounded(a - c * b) for a, b in zip(rows[r], rows[k], strict=True)]
-        return tuple([row[n] for row in rows])
+        found = inverse_matrix(rows)
+        assert found is not None, "the modulus is irreducible"
+        return tuple(found[0])
 
     def constant(self, tree: Tree) -> Any:
         """Return the generator."""

@@ -9,37 +9,43 @@ P and lies in all other maximal ideals makes elements with denominators p integr
 import re
 from collections.abc import Sequence
 from fractions import Fraction
+from math import lcm
 from typing import Any, Protocol
 
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.finite import Residues, gcd_modulo, is_prime
+from hfield.certificates.scalars.matrices import inverse_matrix
+from hfield.certificates.scalars.names import polynomial
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.quotients import Quotient
+from hfield.certificates.scalars.rationals import bounded
 from hfield.certificates.scalars.residues import OverFiniteField, modulo
 from hfield.certificates.work import charge
 
-MAX_STEPS = 400
 
-
-class Field(Protocol):
-    """What is used of the number field."""
+class Generated(Protocol):
+    """A number field with a generator: the polynomial of this, monic, and what makes it integral."""
 
     name: str
     degree: int
     scale: int
     modulus: list[Fraction]
 
-    def mul(self, x: Any, y: Any) -> Any:
-        """Return x·y."""
+
+class Field(Generated, Protocol):
+    """What is used of a number field besides."""
 
     def read(self, text: str) -> Any:
         """Read an element."""
+
+    def mul(self, x: Any, y: Any) -> Any:
+        """Return x·y."""
 
 
 class PrimeIdeal(OverFiniteField):
     """The ideal of p and g(s); ``g`` dense, low degree first, monic modulo p."""
 
-    def __init__(self, field: Field, p: int, g: list[int]) -> None:
+    def __init__(self, field: Generated, p: int, g: list[int]) -> None:
         if not is_prime(p) or field.scale % p == 0:
             reject(f"{p} is no prime at which the generator of {shown(field.name)} is integral")
         self.field, self.p = field, p
@@ -60,7 +66,7 @@ class PrimeIdeal(OverFiniteField):
         power = [1]
         for _ in range(e):
             power = _times(power, g, p)
-        self.cleared = self._element(_one_at(power, h, p))
+        self.cleared = _one_at(power, h, p)
 
     def _is_regular(self, g: list[int], e: int, h: list[int]) -> bool:
         """Tell whether (f − gᵉ·h)/p is prime to g modulo p."""
@@ -75,21 +81,32 @@ class PrimeIdeal(OverFiniteField):
         return (*map(Fraction, f), *[Fraction(0)] * (self.field.degree - len(f)))
 
     def residue(self, x: Any) -> Any:
-        """Return the class of x modulo P; None where x is not integral, or not seen to be."""
-        for _ in range(MAX_STEPS):
-            classes = [modulo(c, self.p) for c in x]
-            if None not in classes:
-                return self.residues.reduce(classes)
-            charge(20)
-            if self.cleared == (1, *[0] * (len(x) - 1)):
-                return None  # no other ideal is above p
-            x = self.field.mul(x, self.cleared)
+        """Return the class of x modulo P; None where x is not integral, or not seen to be.
+
+        x is a/pᵏ, where a matters modulo p^(k+1); it is multiplied by what is 1 modulo P and in the other
+        ideals above p until it is integral at these.
+        """
+        p, power = self.p, 1
+        while any(c.denominator % (power * p) == 0 for c in x):
+            power *= p
+        modulus = power * p
+        a = [_modulo(c * power, modulus) for c in x]
+        f = [_modulo(c, modulus) for c in self.field.modulus]
+        steps = 2 * len(x) * (power.bit_length() + 1) if len(self.cleared) > 1 else 1
+        for _ in range(steps):
+            if all(c % power == 0 for c in a):
+                return self.residues.reduce([c // power % p for c in a])
+            a = _divide(_times(a, self.cleared, modulus), f, modulus)[1]
         return None
 
 
 def read_ideal(field: Field, text: str) -> Place:
-    """Read ``(p, g(s))`` or ``p``."""
+    """Read ``(p, g(s))``, ``p``, or ``(p, g(x); θ)`` where θ takes the place of s."""
     name = "".join(text.split())
+    if m := re.fullmatch(r"\(([0-9]{1,40}),([^;]+);([^;]+)\)", name):
+        other = Regenerated(field, field.read(m[3]))
+        g = polynomial(m[2], "x", field.degree)
+        return Translated(other, PrimeIdeal(other, int(m[1]), [c % int(m[1]) for c in g]))
     m = re.fullmatch(r"\(([0-9]{1,40}),(.+)\)|([0-9]{1,40})", name)
     if m is None:
         reject(f"{shown(text)!r} is no prime ideal of {shown(field.name)}")
@@ -99,6 +116,54 @@ def read_ideal(field: Field, text: str) -> Place:
     if m[3]:
         return PrimeIdeal(field, p, [_modulo(c, p) for c in field.modulus])
     return PrimeIdeal(field, p, [_modulo(c, p) for c in field.read(m[2])])
+
+
+class Regenerated:
+    """The same field with another generator θ: its polynomial, and coordinates in powers of θ."""
+
+    def __init__(self, field: Field, theta: Any) -> None:
+        self.degree = n = field.degree
+        self.name = f"{field.name} by another generator"
+        charge(20 * n**3)
+        powers = [(Fraction(1), *[Fraction(0)] * (n - 1))]
+        for _ in range(n):
+            powers.append(field.mul(powers[-1], theta))
+        self.rows = powers[:n]
+        inverse = inverse_matrix([list(row) for row in self.rows])
+        if inverse is None:
+            reject(f"an element does not generate {shown(field.name)}")
+        self.inverse = inverse
+        self.modulus = [*(-c for c in self.inside(powers[n])), Fraction(1)]
+        self.scale = lcm(*(c.denominator for c in self.modulus))
+
+    def inside(self, x: Any) -> list[Fraction]:
+        """Return the coordinates in powers of θ."""
+        return _combination(x, self.inverse)
+
+    def outside(self, x: Any) -> tuple[Fraction, ...]:
+        """Return the element with those coordinates."""
+        return tuple(_combination(x, self.rows))
+
+
+class Translated(OverFiniteField):
+    """A prime ideal in terms of another generator."""
+
+    def __init__(self, field: Regenerated, ideal: PrimeIdeal) -> None:
+        self.field, self.ideal, self.residues = field, ideal, ideal.residues
+        self.odd = field.outside(ideal.odd)
+
+    def residue(self, x: Any) -> Any:
+        """Return the class of x; None where x is not integral, or not seen to be."""
+        return self.ideal.residue(self.field.inside(x))
+
+
+def _combination(x: Any, rows: Any) -> list[Fraction]:
+    """Return the sum of the rows, each times an entry of x."""
+    charge(2 * len(rows) ** 2)
+    return [
+        bounded(sum((a * row[k] for a, row in zip(x, rows, strict=True)), Fraction(0)))
+        for k in range(len(rows))
+    ]
 
 
 def _modulo(c: Fraction, p: int) -> int:

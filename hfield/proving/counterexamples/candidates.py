@@ -11,52 +11,15 @@ from typing import Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
 from hfield.product import Constants, conjugate, multiply, trace
-from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
-from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
+from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 from hfield.syntax import weight
 
-Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
-
-
-class Searcher:
-    """Evaluates the statement of a problem at many places; ``wanted`` is the truth value looked for."""
-
-    def __init__(
-        self, problem: Problem, scalars: PrimeScalars | RingScalars, wanted: bool = False
-    ) -> None:
-        self.problem, self.wanted = problem, wanted
-        fixed: Assignment = {}
-        if isinstance(scalars, RingScalars):
-            own = problem.statement.constants
-            fixed = {text: constant(scalars.ring, text) for text in own}
-        trees, sorts = problem.setting.trees, problem.statement.sorts
-        self.evaluator = Evaluator(scalars, trees, sorts, fixed)
-        self.holds = self.evaluator.function(problem.matrix)
-        self.moving = bool(problem.letters)  # the structure constants, with the place
-        self.exists = self.moving or bool(self.evaluator.bind({}))
-
-    def test(self, assignment: Assignment) -> bool:
-        """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
-        try:
-            exists = self.evaluator.bind(assignment) if self.moving else self.exists
-            return bool(exists) and self.holds(assignment) is self.wanted
-        except UndecidedError:  # a local field knows its roots to some digits only
-            return False
-
-    def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
-        """Return the first assignment with the wanted truth value, before the deadline."""
-        for assignment in assignments:
-            if self.problem.is_late:
-                return None
-            if self.test(assignment):
-                return assignment
-        return None
 
 
 def by_weight(
@@ -154,7 +117,7 @@ def zero_divisors(setting: Setting) -> tuple[Any, ...]:
         out.append(multiply(c, found, unit))
     s, t = (trace(c, q) for q in out[-2:])  # of found·i and found·j
     nilpotent = multiply(c, found, (zero, t, zero - s, zero))
-    if not all(map(field.is_zero, nilpotent)):
+    if not all(map(field.vanishes, nilpotent)):
         out.append(nilpotent)
     try:  # an idempotent: q² = tr(q)·q when N(q) = 0
         factor = field.inverse(trace(c, found))

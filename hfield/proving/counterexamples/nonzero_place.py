@@ -5,7 +5,8 @@ from itertools import chain, count, islice
 from typing import Any
 
 from hfield.errors import HFieldError
-from hfield.proving.counterexamples.candidates import Assignment, small_scalars
+from hfield.proving.counterexamples.candidates import small_scalars
+from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem

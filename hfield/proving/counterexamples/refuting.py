@@ -3,21 +3,14 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from hfield.errors import TooLargeError, UndecidedError
-from hfield.proving.counterexamples.candidates import (
-    Assignment,
-    Searcher,
-    prime_search,
-    ring_search,
-)
+from hfield.errors import UndecidedError
+from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.counterexamples.solving import solve
-from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
-from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.methods.answers import refuted
-from hfield.proving.methods.starting_relations import quaternions_of
+from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
+from hfield.proving.polynomials.starting_relations import quaternions_of
 from hfield.proving.problem import Problem
 from hfield.rings.base import Ring
 
@@ -89,33 +82,3 @@ def narrowed(
     if bent:
         slopes = [z.derivative(n) for z in bent for n in range(z.context().nvars())]
         yield Clause((*clause.zeros, *(f for f in slopes if f != 0)), clause.goals)
-
-
-def exhaust(problem: Problem, x: Expanded | None) -> Decision:
-    """Decide over a finite ring by all cases; when they are too many, look at small places."""
-    used = None if x is None else used_variables(x)
-    try:
-        found, cases = counterexample(problem, used)
-    except (TooLargeError, UndecidedError) as error:
-        found = look(problem, MANY)
-        if found is not None:
-            return refuted(problem, found)
-        return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
-    if found is not None:
-        return refuted(problem, found)
-    steps = (f"true in {_each(cases)} over {problem.ring.name}",)
-    evidence = {"kind": "exhaustion", "cases": cases}
-    return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)
-
-
-def _each(cases: int) -> str:
-    return f"each of the {cases} cases" if cases > 1 else "the only case"
-
-
-def used_variables(x: Expanded) -> frozenset[str]:
-    """Return the coordinates that the clauses depend on."""
-    polynomials = [p for c in x.clauses for p in (*c.zeros, *(g for goal in c.goals for g in goal))]
-    degrees: list[int] = [0] * len(x.variables)
-    for p in polynomials:
-        degrees = [a + int(b) for a, b in zip(degrees, p.degrees(), strict=True)]
-    return frozenset(name for name, d in zip(x.variables, degrees, strict=True) if d)

@@ -11,8 +11,9 @@ from typing import Any
 from flint import fmpq
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
-from hfield.proving.counterexamples.candidates import Assignment, nonzero_first, small_scalars
+from hfield.proving.counterexamples.candidates import nonzero_first, small_scalars
 from hfield.proving.counterexamples.nonzero_place import values_of
+from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.vanishing import Monomial, coefficients

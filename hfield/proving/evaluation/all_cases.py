@@ -6,10 +6,9 @@ from itertools import product
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
-from hfield.proving.counterexamples.candidates import Assignment, Searcher
 from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value
-from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value, constant
+from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
@@ -19,6 +18,9 @@ FEW_CASES = 1_500  # below, a loop is faster than loading numpy
 BLOCK = 1 << 18
 MAX_TABLE = 1 << 8  # elements of a ring whose products are tabulated
 MAX_PRIME = 1 << 16  # elements of a prime field whose inverses are
+MANY_CASES = (
+    10**5
+)  # from here on loops that are compiled, or read from the disk, pay for themselves
 
 
 def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple[str, int]]:
@@ -91,7 +93,8 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
     import numpy as np
 
     field, statement = problem.ring, problem.statement
-    table = _table(field)
+    order: int = field.order or 0
+    table = _table(field, order ** len(places) >= MANY_CASES)
     scalars = _TableScalars(table)
     fixed = {text: scalars.element(constant(field, text)) for text in statement.constants}
     evaluator = Evaluator(scalars, problem.setting.trees, statement.sorts, fixed)
@@ -100,7 +103,7 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
     for start in range(0, cases, BLOCK):
         if problem.is_late:
             raise UndecidedError(f"time was over after {start} of {cases} cases")
-        index = np.arange(start, min(start + BLOCK, cases))
+        index = np.arange(start, min(start + BLOCK, cases), dtype=np.int32)  # at most MAX_CASES
         digits = []
         for _ in places:
             index, digit = np.divmod(index, q)
@@ -117,20 +120,25 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
 
 
 class _Table:
-    """The arithmetic of a finite ring on the indices of its elements."""
+    """The arithmetic of a finite ring on the indices of its elements, which are their labels if ``loops``."""
 
-    def __init__(self, field: Ring) -> None:
+    def __init__(self, field: Ring, loops: bool) -> None:
         import numpy as np
 
+        from hfield.rings.array_held.scalars import scalar_arrays
+
         self.field = field
+        self.loops = scalar_arrays(field) if loops else None
         self.elements = list(field.elements())
         self.prime = field.order == field.characteristic
         self.kind: Any = np.int64 if self.prime else np.uint16
+        if self.loops is not None:
+            self.kind = np.dtype(self.loops.dtype)
         self.index = {field.key(x): n for n, x in enumerate(self.elements)}
         if self.prime:  # the n-th element is then n·1
             self.elements = [field(n) for n in range(field.characteristic)]
             self.index = {field.key(x): n for n, x in enumerate(self.elements)}
-        else:
+        elif self.loops is None:
             find = self.index
             key = field.key
             self.sum = np.array(
@@ -164,17 +172,26 @@ class _Entries:
 
     def __add__(self, other: "_Entries") -> "_Entries":
         t, x, y = self.table, self.array, other.array
+        if t.loops is not None:
+            return _Entries(t, t.loops.sum(x, y))
         return _Entries(t, (x + y) % t.field.characteristic if t.prime else t.sum[x, y])
 
     def __neg__(self) -> "_Entries":
         t = self.table
+        if t.loops is not None:
+            return _Entries(t, t.loops.negative(self.array))
         return _Entries(t, -self.array % t.field.characteristic if t.prime else t.minus[self.array])
 
     def __sub__(self, other: "_Entries") -> "_Entries":
+        t = self.table
+        if t.loops is not None:
+            return _Entries(t, t.loops.difference(self.array, other.array))
         return self + -other
 
     def __mul__(self, other: "_Entries") -> "_Entries":
         t, x, y = self.table, self.array, other.array
+        if t.loops is not None:
+            return _Entries(t, t.loops.product(x, y))
         return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
 
 
@@ -215,5 +232,5 @@ class _TableScalars(Scalars):
 
 
 @lru_cache(maxsize=16)
-def _table(field: Ring) -> _Table:
-    return _Table(field)
+def _table(field: Ring, loops: bool) -> _Table:
+    return _Table(field, loops)

@@ -7,6 +7,7 @@ The evaluator asks nothing else of them, so that arrays and polynomials serve as
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import lru_cache
 from operator import mul
 from typing import Any
 
@@ -149,3 +150,9 @@ class PrimeScalars(Scalars):
         """Compare modulo p."""
         p = self.p
         return any(d % p for d in differences) if p else any(differences)
+
+
+@lru_cache(maxsize=1024)
+def constant(field: Ring, text: str) -> Any:
+    """Return the element of the field that ``text`` names."""
+    return field(text)

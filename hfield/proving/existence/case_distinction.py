@@ -5,9 +5,10 @@ from dataclasses import replace
 from typing import Any
 
 from hfield.errors import TooLargeError
-from hfield.proving.counterexamples.candidates import Searcher, prime_search, ring_search
+from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
+from hfield.proving.evaluation.searcher import Searcher
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
 from hfield.proving.existence.terms import by_terms, combined

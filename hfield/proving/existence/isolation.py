@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from hfield.proving.existence.two_sided import two_sided
-from hfield.proving.methods.starting_relations import is_scalar
+from hfield.proving.polynomials.starting_relations import is_scalar
 from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.simplified import ONE, ZERO, minus, over

@@ -6,16 +6,11 @@ from itertools import chain
 from typing import Any
 
 from hfield.errors import HFieldError
-from hfield.proving.counterexamples.candidates import (
-    Assignment,
-    Searcher,
-    by_weight,
-    small_scalars,
-    witness_texts,
-)
+from hfield.proving.counterexamples.candidates import by_weight, small_scalars, witness_texts
 from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, Decision
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.existence.witnesses import decide_closed, shown

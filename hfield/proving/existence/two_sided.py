@@ -12,7 +12,7 @@ to tell.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from hfield.proving.methods.starting_relations import is_scalar
+from hfield.proving.polynomials.starting_relations import is_scalar
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.simplified import ONE, ZERO, minus, over, plus, times

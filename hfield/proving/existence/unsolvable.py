@@ -8,11 +8,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from hfield.errors import TooLargeError
-from hfield.proving.counterexamples.candidates import Assignment
+from hfield.proving.evaluation.scalars import constant
+from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.existence.coefficients import Row
 from hfield.proving.existence.linear_systems import System
 from hfield.proving.polynomials.normal_form import branches
-from hfield.proving.polynomials.vanishing import constant
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power

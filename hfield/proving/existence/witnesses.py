@@ -4,15 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from hfield.errors import TooLargeError
-from hfield.proving.counterexamples.candidates import (
-    Assignment,
-    Searcher,
-    true_place,
-    witness_texts,
-)
+from hfield.proving.counterexamples.candidates import true_place, witness_texts
 from hfield.proving.counterexamples.refuting import lifted
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots

@@ -11,8 +11,8 @@ from typing import Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.clock import Clock
-from hfield.proving.methods.field_rules import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.polynomials.anisotropic_forms import Form, Forms
+from hfield.proving.polynomials.field_rules import NORM, ROOTS, SQUARES, Rule
 from hfield.proving.polynomials.membership import LARGE_PRIMES, Cofactors, Ideal
 from hfield.proving.polynomials.recognition import (
     MAX_DEGREE,

@@ -15,16 +15,16 @@ from hfield.proving.decision import (
     counted,
 )
 from hfield.proving.methods.contradiction import Conditions, member, refute
-from hfield.proving.methods.field_rules import ROOTS, Rule, rules
-from hfield.proving.methods.starting_relations import (
+from hfield.proving.polynomials.expansion import Expanded, expand
+from hfield.proving.polynomials.field_rules import ROOTS, Rule, rules
+from hfield.proving.polynomials.membership import Cofactors
+from hfield.proving.polynomials.normal_form import Clause
+from hfield.proving.polynomials.recognition import polynomial_text
+from hfield.proving.polynomials.starting_relations import (
     nonzero_constants_of,
     quaternions_of,
     relations_of,
 )
-from hfield.proving.polynomials.expansion import Expanded, expand
-from hfield.proving.polynomials.membership import Cofactors
-from hfield.proving.polynomials.normal_form import Clause
-from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Statement

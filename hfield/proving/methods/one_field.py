@@ -8,16 +8,16 @@ from hfield.proving.counterexamples.refuting import (
     FEW,
     MANY,
     SHORT,
-    exhaust,
     look,
     look_quickly,
     solve_clauses,
 )
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.methods.answers import identity, implied, refuted, scope_of_identity
-from hfield.proving.methods.field_rules import unused_norm
+from hfield.proving.methods.exhaustion import exhaust
 from hfield.proving.methods.implications import prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand
+from hfield.proving.polynomials.field_rules import unused_norm
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes, vanishes_as_function
 from hfield.proving.problem import Problem

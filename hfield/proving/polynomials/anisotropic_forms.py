@@ -10,9 +10,10 @@ from functools import lru_cache
 from math import gcd, isqrt
 from typing import Any
 
-from hfield.proving.methods.field_rules import Rule, norm_rule_of
+from hfield.proving.evaluation.scalars import constant
+from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
 from hfield.proving.polynomials.recognition import polynomial_text, without_root
-from hfield.proving.polynomials.vanishing import constant, factored
+from hfield.proving.polynomials.vanishing import factored
 from hfield.rings.base import Ring, power
 
 MAX_DEGREE = 12

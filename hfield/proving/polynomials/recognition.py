@@ -7,8 +7,8 @@ from typing import Any
 from flint import fmpq, fmpq_poly
 
 from hfield.errors import UndecidedError
-from hfield.proving.methods.field_rules import Rule
-from hfield.proving.polynomials.vanishing import constant
+from hfield.proving.evaluation.scalars import constant
+from hfield.proving.polynomials.field_rules import Rule
 from hfield.rings.base import Ring, power
 
 MAX_DEGREE = 16

@@ -3,10 +3,10 @@
 import math
 from collections import defaultdict
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import Any
 
 from hfield.factorisation import factor
+from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.rings.base import Ring, power
 
@@ -66,12 +66,6 @@ def coefficients(
                 value = value * power(field.one, constant(field, text), n)
         out[monomial] = out[monomial] + value
     return {m: c for m, c in out.items() if not field.is_zero(c)}
-
-
-@lru_cache(maxsize=1024)
-def constant(field: Ring, text: str) -> Any:
-    """Return the element of the field that ``text`` names."""
-    return field(text)
 
 
 def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple[Any, int]]]:

@@ -5,6 +5,7 @@ The basis is scaled as that of a single element is, so that the structure consta
 
 from __future__ import annotations
 
+from math import lcm
 from typing import Any
 
 import flint
@@ -18,7 +19,6 @@ from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.words import WORD, Sides, WordArrays, is_words, object_parts
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.base import Ring
-from hfield.rings.held.fractions import Fractions
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program
 
@@ -28,10 +28,10 @@ class FractionArrays(WordArrays):
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
-        one = ring.holding(constants)
-        assert isinstance(one, Fractions)
-        self.one = one
-        self.integral = Constants(*(self.one.integers[name] for name in "atb"))
+        a, t, b = constants
+        m, k = lcm(int(a.q), int(t.q)), int(b.q)  # i′ = m·i and j′ = k·j have integral constants
+        self.integral = Constants(int(a * m**2), int(t * m), int(b * k**2))
+        self.scales = (1, m, k, m * k)
 
     def _program(self, name: str) -> tuple[Program, Sides]:
         if name in programs.FRACTIONS:
@@ -56,16 +56,23 @@ class FractionArrays(WordArrays):
     def hold(self, coordinates: Coordinates) -> Rows:
         """Hold four arrays of rational numbers, in words if they fit."""
         w, x, y, z = coordinates
-        held = [self.one.hold(four) for four in zip(*(c.flat for c in (w, x, y, z)), strict=True)]
+        four = zip(*(c.flat for c in (w, x, y, z)), strict=True)
+        held = [self._numerators(x) for x in four]
         try:
-            block = np.array([[int(n) for n in h] for h in held], WORD).reshape(-1, 5)
+            block = np.array(held, WORD).reshape(-1, 5)
         except OverflowError:
             return w, x, y, z
         return rows_of(np.ascontiguousarray(block.T).reshape(5, *w.shape))
 
+    def _numerators(self, coordinates: Coordinates) -> list[int]:
+        """Return four numerators over their common denominator, in lowest terms."""
+        parts = [c / s for c, s in zip(coordinates, self.scales, strict=True)]
+        d = lcm(*(int(c.q) for c in parts))
+        return [*(int(c.p) * (d // int(c.q)) for c in parts), d]
+
     def read(self, values: tuple[Any, ...]) -> Rows:
         """Hold four values that ℚ reads. Raises :class:`CoercionError`."""
-        if not self.one.is_scaled and all(is_whole(v) for v in values):
+        if self.scales == (1, 1, 1, 1) and all(is_whole(v) for v in values):
             rows = one_shape([np.array(v, WORD) for v in values])
             return (*rows, np.ones(rows[0].shape, WORD))
         w, x, y, z = one_shape([self.ring.array(v) for v in values])
@@ -80,11 +87,13 @@ class FractionArrays(WordArrays):
         """Return the coordinates as arrays of flint's rational numbers."""
         if not is_words(held):
             return super().coordinates(held)
-        flat = zip(*(row.ravel().tolist() for row in held), strict=True)
-        parts = [self.one.coordinates(five) for five in flat]
-        shape = held[0].shape
-        columns = zip(*parts, strict=True) if parts else ([], [], [], [])
-        w, x, y, z = (objects(list(c), self.ring).reshape(shape) for c in columns)
+        *rows, d = (row.ravel().tolist() for row in held)
+        w, x, y, z = (
+            objects([flint.fmpq(n * s, m) for n, m in zip(row, d, strict=True)], self.ring).reshape(
+                held[0].shape
+            )
+            for row, s in zip(rows, self.scales, strict=True)
+        )
         return w, x, y, z
 
     def single(self, p: Rows) -> Coordinates:
@@ -140,6 +149,13 @@ class FractionArrays(WordArrays):
         """Tell which elements have an inverse."""
         rows = self.in_words("norm", p)
         return self.by_arrays("units", p) if rows is None else rows[0] != 0
+
+    def prepare(self) -> None:
+        """Compile every loop, or read it from the disk."""
+        super().prepare()
+        for kernel in self.kernels("inverse"):
+            kernel.prepare()
+        lowest(tuple(np.ones((5, 1), WORD)))
 
 
 _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))

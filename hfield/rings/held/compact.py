@@ -35,7 +35,7 @@ class Compact(Holding):
     other constants are named.
     """
 
-    __slots__ = MADE  # slots, for Python looks these up fastest
+    __slots__ = (*MADE, "is_unique")  # slots, for Python looks these up fastest
 
     conjugate: Callable[[Any], Any]
     difference: Callable[[Any, Any], Any]
@@ -48,6 +48,7 @@ class Compact(Holding):
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
+        self.is_unique = True
         for name in MADE:
             setattr(self, name, partial(self._first_call, name))
 
@@ -61,6 +62,10 @@ class Compact(Holding):
     def whole(self, w: int, x: int, y: int, z: int) -> Any:
         """Hold four ints."""
         return super().read((w, x, y, z))
+
+    def equal(self, p: Any, q: Any) -> bool:
+        """Tell whether p = q."""
+        return bool(p == q)
 
     @abstractmethod
     def source(self, operation: str) -> str:

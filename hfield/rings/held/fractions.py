@@ -23,6 +23,14 @@ class Fractions(Numerators):
     Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
     """
 
+    inverted = [  # noqa: RUF012
+        "if d == 0:",
+        "    return None",
+        "if d < 0:",
+        "    d, d1 = -d, -d1",
+        *Numerators.inverted[2:],
+    ]
+
     def __init__(
         self,
         ring: Ring,
@@ -31,7 +39,9 @@ class Fractions(Numerators):
         vector: Callable[[Any], Vector],
         element: Callable[..., Any],
     ) -> None:
-        """Take the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``."""
+        """Take the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``,
+
+        the denominator 1 where it is left out."""
         super().__init__(ring, constants)
         self.degree = len(relation)
         self._vector, self._element = vector, element
@@ -60,18 +70,18 @@ class Fractions(Numerators):
         vectors = map(self._vector, coordinates)
         every = [c / s for v, s in zip(vectors, scales, strict=True) for c in v]
         d = lcm(*(int(c.q) for c in every))
-        return lowest(*(int(c.p) * (d // int(c.q)) for c in every), d)
+        held = *(int(c.p) * (d // int(c.q)) for c in every), d
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
     def whole(self, w: int, x: int, y: int, z: int) -> Held:
         """Hold four ints."""
-        if (
-            self.degree == 1
-            and not self.is_scaled
-            and -LARGE < min(w, x, y, z) <= max(w, x, y, z) < LARGE
-        ):
-            return w, x, y, z, 1
-        held: Held = super().whole(w, x, y, z)
-        return held
+        held: Held
+        if self.is_scaled:
+            held = super().whole(w, x, y, z)
+            return held
+        zeros = (0,) * (self.degree - 1)
+        held = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, elements of the field."""
@@ -93,6 +103,11 @@ class Fractions(Numerators):
         tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
         return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
 
+    def value(self, names: list[str], denominator: str) -> list[str]:
+        """Write how to return ints over a denominator; whole numbers are made quicker."""
+        whole = f"    return element({', '.join(names)})"
+        return ["if d1 == 1:", whole, *super().value(names, denominator)]
+
     def settle(self, names: list[str]) -> list[str]:
         """Write how to return ints over d in lowest terms; one look tells whether they are large."""
         listed = ", ".join(names)
@@ -100,7 +115,7 @@ class Fractions(Numerators):
             "if d == 1:",
             f"    if SMALL < {names[0]} < LARGE:",
             f"        return {listed}, d",
-            f"elif 0 < d < LARGE > {names[0]}:",
+            f"elif d < LARGE > {names[0]}:",
             f"    g = gcd(d, {listed})",
             "    if g == 1:",
             f"        return {listed}, d",
@@ -114,19 +129,18 @@ def _denominator(vector: Vector) -> int:
 
 
 def lowest(*fraction: Any) -> Held:
-    """Put integers over one denominator, which is the last, in lowest terms, and make that positive.
+    """Put integers over one positive denominator, which is the last, in lowest terms.
 
-    Large ones become flint's, which multiply faster from :data:`LARGE` on, the others Python's.
+    Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
     """
-    if all(-LARGE < c < LARGE for c in fraction):
-        g = gcd(*fraction) if fraction[-1] > 0 else -gcd(*fraction)
-        return tuple(int(c) // g for c in fraction)
-    large = [flint.fmpz(c) for c in fraction]
+    large = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
     g = large[-1]
     for c in large:
         if g == 1:
             break
         g = g.gcd(c)
-    if large[-1] < 0:
-        g = -g
-    return tuple(c // g for c in large) if g != 1 else tuple(large)
+    if g != 1:
+        large = [c // g for c in large]
+    if all(-LARGE < c < LARGE for c in reversed(large)):
+        return tuple(map(int, large))
+    return tuple(large)

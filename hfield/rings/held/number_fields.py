@@ -31,9 +31,9 @@ def holding(field: NumberField, constants: Constants) -> Compact:
         return tuple(x.poly[k] / c for k, c in enumerate(powers))
 
     def element(*parts: Any) -> FieldElement:
-        *numerators, d = parts
+        numerators, d = parts[: field.degree], parts[field.degree :]
         scaled = [n * c for n, c in zip(numerators, powers, strict=True)]
-        return FieldElement(field, flint.fmpq_poly(scaled, d))
+        return FieldElement(field, flint.fmpq_poly(scaled, *d))
 
     relation = [-int(c) for c in _integral_polynomial(field, scale).coeffs()[:-1]]
     return Fractions(field, constants, tuple(relation), vector, element)

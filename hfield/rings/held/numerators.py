@@ -20,12 +20,21 @@ class Numerators(Compact):
     :func:`~hfield.straight_line.specialise_extension` takes them.
     """
 
+    inverted = [  # noqa: RUF012 - never changed
+        "if d == 0:",
+        "    return None",
+        "w, x, y, z = w*d1, x*d1, y*d1, z*d1",
+    ]
     pattern: tuple[tuple[str, ...], ...]
     relation: tuple[str, ...]
 
     @abstractmethod
     def settle(self, names: list[str]) -> list[str]:
         """Write how to return the named numerators over d in lowest terms."""
+
+    def value(self, names: list[str], denominator: str) -> list[str]:
+        """Write how to return the named numerators over a denominator as an element of the ring."""
+        return [f"return element({', '.join(names)}, {denominator})"]
 
     def source(self, operation: str) -> str:
         """Return the text of an operation on numerators over one denominator."""
@@ -50,13 +59,12 @@ class Numerators(Compact):
         if operation == "inverse" and (degree > 1 or not self.ring.is_field):
             return "def inverse(p):\n    return by_norm(p)"
         if operation == "inverse":
-            body = [*formula("adjoint", [*results, "d"]), *INVERTED, *self.settle(results)]
+            body = [*formula("adjoint", [*results, "d"]), *self.inverted, *self.settle(results)]
             return function("inverse", p, body)
         if operation in ("norm", "trace"):
             norm = list(parts("s", degree))
             d = "d1*d1" if operation == "norm" else "d1"
-            value = f"return element({', '.join(norm)}, {d})"
-            return function(operation, p, [*formula(operation, norm), value])
+            return function(operation, p, [*formula(operation, norm), *self.value(norm, d)])
         value = f"return {', '.join(results)}, d1"
         return function(operation, p, [*formula(operation, results), value])
 
@@ -76,10 +84,6 @@ class Numerators(Compact):
         zero = self.ring.zero
         held: Held = self.product(p, self.hold((s, zero, zero, zero)))
         return held
-
-    def equal(self, p: Held, q: Held) -> bool:
-        """Tell whether p = q: lowest terms are unique."""
-        return p == q
 
     def is_zero(self, p: Held) -> bool:
         """Tell whether p = 0."""
@@ -101,10 +105,3 @@ def _added(sign: str, results: list[str], first: list[str], second: list[str]) -
         *(f"    {r} = {u}*d2 {sign} {v}*d1" for r, u, v in triples),
         "    d = d1*d2",
     ]
-
-
-INVERTED = [
-    "if d == 0:",
-    "    return None",
-    "w, x, y, z = w*d1, x*d1, y*d1, z*d1",
-]

@@ -5,12 +5,22 @@ from __future__ import annotations
 from typing import Any
 
 from hfield.errors import HFieldError
+from hfield.product import Constants
+from hfield.rings.base import Ring
 from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import BINARY, GENERAL, pattern, specialise
 
 
 class Plain(Compact):
     """Elements held as the tuple of their four coordinates."""
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        super().__init__(ring, constants)
+        self.is_unique = False
+
+    def equal(self, p: Any, q: Any) -> bool:
+        """Tell whether p = q."""
+        return all(map(self.ring.equal, p, q))
 
     def source(self, operation: str) -> str:
         """Return the text of an operation on coordinates."""

@@ -82,10 +82,6 @@ class Quotients(Compact):
         (w, x, y, z), n, s = p, self.modulus, self._lift(s)
         return w * s % n, x * s % n, y * s % n, z * s % n
 
-    def equal(self, p: Held, q: Held) -> bool:
-        """Tell whether p = q."""
-        return p == q
-
     def is_zero(self, p: Held) -> bool:
         """Tell whether p = 0."""
         return p == (0, 0, 0, 0)

@@ -135,10 +135,6 @@ class Labels(Compact):
         (w, x, y, z), row = p, self.tables.times[self._label(s)]
         return row[w], row[x], row[y], row[z]
 
-    def equal(self, p: Held, q: Held) -> bool:
-        """Tell whether p = q."""
-        return p == q
-
     def is_zero(self, p: Held) -> bool:
         """Tell whether p = 0."""
         return p == (0, 0, 0, 0)

@@ -1,7 +1,8 @@
 """Counting by going through all elements of an algebra over a finite ring, four coordinates at a time.
 
-The ring's additions and multiplications are put into tables once, and numpy looks them up for
-all elements with the first coordinate fixed; the product is the one formula of :mod:`hfield.product`.
+All elements with the first coordinate fixed go through at once: through compiled loops where they are many
+and the ring has some, else through tables of the ring's sums and products, which numpy looks up. Both ways
+the product is the one formula of :mod:`hfield.product`.
 """
 
 from __future__ import annotations
@@ -17,8 +18,15 @@ from hfield.structure.counting.formulas_finite import Count, count
 if TYPE_CHECKING:
     import numpy as np
 
+    from hfield.rings.array_held.labels import LabelArrays
+
+Rows = tuple["np.ndarray", ...]
+
 LIMIT = 2 * 10**6
-"""The greatest number of elements that are gone through, in two or three seconds."""
+"""The greatest number of elements that are gone through, in a second or, by tables, three."""
+MANY = (
+    10**5
+)  # elements, from which on loops that are compiled, or read from the disk, pay for themselves
 
 
 @dataclass
@@ -97,45 +105,76 @@ def tally(ring: Ring, c: Constants) -> Tally:
             f"{shorten(ring.order)}^4 elements are more than the {LIMIT} that are gone through; over a "
             "finite field and over ZZ/n there are formulas"
         )
-    tables = Tables(ring)
-    q = tables.size
-    constants = Constants(*(tables.of(x) for x in c))
-    x, y, z = (v.ravel() for v in np.indices((q, q, q), dtype=np.int32))
+    elements = list(ring.elements())
+    q = len(elements)
+    work = (_loops(ring, c) if q**4 >= MANY else None) or _ByTables(ring, c)
+    x, y, z = (v.ravel() for v in np.indices((q, q, q), dtype=work.dtype))
     norms, squares = np.zeros(q, dtype=np.int64), np.zeros(q, dtype=np.int64)
     result = Tally(elements=q**4)
+    steps = 0 if ring.is_field else max(1, q.bit_length())
     for w in range(q):
-        element = _element(tables, np.full(q**3, w, dtype=np.int32), x, y, z)
-        norms += np.bincount(norm(constants, element).values, minlength=q)
-        square = multiply(constants, element, element)
-        scalar = ~(square[1].values | square[2].values | square[3].values).astype(bool)
-        squares += np.bincount(square[0].values[scalar], minlength=q)
-        same = [u.values == v.values for u, v in zip(square, element, strict=True)]
+        element = (np.full(q**3, w, dtype=work.dtype), x, y, z)
+        norms += np.bincount(work.norm(element), minlength=q)
+        square = work.square(element)
+        scalar = ~(square[1] | square[2] | square[3]).astype(bool)
+        squares += np.bincount(square[0][scalar], minlength=q)
+        same = [u == v for u, v in zip(square, element, strict=True)]
         result.idempotent += int(np.logical_and.reduce(same).sum())
-        result.nilpotent += _nilpotent(constants, tables, square)
-    texts = [ring.text(u) for u in tables.elements]
+        for _ in range(steps):  # over a field the square of a nilpotent element is 0
+            square = work.square(square)
+        result.nilpotent += int((~np.bitwise_or.reduce(square).astype(bool)).sum())
+    texts = [ring.text(u) for u in elements]
     result.norms = dict(zip(texts, map(int, norms), strict=True))
     result.roots = dict(zip(texts, map(int, squares), strict=True))
-    result.units = sum(
-        int(n) for n, u in zip(norms, tables.elements, strict=True) if ring.is_unit(u)
-    )
+    result.units = sum(int(n) for n, u in zip(norms, elements, strict=True) if ring.is_unit(u))
     return result
 
 
-def _element(tables: Tables, *coordinates: np.ndarray) -> Coordinates:
-    w, x, y, z = (Indices(tables, v) for v in coordinates)
-    return w, x, y, z
+class _ByTables:
+    """Norms and squares of elements given by indices, looked up in tables."""
+
+    dtype = "i4"
+
+    def __init__(self, ring: Ring, c: Constants) -> None:
+        self.tables = Tables(ring)
+        self.constants = Constants(*(self.tables.of(x) for x in c))
+
+    def norm(self, rows: Rows) -> np.ndarray:
+        """Return the norms."""
+        found: np.ndarray = norm(self.constants, self._element(rows)).values
+        return found
+
+    def square(self, rows: Rows) -> Rows:
+        """Return the squares."""
+        element = self._element(rows)
+        return tuple(c.values for c in multiply(self.constants, element, element))
+
+    def _element(self, rows: Rows) -> Coordinates:
+        w, x, y, z = (Indices(self.tables, v) for v in rows)
+        return w, x, y, z
 
 
-def _nilpotent(constants: Constants, tables: Tables, square: Coordinates) -> int:
-    """Count the elements, given by their squares, some power of which is 0.
+class _ByLoops:
+    """Norms and squares of elements given by labels, which are indices, computed."""
 
-    Over a field the square of a nilpotent element is 0; over ℤ/n squaring goes on while it may help.
-    """
-    steps = 0 if tables.ring.is_field else max(1, tables.size.bit_length())
-    for _ in range(steps):
-        square = multiply(constants, square, square)
-    w, x, y, z = square
-    return int((~(w.values | x.values | y.values | z.values).astype(bool)).sum())
+    def __init__(self, how: LabelArrays) -> None:
+        self.how, self.dtype = how, how.dtype
+
+    def norm(self, rows: Rows) -> np.ndarray:
+        """Return the norms."""
+        return self.how.kernel("norm")(rows)[0][0]
+
+    def square(self, rows: Rows) -> Rows:
+        """Return the squares."""
+        return self.how.product(rows, rows)
+
+
+def _loops(ring: Ring, c: Constants) -> _ByLoops | None:
+    """Return the compiled loops of a ring that lists its elements by labels, if it has some."""
+    from hfield.rings.array_held.labels import LabelArrays
+
+    how = ring.array_holding(c)
+    return _ByLoops(how) if isinstance(how, LabelArrays) and how.compiles else None
 
 
 def confirm(ring: Ring, c: Constants) -> Tally:

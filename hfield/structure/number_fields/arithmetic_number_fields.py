@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from hfield.factorisation import Factors, is_prime
@@ -10,7 +10,7 @@ from hfield.product import Constants, Coordinates
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import Place, place_of_number_field
-from hfield.rings.number_primes import PrimeIdeal
+from hfield.rings.number_primes import PrimeIdeal, by_other_generators
 from hfield.rings.residues.number_ideals import LocalPlace, local_place
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
@@ -29,6 +29,7 @@ from hfield.structure.number_fields.slots_number_fields import (
 )
 
 SMALL_PRIMES = 50
+GENERATORS = 30
 
 
 class NumberFieldArithmetic(GlobalField):
@@ -73,6 +74,15 @@ class NumberFieldArithmetic(GlobalField):
     def residues(self, place: Place) -> LocalPlace | None:
         """Return the prime ideal with its residue field."""
         return local_place(place) if isinstance(place, PrimeIdeal) else None
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield the evidence; where ℤ[s] is not maximal at a place, in other generators as well."""
+        for place in places:
+            for data in super().evidence(c, [place]):
+                yield data
+                if isinstance(place, PrimeIdeal) and not place.order.plain:
+                    for name in by_other_generators(place, GENERATORS):
+                        yield {**data, "place": name}
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by a common slot and three conics."""

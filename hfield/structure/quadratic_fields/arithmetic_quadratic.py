@@ -4,14 +4,15 @@ import functools
 from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
-import flint
-
 from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Coordinates
 from hfield.rings.integers import QQ
-from hfield.rings.number_field import NumberField
-from hfield.rings.number_field_places import Place
 from hfield.rings.quadratic import QuadraticField
+from hfield.rings.quadratic_as_number_field import (
+    as_number_field,
+    from_number_field,
+    place_in_number_field,
+)
 from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic
 from hfield.rings.residues.prime_ideals import PrimeIdeal, prime_at
 from hfield.structure.forms import NormalForm
@@ -61,15 +62,10 @@ class QuadraticArithmetic(GlobalField):
 
     def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
         """Return constants found in ℚ[s]/(s² − d), which is the same field."""
-        field = NumberField(flint.fmpq_poly([-self.ring.d, 0, 1]))
-        same = [_place_in(field, self.read_place(v)) for v in places]
+        field = as_number_field(self.ring)
+        same = [place_in_number_field(field, self.read_place(v)) for v in places]
         a, b = from_ramification_number_field(field, same)
-        return tuple(self._from_powers(x) for x in (a, b))
-
-    def _from_powers(self, x: Any) -> Any:
-        """Return u + v·s as u + v·√d."""
-        u, v = x.poly[0], x.poly[1]
-        return self.ring(u) + self.ring.gen * self.ring(v)
+        return from_number_field(self.ring, a), from_number_field(self.ring, b)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, or, for rational a and b, a square root of d over ℚ less √d."""
@@ -110,15 +106,6 @@ class QuadraticArithmetic(GlobalField):
         """Return a common slot built from local classes, and what solves conics with its primes."""
         e, primes = common_slot(self.ring, c, numbers)
         return e, functools.partial(_conic_point, self.ring, primes)
-
-
-def _place_in(field: NumberField, place: QuadraticPlace) -> Place:
-    """Return the place of ℚ[s]/(s² − d) where s goes to what √d goes to."""
-    if not place.prime:
-        return field.infinite_places()[place.index]
-    second = place.generators[1]
-    generator = field.gen * second.terms.get(place.d, 0) + second.terms.get(1, 0)
-    return next(P for P in field.primes_above(place.p) if generator in P)
 
 
 def _conic_point(field: QuadraticField, known: Iterable[int], c: Constants) -> tuple[Any, Any, Any]:

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from hfield.product import norm
-from hfield.proving.methods.field_rules import relation
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
+from hfield.proving.polynomials.field_rules import relation
 from hfield.proving.polynomials.vanishing import factored, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import BASIS, RESULT, Sort

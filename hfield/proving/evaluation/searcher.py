@@ -1,0 +1,46 @@
+"""The truth of a statement at one place after the other."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from hfield.errors import UndecidedError
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
+from hfield.proving.problem import Problem
+
+Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
+
+
+class Searcher:
+    """Evaluates the statement of a problem at many places; ``wanted`` is the truth value looked for."""
+
+    def __init__(
+        self, problem: Problem, scalars: PrimeScalars | RingScalars, wanted: bool = False
+    ) -> None:
+        self.problem, self.wanted = problem, wanted
+        fixed: Assignment = {}
+        if isinstance(scalars, RingScalars):
+            own = problem.statement.constants
+            fixed = {text: constant(scalars.ring, text) for text in own}
+        trees, sorts = problem.setting.trees, problem.statement.sorts
+        self.evaluator = Evaluator(scalars, trees, sorts, fixed)
+        self.holds = self.evaluator.function(problem.matrix)
+        self.moving = bool(problem.letters)  # the structure constants, with the place
+        self.exists = self.moving or bool(self.evaluator.bind({}))
+
+    def test(self, assignment: Assignment) -> bool:
+        """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
+        try:
+            exists = self.evaluator.bind(assignment) if self.moving else self.exists
+            return bool(exists) and self.holds(assignment) is self.wanted
+        except UndecidedError:  # a local field knows its roots to some digits only
+            return False
+
+    def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
+        """Return the first assignment with the wanted truth value, before the deadline."""
+        for assignment in assignments:
+            if self.problem.is_late:
+                return None
+            if self.test(assignment):
+                return assignment
+        return None

@@ -1,0 +1,35 @@
+"""ℚ(√d) as ℚ[s]/(s² − d): the same field, elements and places there and back."""
+
+from typing import Any
+
+import flint
+
+from hfield.rings.number_elements import FieldElement
+from hfield.rings.number_field import NumberField
+from hfield.rings.number_field_places import Place
+from hfield.rings.quadratic import QuadraticField
+from hfield.rings.quadratic_places import QuadraticPlace
+
+
+def as_number_field(field: QuadraticField) -> NumberField:
+    """Return ℚ[s]/(s² − d)."""
+    return NumberField(flint.fmpq_poly([-field.d, 0, 1]))
+
+
+def into_number_field(field: NumberField, x: Any, d: int) -> FieldElement:
+    """Return u + v·√d as u + v·s."""
+    terms = x.terms
+    return FieldElement(field, flint.fmpq_poly([terms.get(1, 0), terms.get(d, 0)]))
+
+
+def from_number_field(field: QuadraticField, x: FieldElement) -> Any:
+    """Return u + v·s as u + v·√d."""
+    return field(x.poly[0]) + field.gen * field(x.poly[1])
+
+
+def place_in_number_field(field: NumberField, place: QuadraticPlace) -> Place:
+    """Return the place where s goes to what √d goes to."""
+    if not place.prime:
+        return field.infinite_places()[place.index]
+    generator = into_number_field(field, place.generators[1], place.d)
+    return next(P for P in field.primes_above(place.p) if generator in P)

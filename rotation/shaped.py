@@ -1,0 +1,67 @@
+"""What immutable arrays of rotations and of rigid motions share: shapes, lengths, copies."""
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from rotation.namespaces import Array
+
+
+class Shaped:
+    """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
+
+    __slots__ = ("__weakref__", "_q")
+    # numpy must not distribute `array * rotation` over the array's entries.
+    __array_ufunc__ = None
+
+    _q: Array
+    _called: ClassVar[str]  # what one of them is, for errors
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a {self._called} is immutable: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a {self._called} is immutable: {name} cannot be deleted")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The batch shape, ``()`` for a single one."""
+        return tuple(self._q.shape[:-1])
+
+    @property
+    def ndim(self) -> int:
+        """The number of batch axes."""
+        return len(self.shape)
+
+    @property
+    def size(self) -> int:
+        """How many there are."""
+        return int(np.prod(self.shape, dtype=np.int64))
+
+    @property
+    def single(self) -> bool:
+        """Whether this is one and not an array of them."""
+        return not self.shape
+
+    def __len__(self) -> int:
+        if self.single:
+            raise TypeError(f"a single {self._called} has no length")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        return True
+
+    @abstractmethod
+    def __getitem__(self, index: Any) -> Self:
+        """Return some of them."""
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Self:
+        return self

@@ -1,0 +1,52 @@
+"""Over ℚ_p: what is decided in a subfield ℚ(√d), where the numbers of Hensel's lemma are exact."""
+
+import pytest
+
+from hfield import QuaternionAlgebra, prove, ring
+from hfield.proving.decide import decide
+
+
+@pytest.mark.parametrize(
+    ("statement", "algebra", "verdict"),
+    [
+        ("norm(q) == 0 => q == 0", "H(Qp(5))", "refuted"),
+        ("norm(q) == 0 => q == 0", "H(Qp(7))", "refuted"),
+        ("norm(q) == 0 => q == 0", "(-1,17|Qp(2))", "refuted"),
+        ("p*q == 0 => p == 0 or q == 0", "(2,3|Qp(5))", "refuted"),
+        ("norm(q) == 0 => q == 0", "(2,5|Qp(5))", "proved"),
+        ("exists s: s*s == -1", "H(Qp(5))", "proved"),
+        ("exists s: s*s == -1", "H(Qp(7))", "refuted"),
+        ("exists q: q*q == 3*e", "H(Qp(5))", "proved"),
+        ("exists s: s*s == -7", "H(Qp(2))", "proved"),
+    ],
+)
+def test_verdicts(statement, algebra, verdict):
+    decision = prove(statement, algebra=algebra)
+    assert decision.verdict == verdict
+    F = QuaternionAlgebra.from_text(algebra).ring
+    for texts in (decision.witness or {}).values():
+        for text in texts:
+            assert F(text) is not None  # the field reads a witness back
+
+
+def test_a_witness_in_a_subfield_is_one_as_far_as_the_digits_go():
+    decision = decide("norm(q) == 0 => q == 0", algebra="H(Qp(7))")
+    A = QuaternionAlgebra("Qp(7)", -1, -1)
+    q = A(*(A.ring(text) for text in decision.witness["q"]))
+    assert A.ring.vanishes(q.norm())
+    assert any(x.has_value for x in q.coordinates)
+    assert "Hensel" in decision.steps[0]
+
+
+@pytest.mark.parametrize("p", [3, 5, 7, 13])
+def test_a_number_is_a_square_where_its_class_says_so(p):
+    F = ring(f"Qp({p})")
+    for d in (-1, 2, -2, 3, 6, 7):
+        found = decide(f"exists s: s*s == {d}", F).verdict
+        assert found == ("proved" if F.is_square(F(d)) else "refuted"), (p, d)
+
+
+def test_what_does_not_carry_over_is_not_taken_from_a_subfield():
+    """Everything in ℚ(√d) being a root of something, or all having one there, says nothing of ℚ_p."""
+    for statement in ("exists q: q*p == e", "exists s: s*s == t"):
+        assert prove(statement, field="Qp(5)", timeout=5).verdict != "proved"
