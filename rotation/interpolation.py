@@ -42,6 +42,13 @@ def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotatio
 
     ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``: at p it sets out towards a, at q it comes from
     b. `Squad` finds the inner points of a smooth curve through keyframes. Shapes broadcast.
+
+    Examples
+    --------
+    >>> p = Rotation.identity()
+    >>> q = Rotation.from_euler("Z", 90, degrees=True)
+    >>> squad(p, q, p, q, 0.5).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 45.])
     """
     expect_rotations(p=p, q=q, a=a, b=b)
     q = _nearer(q, p)
@@ -84,6 +91,12 @@ class Slerp:
     ------
     RotationError
         Times that do not increase or do not fit the rotations.
+
+    Examples
+    --------
+    >>> keys = Rotation.from_euler("Z", [[0], [90]], degrees=True)
+    >>> Slerp([0, 1], keys)(0.5).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 45.])
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
@@ -141,6 +154,12 @@ class Squad(Slerp):
     The velocity at a keyframe is the mean of those of the two neighbouring slerps, each weighted by
     the length of the other interval; at the ends it is that of the only neighbour. With two
     keyframes it is a slerp. Parameters and errors as in `Slerp`.
+
+    Examples
+    --------
+    >>> keys = Rotation.from_euler("Z", [[0], [90], [180]], degrees=True)
+    >>> Squad([0, 1, 2], keys)(0.5).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 45.])
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:

@@ -27,12 +27,28 @@ Entries = list[list[Array]]
 
 
 def R_x(angle: Any, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about x (thesis, section 2.2.2)."""
+    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about x (thesis, section 2.2.2).
+
+    Examples
+    --------
+    >>> R_x(90, degrees=True).round(15) + 0.0
+    array([[ 1.,  0.,  0.],
+           [ 0.,  0., -1.],
+           [ 0.,  1.,  0.]])
+    """
     return _about(0, angle, degrees)
 
 
 def R_y(angle: Any, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about y (thesis, section 2.2.2)."""
+    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about y (thesis, section 2.2.2).
+
+    Examples
+    --------
+    >>> R_y(90, degrees=True).round(15) + 0.0
+    array([[ 0.,  0.,  1.],
+           [ 0.,  1.,  0.],
+           [-1.,  0.,  0.]])
+    """
     return _about(1, angle, degrees)
 
 

@@ -330,6 +330,12 @@ def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
 
     At constant rate: ``p·(p⁻¹·q)ᵗ``, the shorter way round. The shapes of p, q and t broadcast. L. Kavan et
     al., "Dual quaternions for rigid transformation blending" (2006), screw linear interpolation.
+
+    Examples
+    --------
+    >>> move = RigidTransform.from_translation([2, 0, 0])
+    >>> sclerp(RigidTransform.identity(), move, 0.5).translation
+    array([1., 0., 0.])
     """
     for name, value in (("p", p), ("q", q)):
         if not isinstance(value, RigidTransform):

@@ -36,6 +36,12 @@ class RotationSpline:
     ------
     RotationError
         Times that do not increase or do not fit the rotations, or keyframes for which no curve was found.
+
+    Examples
+    --------
+    >>> keys = Rotation.from_euler("Z", [[0], [90], [180]], degrees=True)
+    >>> RotationSpline([0, 1, 2], keys)(1).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 90.])
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:

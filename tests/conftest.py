@@ -34,7 +34,7 @@ SLOW = {
     ),
     *("warming.py", "test_figures.py", "test_fused.py", "test_defects.py", "test_isometry.py"),
     *("test_dask.py", "test_many_classes.py"),
-    *("test_number_field_ramification.py", "test_notebooks.py"),
+    *("test_number_field_ramification.py", "test_notebooks.py", "test_site.py"),
 }
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 

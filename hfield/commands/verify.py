@@ -11,6 +11,8 @@ from hfield.commands.parser import add_format, add_output, add_standalone, proce
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from hfield.ledger.claim import Claim, Row
 
 HELP = (
@@ -55,7 +57,17 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
+    from importlib.metadata import entry_points
+
     from hfield.executors import open_executor
+
+    ledgers = [point.module for point in entry_points(group="hfield.claims")]
+    with open_executor(args.jobs, args.dask, ["hfield.ledger.run", *ledgers]) as executor:
+        return _verify(args, executor)
+
+
+def _verify(args: Namespace, executor: Executor) -> int:
+    """Read what is to be decided, while workers begin; decide and report."""
     from hfield.ledger.columns import split_columns
     from hfield.ledger.registry import find
     from hfield.ledger.run import contradictions, decide_rows
@@ -70,7 +82,7 @@ def run(args: Namespace) -> int:
     own = len(names) < len(args.claims)
     _remark(fields)
     with open_output(args.output) as out:
-        with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
+        with Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)
         paths = _certificates(rows, args.certificates)
         if args.format == "json":
