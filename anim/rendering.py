@@ -148,6 +148,16 @@ def render(
     """Draw all frames and write them to ``path``, in the format of its suffix.
 
     The file is whole or is not there. Raises :class:`~anim.errors.AnimationError`.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> from anim.output import Film
+    >>> from anim.pipelines import kinematic
+    >>> from anim.film import clip
+    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+    >>> with TemporaryDirectory() as folder:
+    ...     render(scene, Path(folder) / "film", Film((32, 24), 2, 50.0))
+    ...     print(len(list(Path(folder, "film").iterdir())))
+    2
     """
     from anim.output.palette import sampled
     from anim.output.writing import open_film

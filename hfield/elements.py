@@ -222,5 +222,12 @@ class ElementFacts(Hinted):
 
 
 def conjugator(p: Any, q: Any) -> Any:
-    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none."""
+    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none.
+
+    >>> from hfield import H, inv
+    >>> _, i, j, _ = H("QQ").basis
+    >>> x = conjugator(i, j)
+    >>> x * i * inv(x)
+    j
+    """
     return p.conjugator(q)

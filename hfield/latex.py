@@ -22,8 +22,8 @@ _SIGNS = {
     "⟩": r"\rangle ", "†": r"\dagger ", "⋯": r"\cdots ", "∅": r"\varnothing ", "✓": r"\checkmark ",
     "✗": r"\times ", "ℚ": r"\mathbb{Q}", "ℤ": r"\mathbb{Z}", "ℝ": r"\mathbb{R}", "ℂ": r"\mathbb{C}",
     "ℍ": r"\mathbb{H}", "𝔽": r"\mathbb{F}", "ϕ": r"\phi ", "⊗": r"\otimes ", "∑": r"\sum ",
-    "∏": r"\prod ", "′": "'", "…": r"\ldots ", "ⁿ": "^{n}", "ᵏ": "^{k}", "ᵗ": "^{t}", "ₙ": "_{n}",
-    "ₖ": "_{k}", "│": "|",
+    "∏": r"\prod ", "′": r"^{\prime}", "'": r"^{\prime}", "…": r"\ldots ",
+    "ⁿ": "^{n}", "ᵏ": "^{k}", "ᵗ": "^{t}", "ₙ": "_{n}", "ₖ": "_{k}", "│": "|",
 }  # fmt: skip
 _GREEK_NAMES = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "varepsilon", "ζ": "zeta", "η": "eta",
@@ -37,8 +37,11 @@ _RAISED, _LOWERED = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹", "₋₊₀₁₂₃₄�
 _LEVEL = str.maketrans(_RAISED + _LOWERED, "-+0123456789" * 2)
 _OVER = {"\u0304": "bar", "\u0305": "bar", "\u20d7": "vec", "\u0302": "hat"}
 _SCRIPTS = re.compile(f"([{_RAISED}]+)|([{_LOWERED}]+)")
-_OVERLINED = re.compile(f"(\\w)([{''.join(_OVER)}])")
-_MATHEMATICAL = frozenset({*_SIGNS, *_GREEK, *_RAISED, *_LOWERED, *_OVER} - {"…", "†", "°"})
+_SIMPLE = "A-Za-zα-ω0-9"
+_POWER = re.compile(rf"\^\{{([{_SIMPLE}+ -]+)\}}|\^\((-?[{_SIMPLE}]+)\)|\^(-?[{_SIMPLE}]+)")
+_RUN_OF_SCRIPTS = re.compile(r"(?:[\^_]\{[^{}]*\}\s*){2,}")
+_OVERLINED = re.compile(f"([^\\W_])([{''.join(_OVER)}])")
+_MATHEMATICAL = frozenset({*_SIGNS, *_GREEK, *_RAISED, *_LOWERED, *_OVER} - {"…", "†", "°", "'"})
 
 _TEXT = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "%": r"\%", "#": r"\#",
@@ -71,7 +74,9 @@ _FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|GF\(|Qp\()")
 _LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}ⁿᵏᵗₙₖ]+")
 _PUNCTUATION = re.compile(r"^(.*?)([,;:.?!]*)$", re.DOTALL)
 _UPRIGHT = {"cos", "sin", "tan", "det", "dim"}
-_ARTICLES = ("a", "A", "I")
+_ARTICLES = ("−", "…", "...", *"aiouwzAI")  # what may belong to a sentence, in English or Polish
+_NUMBER = re.compile(r"[\[(]*-?[\d./,-]*[\])]*")
+_UNITS = re.compile(r"[\[(]*[eijk]{2,}[\])]*")  # products of the basis, such as ijk
 _OPERATORS = {"=", "==", "!=", "+", "-", "*", "/", "<", ">", "=>", "<=>", "<=", ">="}
 
 
@@ -86,8 +91,8 @@ def words(text: str) -> str:
     order = [*range(len(tokens)), *reversed(range(len(tokens)))]
     for n in order:  # a number or an article's letter belongs to the mathematics beside it
         near = [m for m in (n - 1, n + 1) if 0 <= m < len(tokens) and kinds[m]]
-        if tokens[n] in _ARTICLES:
-            near = [m for m in near if tokens[m] in _OPERATORS or tokens[m] in _MATHEMATICAL]
+        if _parted(tokens[n])[0] in _ARTICLES:
+            near = [m for m in near if _leads(tokens[m]) or tokens[min(n, m)].endswith(",")]
         if kinds[n] is None and any(_joins(tokens[min(n, m)]) for m in near):
             kinds[n] = True
     out: list[str] = []
@@ -118,22 +123,33 @@ def mathematics(text: str) -> str:
         .replace("==", "=")
     )
     text = text.replace("<=", "≤").replace(">=", "≥")
-    text = re.sub(
-        r"\^\{([^{}]*)\}|\^\((-?\w+)\)|\^(-?\w+)", lambda m: f"⁽{m[1] or m[2] or m[3]}⁾", text
-    )
+    text = _POWER.sub(lambda m: f"⁽{m[1] or m[2] or m[3]}⁾", text)
     text = re.sub(r"(?<![A-Za-z\\])([A-Za-zα-ω])(\d+)", r"\1₍\2₎", text)
     text = "".join(_IN_MATHEMATICS.get(c, c) for c in text)
     text = re.sub("⁽([^⁽⁾]*)⁾", r"^{\1}", text)
     text = re.sub("₍([^₍₎]*)₎", r"_{\1}", text)
     text = _OVERLINED.sub(lambda m: rf"\{_OVER[m[2]]}{{{m[1]}}}", text)
     text = _SCRIPTS.sub(lambda m: f"{'^' if m[1] else '_'}{{{m[0].translate(_LEVEL)}}}", text)
-    text = re.sub(r"√(\d+|\w)", r"\\sqrt{\1}", text)
+    text = re.sub(r"√(\d+|[^\W\d_])", r"\\sqrt{\1}", text)
     text = re.sub(r"(?<![\\\w])([A-Za-z]{2,})(?=\()", _named, latex_name(text))
     text = re.sub(rf"(?<![\\\w{{])({'|'.join(_UPRIGHT)})(?=\s|$)", r"\\\1", text)
     text = "".join(_SIGNS.get(c) or _GREEK.get(c) or c for c in text)
-    text = re.sub(r"(\^\{[^{}]*\})(?=\^)|(_\{[^{}]*\})(?=_)", r"\g<0>{}", text)  # no double scripts
+    text = _RUN_OF_SCRIPTS.sub(_separated, text)
     text = "".join(c if c.isascii() else rf"\text{{{_character(c)}}}" for c in text)
     return " ".join(text.split())
+
+
+def _separated(found: re.Match[str]) -> str:
+    """Put an empty group between scripts where TeX takes no second one of the same kind."""
+    out = ""
+    used: set[str] = set()
+    for script in re.findall(r"[\^_]\{[^{}]*\}", found[0]):
+        if script[0] in used:
+            out += "{}"
+            used.clear()
+        used.add(script[0])
+        out += script
+    return f"{out} " if found[0][-1].isspace() else out
 
 
 def _named(found: re.Match[str]) -> str:
@@ -143,18 +159,9 @@ def _named(found: re.Match[str]) -> str:
 def _is_mathematical(token: str) -> bool | None:
     """Tell whether a token is mathematics; None for what is where its neighbours are."""
     body, _ = _parted(token)
-    if (
-        body in _OPERATORS
-        or body in _MATHEMATICAL
-        or body in _UPRIGHT
-        or _FIELD.match(body.strip("([{"))
-    ):
+    if _leads(body) or body in _UPRIGHT or _FIELD.match(body.strip("([{")):
         return True
-    if (
-        not body
-        or re.fullmatch(r"[\[(]*-?[\d./,-]*[\])]*", body)
-        or body in (*_ARTICLES, "−", "…", "...")
-    ):
+    if not body or body in _ARTICLES or _NUMBER.fullmatch(body) or _UNITS.fullmatch(body):
         return None
     runs = _LETTERS.findall(unicodedata.normalize("NFC", body))
     simple = all(run in _FUNCTIONS or len(run) <= 2 or _greek(run) for run in runs)
@@ -175,6 +182,10 @@ def _greek(run: str) -> bool:
     return any(char in _GREEK for char in run) and len(run) <= 4
 
 
+def _leads(token: str) -> bool:
+    return token in _OPERATORS or (token in _MATHEMATICAL and token != "−")
+
+
 def _joins(token: str) -> bool:
     return not re.search("[;:.?!]$", token)
 
@@ -190,10 +201,12 @@ def _dollars(run: Sequence[str]) -> list[str]:
         return []
     body, end = _parted(" ".join(run))
     opened = body.count("(") - body.count(")")
-    if opened < 0 and body.endswith(")"):  # a parenthesis of the sentence, not of the formula
+    if opened < 0 and body.endswith(
+        ")" * -opened
+    ):  # a parenthesis of the sentence, not of the formula
         body, end = body[:opened], body[opened:] + end
     start = ""
-    if opened > 0 and body.startswith("("):
+    if opened > 0 and body.startswith("(" * opened):
         body, start = body[opened:], body[:opened]
     return [f"{start}${mathematics(body)}${end}" if body else start + end]
 
@@ -211,9 +224,8 @@ def _character(char: str, before: list[str] | None = None) -> str:
         return _TEXT[char]
     if char.isascii():
         return char
-    if char in _OVER:
-        letter = before.pop() if before else "\\cdot"
-        return rf"\ensuremath{{\{_OVER[char]}{{{letter}}}}}"
+    if char in _OVER and before and before[-1].isalnum():
+        return rf"\ensuremath{{\{_OVER[char]}{{{before.pop()}}}}}"
     if char in _SIGNS or char in _GREEK:
         return rf"\ensuremath{{{(_SIGNS.get(char) or _GREEK[char]).strip()}}}"
     if char in _RAISED or char in _LOWERED:

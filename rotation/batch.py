@@ -20,8 +20,8 @@ class Batch(Shaped):
     def _of(cls, q: Array) -> Self:
         """Wrap unit quaternions that nobody else will write to."""
         self = object.__new__(cls)
-        if is_numpy(namespace(q)):
-            q.flags.writeable = False
+        if isinstance(q, np.ndarray):
+            q.setflags(write=False)
         object.__setattr__(self, "_q", q)
         return self
 

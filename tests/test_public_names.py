@@ -1,6 +1,7 @@
 """The public names of the three packages: a name added, lost or moved is seen here."""
 
 from importlib import import_module
+from types import ModuleType
 
 import pytest
 
@@ -32,6 +33,22 @@ def test_the_public_names(package: str) -> None:
     for name in dir(module):
         value = getattr(module, name)
         assert not callable(value) or value.__doc__, f"{package}.{name} has no docstring"
+
+
+# Constants: what they are is said where they are made, and no docstring is shown for them.
+NO_EXAMPLE = {"PIPELINES"}
+
+
+@pytest.mark.parametrize("package", NAMES)
+def test_every_public_name_has_an_example(package: str) -> None:
+    module = import_module(package)
+    values = {name: getattr(module, name) for name in dir(module)}
+    without = {
+        name
+        for name, value in values.items()
+        if not isinstance(value, ModuleType) and ">>> " not in (value.__doc__ or "")
+    }
+    assert without == NO_EXAMPLE & set(values)
 
 
 @pytest.mark.parametrize("package", NAMES)

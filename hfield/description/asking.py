@@ -26,6 +26,10 @@ class Description:
 
     An answer that is None was not decided, or has no meaning here.
     ``undecided`` tells by name which were tried in vain, and why.
+
+    >>> from hfield import info
+    >>> info("H(GF(7))").division
+    False
     """
 
     algebra: QuaternionAlgebra

@@ -17,7 +17,7 @@ class ChapterError(HFieldError, LookupError):
 
 @dataclass(frozen=True)
 class Chapter:
-    """One chapter: the section of the thesis that it belongs to, its title, and its body as HTML.
+    """One chapter: its section in the thesis (numbers and dots), its title, and its body as HTML.
 
     An entry point of the group ``hfield.report_sections`` names a function of a language (``en`` or ``pl``)
     that returns one. The body must ask the network for nothing.
@@ -54,4 +54,4 @@ def chapters(
                 f"the chapter {name!r} is a {type(chapter).__name__}, expected a Chapter"
             )
         made.append(chapter)
-    return sorted(made, key=lambda chapter: chapter.section)
+    return sorted(made, key=lambda chapter: [int(n) for n in chapter.section.split(".")])

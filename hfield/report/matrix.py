@@ -98,6 +98,7 @@ def matrix_html(rows: Sequence[Row], words: Words) -> str:
     bodies, section = [], ""
     for claim in dict.fromkeys(row.claim for row in rows):
         if claim.section != section:
+            bodies += ["</tbody>"] if section else []
             section = claim.section
             title = f"{words['section']} {escape(section)}"
             bodies.append(

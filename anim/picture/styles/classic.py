@@ -76,7 +76,7 @@ def _fit(axes: Any, look: Look, reached: Floats) -> None:
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
     seen = _view(axes).project(np.concatenate([reached, np.array(box)]))
-    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 1.5 / LETTERS
+    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 2.5 / LETTERS
     scale, shift = fitting(seen, look.size, margin, look.camera.zoom)
     size = np.array(look.size)
     # The axes take the largest square inside their rectangle.
