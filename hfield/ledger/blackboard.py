@@ -2,28 +2,17 @@
 
 from __future__ import annotations
 
-import re
-import textwrap
-from collections.abc import Iterator
 from dataclasses import dataclass
 
-from hfield.errors import NotationError, shorten
-from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
+from hfield.ledger.claim import Proposition, Row
 from hfield.ledger.columns import split_columns
-from hfield.ledger.evaluated import evaluated
+from hfield.ledger.decision_lines import decision_lines, formula, wrapped
 from hfield.ledger.matrix import Style
 from hfield.ledger.registry import find
 from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide
-from hfield.ledger.wording import over, pretty, witness_text
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.proving.statements.printing import to_latex
-from hfield.syntax import Logic, Node, parse
-
-_MOST = (
-    600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
-)
-_LABEL = 12
+from hfield.ledger.wording import over, pretty
+from hfield.proving.decision import Decision
 
 
 @dataclass(frozen=True)
@@ -41,27 +30,27 @@ class Explanation:
             style.bold(title),
             f"thesis {claim.section}, {claim.kind}; {over(row.field)}",
             "",
-            *_wrap("statement", claim.statement, style),
-            *_wrap("printed", claim.printed, style),
+            *wrapped("statement", claim.statement, style),
+            *wrapped("printed", claim.printed, style),
         ]
         if claim.as_printed:
-            lines += _wrap("read as", pretty(claim.as_printed.text), style)
+            lines += wrapped("read as", pretty(claim.as_printed.text), style)
         if claim.note:
-            lines += _wrap("note", claim.note, style)
+            lines += wrapped("note", claim.note, style)
         text = claim.as_printed.text if claim.as_printed else ""
-        lines += ["", *_decision(text, row.as_printed, row.field, style)]
+        lines += ["", *decision_lines(text, row.as_printed, row.field, style)]
         if row.as_corrected is not None and claim.corrected:
-            lines += ["", *_wrap("corrected", pretty(claim.corrected.text), style)]
-            lines += ["", *_decision(claim.corrected.text, row.as_corrected, row.field, style)]
+            lines += ["", *wrapped("corrected", pretty(claim.corrected.text), style)]
+            lines += ["", *decision_lines(claim.corrected.text, row.as_corrected, row.field, style)]
         return "\n".join(lines)
 
     def latex(self) -> str:
         """Write statement and verdict as one formula of LaTeX."""
         claim, row = self.row.claim, self.row
         text = claim.as_printed.text if claim.as_printed else claim.statement
-        lines = [_formula(text, row.as_printed, row.field)]
+        lines = [formula(text, row.as_printed, row.field)]
         if row.as_corrected is not None and claim.corrected:
-            lines.append(_formula(claim.corrected.text, row.as_corrected, row.field))
+            lines.append(formula(claim.corrected.text, row.as_corrected, row.field))
         body = r" \\ ".join(lines)
         return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
 
@@ -105,96 +94,6 @@ def explain(claim: str, field: str | None = None) -> Explanation:
         )
     ((_, name),) = rows_to_decide([found], column, strict=True)
     return Explanation(decide_row(found, name))
-
-
-def decision_text(
-    statement: str, decision: Decision, algebra: str, field: str | None, style: Style
-) -> str:
-    """Write a statement of the language in ``algebra`` and its decision; no field means all."""
-    where = "for every F" if field is None else over(field)
-    lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
-    told = _decision(statement, decision, field or UNIVERSAL, style, algebra)
-    return "\n".join([*lines, *told])
-
-
-def decision_latex(statement: str, decision: Decision, field: str | None) -> str:
-    """Write a statement of the language and its verdict as a formula of LaTeX."""
-    body = _formula(statement, decision, field or UNIVERSAL)
-    return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
-
-
-def _decision(
-    text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
-) -> Iterator[str]:
-    verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
-    method = ""
-    if decision.verdict != NOT_APPLICABLE:
-        method = f"  (by {decision.method}{_scope(decision)})"
-    yield from _wrap("verdict", verdict + method, style, plain=False)
-    for n, step in enumerate(decision.steps, 1):
-        indent = len(step) - len(step.lstrip())
-        told = shorten(step.strip(), _MOST)
-        yield from _wrap(f"{n}. ".rjust(_LABEL), told, style, indent=indent)
-    witness = witness_text(decision.witness, field)
-    if witness:
-        yield from _wrap("witness", witness, style)
-    if decision.verdict == REFUTED:
-        for n, line in enumerate(evaluated(text, decision.witness, field, algebra)):
-            yield from _wrap("" if n else "there", line, style)
-    for theorem in decision.assumes:
-        yield from _wrap("assumes", theorem, style)
-    for attempt in decision.tried:
-        yield from _wrap("tried", attempt, style)
-
-
-def _scope(decision: Decision) -> str:
-    """Say where the statement holds, beyond the field it was decided over."""
-    if decision.scope in (None, FIELD):
-        return ""
-    primes = re.fullmatch(r"characteristics \[(.+)\]", decision.scope or "")
-    if primes is None:
-        return f", over all {decision.scope}"
-    plural = "s" if "," in primes[1] else ""
-    return f"; it holds exactly in characteristic{plural} {primes[1]}"
-
-
-def _wrap(
-    label: str, text: str, style: Style, indent: int = 0, plain: bool = True
-) -> Iterator[str]:
-    """Yield the label and the text beside it, wrapped to the width of the terminal."""
-    head = f"  {label:<{_LABEL}}" + " " * indent
-    room = max(style.width - len(head), 30)
-    lines = textwrap.wrap(text, room, break_on_hyphens=False) if plain else [text]
-    for n, line in enumerate(lines):
-        yield (head if n == 0 else " " * len(head)) + line
-
-
-def _formula(text: str, decision: Decision, field: str) -> str:
-    try:
-        lines = [to_latex(node) for node in _conjuncts(parse(text))]
-    except NotationError:
-        lines = [_words(text)]
-    symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else _words(field)
-    witness = witness_text(decision.witness, field)
-    verdict = _words(decision.verdict + (f": {witness}" if witness else ""))
-    lines[-1] += "" if field == NO_FIELD else rf"\;({symbol})"
-    return r" \land \\ ".join(lines) + f" & {verdict}"
-
-
-def _conjuncts(node: Node) -> list[Node]:
-    """Return what is joined by ``and``, to be written one below the other."""
-    if isinstance(node, Logic) and node.op == "and":
-        return [*_conjuncts(node.left), *_conjuncts(node.right)]
-    return [node]
-
-
-def _words(text: str) -> str:
-    """Write words inside a formula."""
-    for mark in "\\{}":
-        text = text.replace(mark, "")
-    for mark in "_^#%&$":
-        text = text.replace(mark, rf"\{mark}" if mark != "^" else r"\hat{}")
-    return rf"\text{{{text}}}"
 
 
 def _json(proposition: Proposition | None, decision: Decision) -> dict[str, object]:

@@ -28,7 +28,9 @@ def decide_rows(
     ``progress`` is told how many rows are done, of how many, and the field in work.
     """
     chunks = _chunks(pieces)
-    tasks = [(field, tuple(_sent(pieces[n][0]) for n in indices)) for field, indices in chunks]
+    known = set(map(id, claims()))  # every process has these: their ids suffice
+    sent = [claim.id if id(claim) in known else claim for claim, _ in pieces]
+    tasks = [(field, tuple(sent[n] for n in indices)) for field, indices in chunks]
     decided: dict[int, Verdicts] = {}
     for number, verdicts in unordered(executor, _decide_chunk, tasks):
         field, indices = chunks[number]
@@ -47,11 +49,6 @@ def _chunks(pieces: Sequence[Piece]) -> list[tuple[str, list[int]]]:
         indices = list(group)
         out += [(field, indices[m : m + CHUNK]) for m in range(0, len(indices), CHUNK)]
     return out
-
-
-def _sent(claim: Claim) -> str | Claim:
-    """Return what is sent for a claim: its id where every process knows it, which is short."""
-    return claim.id if any(claim is known for known in claims()) else claim
 
 
 def _decide_chunk(task: tuple[str, tuple[str | Claim, ...]]) -> list[Verdicts]:
