@@ -8,7 +8,6 @@ is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
 
 import math
 from collections.abc import Iterable
-from contextlib import nullcontext
 from typing import Any
 
 import flint
@@ -55,19 +54,23 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
     :class:`UnfactoredError`.
     """
-    m, n = flint.fmpz(square_class(a)), flint.fmpz(square_class(b))
-    with known_primes(factors, "") if factors is not None else nullcontext():
+    m, n = square_class(a), square_class(b)
+    if factors is None:
         in_m, in_n = _odd_prime_powers(m), _odd_prime_powers(n)
+    else:
+        with known_primes(factors, ""):
+            in_m, in_n = _odd_prime_powers(m), _odd_prime_powers(n)
+    symbol_of_m, symbol_of_n = flint.fmpz(m).jacobi, flint.fmpz(n).jacobi
     primes = []
     for p, alpha in in_m:
-        sign = n.jacobi(p)
+        sign = symbol_of_n(p)
         if not sign:  # p divides both
-            sign = _symbol(p, *remove(m, p), *remove(n, p))
+            sign = _symbol(q := int(p), *remove(m, q), *remove(n, q))
         elif not alpha & 1:
             continue
         if sign < 0:
             primes.append(int(p))
-    primes += [int(p) for p, beta in in_n if beta & 1 and m.jacobi(p) < 0]
+    primes += [int(p) for p, beta in in_n if beta & 1 and symbol_of_m(p) < 0]
     infinite = m < 0 and n < 0
     if (len(primes) + infinite) & 1:  # the number of ramified places is even: reciprocity
         primes.append(2)
@@ -75,13 +78,13 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     return (*primes, INFINITE) if infinite else tuple(primes)
 
 
-def _odd_prime_powers(n: Any) -> list[tuple[Any, int]]:
-    """Return the odd primes of one of FLINT's integers, as such, with their exponents, ascending."""
+def _odd_prime_powers(n: int) -> list[tuple[Any, int]]:
+    """Return the odd primes of n, as FLINT's integers, with their exponents, ascending."""
     powers: list[tuple[Any, int]]
     if -WORD < n < WORD:
-        powers = abs(n).factor()
+        powers = flint.fmpz(n).factor()
     else:
-        powers = [(flint.fmpz(p), e) for p, e in sorted(factorise(int(n)).items())]
+        powers = [(flint.fmpz(p), e) for p, e in sorted(factorise(n).items())]
     return powers if n & 1 else powers[1:]
 
 
