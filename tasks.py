@@ -1,4 +1,4 @@
-"""The tasks of this project: ``python tasks.py NAME…``; without a name, all that CI runs.
+"""The tasks of this project: ``python tasks.py NAME…``; without a name, what CI runs first.
 
 They use the Python that runs them, with the extra ``dev`` installed (``pip install -e '.[dev]'``).
 """
@@ -11,12 +11,24 @@ TASKS = {
     "lint": ["ruff", "check", "."],
     "types": ["mypy"],
     "test": ["pytest", "-n", "auto"],
+    "docs": [
+        "sphinx",
+        "-q",
+        "-W",
+        "--keep-going",
+        "-b",
+        "html",
+        "-d",
+        "docs/_build",
+        "docs",
+        "hfield/site",
+    ],
 }
 
 
 def main(names: list[str]) -> int:
     """Run the tasks named, all of them without a name; stop at the first that fails."""
-    for name in names or TASKS:
+    for name in names or ("format", "lint", "types", "test"):
         if name not in TASKS:
             print(f"there is no task {name!r}; the tasks are {', '.join(TASKS)}", file=sys.stderr)
             return 2

@@ -7,13 +7,13 @@ from functools import cached_property
 from typing import Any
 
 from hfield import notation, structure, syntax
+from hfield.array_makers import ArrayMakers
 from hfield.embedding import embedding
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
     NotFiniteError,
     RingError,
-    TooLargeError,
     shorten,
 )
 from hfield.invariants import Invariants
@@ -27,7 +27,7 @@ from hfield.rings.holding import Batch, Holding
 LISTED = 10_000
 
 
-class QuaternionAlgebra(Invariants):
+class QuaternionAlgebra(Invariants, ArrayMakers):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Calling the
@@ -124,35 +124,6 @@ class QuaternionAlgebra(Invariants):
         how: Holding = self.array_holding if any(map(is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
 
-    def from_array(self, values: Any) -> Quaternion:
-        """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
-
-        An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.
-        Raises :class:`CoercionError` for what stands for no elements.
-
-        >>> import numpy as np
-        >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
-        1 + 5k
-        """
-        return held_by(self, self.array_holding, self.array_holding.from_array(values))
-
-    def product(self, values: Any, axis: int | None = None) -> Quaternion:
-        """Return the ordered product of an array, or of a list of elements, from left to right.
-
-        An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
-
-        >>> H("QQ").product(["i", "j", "k"])
-        −1
-        """
-        if isinstance(values, Quaternion) and values.shape:
-            found: Quaternion = self(values).product(axis)
-            return found
-        parts = [self(x) for x in values] or [self.one]
-        while len(parts) > 1:  # factors of equal size multiply fastest
-            pairs = zip(parts[::2], parts[1::2], strict=False)
-            parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
-        return parts[0]
-
     def scalar(self, x: Any) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
         if isinstance(x, Quaternion):
@@ -224,28 +195,6 @@ class QuaternionAlgebra(Invariants):
             for y in few or F.elements()
             for z in few or F.elements()
         )
-
-    def element_array(self) -> Quaternion:
-        """Return all q⁴ elements over a finite ring as one array, in the order of :meth:`elements`.
-
-        Raises :class:`NotFiniteError`, and :class:`TooLargeError` beyond 10⁸ elements.
-
-        >>> p = H("GF(3)").element_array()
-        >>> int(p.is_unit().sum()), int((p * p == -1).sum())
-        (48, 6)
-        """
-        if self.ring.order is None:
-            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
-        if self.ring.order**4 > LISTED**2:
-            raise TooLargeError(
-                f"{self} has more than 10^8 elements; A.elements() runs through them"
-            )
-        import numpy as np
-
-        scalars = self(list(self.ring.elements()), 0, 0, 0)
-        w, x, y, z = (scalars[n.ravel()] for n in np.indices((len(scalars),) * 4, np.uint32))
-        _, i, j, k = self.basis
-        return w + x * i + y * j + z * k
 
     def random_element(self, seed: int | None = None) -> Quaternion:
         """Return a random element; the same one for the same seed."""

@@ -35,6 +35,10 @@ class BatchMethods:
             raise CoercionError(f"a single quaternion has no {what}; arrays of quaternions have")
         return self._how
 
+    def units(self) -> Any:
+        """Return a bool array: which entries have an inverse."""
+        return self._array("entries").units(self._held)
+
     def sum(self, axis: int | None = None) -> Any:
         """Return the sum along an axis, or of all entries.
 

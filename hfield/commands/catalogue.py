@@ -11,6 +11,7 @@ from hfield.errors import shorten
 COMMANDS = {
     "verify": "decide the claims of the thesis over a panel of fields",
     "claims": "list the claims",
+    "report": "write the ledger as one page, or as a paper",
     "explain": "show one decision in full",
     "prove": "prove or refute a statement of your own",
     "check": "re-check certificates, independently",
@@ -25,6 +26,7 @@ COMMANDS = {
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
     "warm": "compile the loops over arrays beforehand",
+    "docs": "open the documentation in the browser",
     "doctor": "tell what is installed, what is missing and what it would add",
     "completion": "print the completion script of a shell",
     "repl": "an interactive session with e, i, j, k at hand",

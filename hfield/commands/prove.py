@@ -8,7 +8,7 @@ from functools import partial
 
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink, note, open_output
-from hfield.commands.parser import UsageError, add_output
+from hfield.commands.parser import UsageError, add_output, add_standalone
 from hfield.errors import shorten
 
 HELP = (
@@ -49,6 +49,7 @@ def configure(parser: ArgumentParser) -> None:
         "--timeout", type=_seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+    add_standalone(parser)
     add_output(parser)
 
 
@@ -62,7 +63,7 @@ def run(args: Namespace) -> int:
 def _decide(
     args: Namespace, statement: str
 ) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
-    from hfield.ledger.decision_lines import decision_latex, decision_text
+    from hfield.ledger.decision_lines import decision_text
     from hfield.proving.prove import prove
 
     with open_output(args.certificate) as file:
@@ -80,7 +81,11 @@ def _decide(
         if args.format == "json":
             out.write_json(data)
         elif args.format == "latex":
-            out.write(decision_latex(answer.text, answer.decision, answer.field))
+            from hfield.ledger.claim import UNIVERSAL
+            from hfield.ledger.paper import decision
+
+            place = (answer.field or UNIVERSAL, answer.setting.algebra)
+            out.write_latex(decision(answer.text, answer.decision, *place), args.standalone)
         else:
             where = (answer.setting.algebra, answer.field)
             out.write(decision_text(answer.text, answer.decision, *where, out.style()))

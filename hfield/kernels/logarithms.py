@@ -86,12 +86,11 @@ class LogarithmicField:
 
     def load(self, code: Code, raw: str) -> Logarithm:
         """Read a label, as its logarithm."""
-        wide = code.value(f"zext {raw_type(self.dtype)} {raw} to i64")
-        return self._logarithm(code, wide)
+        return self._logarithm(code, raw)
 
     def store(self, code: Code, x: Number) -> str:
         """Write the label."""
-        return code.value(f"trunc i64 {self._label(code, x)} to {raw_type(self.dtype)}")
+        return self._label(code, x)
 
     def constant(self, code: Code, value: int) -> Logarithm:
         """Return the element with a label."""
@@ -127,7 +126,8 @@ class LogarithmicField:
     # --- forms ---------------------------------------------------------------------------------
 
     def _logarithm(self, code: Code, label: str) -> Logarithm:
-        at = code.value(f"getelementptr i32, ptr %table0, i64 {label}")
+        index = code.value(f"zext {raw_type(self.dtype)} {label} to i64")
+        at = code.value(f"getelementptr i32, ptr %table0, i64 {index}")
         found = code.value(f"load i32, ptr {at}")
         return Logarithm(code.value(f"zext i32 {found} to i64"))
 
@@ -153,7 +153,7 @@ class LogarithmicField:
         return -(low // self.characteristic) * self.characteristic if low < 0 else 0
 
     def _label(self, code: Code, x: Number) -> str:
-        """Return the label as an i64: group by group of digits."""
+        """Return the label: the sum of what a table says of each group of digits."""
         v, word = code.value, self.word
         x = self._packed(code, x)
         name, bias = x.name, self._bias(x.low)
@@ -167,13 +167,10 @@ class LogarithmicField:
             if start + self.group < self.degree:
                 index = v(f"and {word} {index}, {(1 << bits) - 1}")
             index = index if word == "i64" else v(f"zext i32 {index} to i64")
-            at = v(f"getelementptr {kind}, ptr %table2, i64 {index}")
-            part = v(f"zext {kind} {v(f'load {kind}, ptr {at}')} to i64")
-            if start:
-                part = v(f"mul i64 {part}, {self.characteristic**start}")
-                label = v(f"add i64 {label}, {part}")
-            else:
-                label = part
+            place = v(f"add i64 {index}, {start // self.group << bits}") if start else index
+            at = v(f"getelementptr {kind}, ptr %table2, i64 {place}")
+            part = v(f"load {kind}, ptr {at}")
+            label = v(f"add {kind} {label}, {part}") if start else part
         return label
 
 
@@ -190,10 +187,11 @@ def _tables(field: LogarithmicField) -> tuple[Any, ...]:
     packed = (digits.astype(np.uint64) << (field.width * np.arange(n, dtype=np.uint64))).sum(axis=1)
     powers = np.zeros(4 * (q - 1) + 1, kind)
     powers[: q - 1] = powers[q - 1 : 2 * (q - 1)] = packed.astype(kind)
-    group = min(field.group, n)
-    index = np.arange(1 << field.width * group)
-    fields = (index[:, None] >> field.width * np.arange(group)) % (1 << field.width)
-    return logarithms, powers, (fields % p @ p ** np.arange(group)).astype(field.dtype)
+    index = np.arange(1 << field.width * field.group)
+    fields = (index[:, None] >> field.width * np.arange(field.group)) % (1 << field.width) % p
+    # for each group of digits, what it adds to the label; of digits beyond the last nothing is asked
+    parts = [fields @ p ** (start + np.arange(field.group)) for start in range(0, n, field.group)]
+    return logarithms, powers, np.concatenate(parts).astype(field.dtype)
 
 
 def _powers(field: LogarithmicField) -> Any:

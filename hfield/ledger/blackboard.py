@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hfield.ledger.claim import Proposition, Row
+from hfield.errors import NotationError
+from hfield.latex import words
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.ledger.columns import split_columns
-from hfield.ledger.decision_lines import decision_lines, formula, wrapped
+from hfield.ledger.decision_lines import decision_lines, wrapped
 from hfield.ledger.matrix import Style
 from hfield.ledger.registry import find
 from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide
-from hfield.ledger.wording import over, pretty
+from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import Decision
+from hfield.proving.statements.printing import to_latex
+from hfield.proving.statements.trees import conjuncts
+from hfield.rings.latex_names import latex_name
+from hfield.syntax import parse
 
 
 @dataclass(frozen=True)
@@ -48,9 +54,9 @@ class Explanation:
         """Write statement and verdict as one formula of LaTeX."""
         claim, row = self.row.claim, self.row
         text = claim.as_printed.text if claim.as_printed else claim.statement
-        lines = [formula(text, row.as_printed, row.field)]
+        lines = [_formula(text, row.as_printed, row.field)]
         if row.as_corrected is not None and claim.corrected:
-            lines.append(formula(claim.corrected.text, row.as_corrected, row.field))
+            lines.append(_formula(claim.corrected.text, row.as_corrected, row.field))
         body = r" \\ ".join(lines)
         return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
 
@@ -94,6 +100,18 @@ def explain(claim: str, field: str | None = None) -> Explanation:
         )
     ((_, name),) = rows_to_decide([found], column, strict=True)
     return Explanation(decide_row(found, name))
+
+
+def _formula(text: str, decision: Decision, field: str) -> str:
+    try:
+        lines = [to_latex(node) for node in conjuncts(parse(text))]
+    except NotationError:
+        lines = [rf"\text{{{words(text)}}}"]
+    symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else latex_name(field)
+    witness = witness_text(decision.witness, field)
+    verdict = rf"\text{{{words(decision.verdict + (f': {witness}' if witness else ''))}}}"
+    lines[-1] += "" if field == NO_FIELD else rf"\;({symbol})"
+    return r" \land \\ ".join(lines) + f" & {verdict}"
 
 
 def _json(proposition: Proposition | None, decision: Decision) -> dict[str, object]:

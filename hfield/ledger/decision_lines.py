@@ -1,4 +1,4 @@
-"""One decision in lines, as text or as a formula of LaTeX: verdict, steps, witness, what is assumed."""
+"""One decision in lines of text: verdict, steps, witness, what is assumed; without the ledger's claims."""
 
 from __future__ import annotations
 
@@ -6,13 +6,11 @@ import re
 import textwrap
 from collections.abc import Iterator
 
-from hfield.errors import NotationError, shorten
-from hfield.ledger.claim import NO_FIELD, UNIVERSAL
+from hfield.errors import shorten
+from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.matrix import Style
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.proving.statements.printing import to_latex
-from hfield.syntax import Logic, Node, parse
 
 _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
@@ -30,12 +28,6 @@ def decision_text(
     return "\n".join([*lines, *told])
 
 
-def decision_latex(statement: str, decision: Decision, field: str | None) -> str:
-    """Write a statement of the language and its verdict as a formula of LaTeX."""
-    body = formula(statement, decision, field or UNIVERSAL)
-    return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
-
-
 def decision_lines(
     text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
 ) -> Iterator[str]:
@@ -43,7 +35,7 @@ def decision_lines(
     verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
     method = ""
     if decision.verdict != NOT_APPLICABLE:
-        method = f"  (by {decision.method}{_scope(decision)})"
+        method = f"  (by {decision.method}{scope_text(decision)})"
     yield from wrapped("verdict", verdict + method, style, plain=False)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
@@ -63,7 +55,7 @@ def decision_lines(
         yield from wrapped("tried", attempt, style)
 
 
-def _scope(decision: Decision) -> str:
+def scope_text(decision: Decision) -> str:
     """Say where the statement holds, beyond the field it was decided over."""
     if decision.scope in (None, FIELD):
         return ""
@@ -83,32 +75,3 @@ def wrapped(
     lines = textwrap.wrap(text, room, break_on_hyphens=False) if plain else [text]
     for n, line in enumerate(lines):
         yield (head if n == 0 else " " * len(head)) + line
-
-
-def formula(text: str, decision: Decision, field: str) -> str:
-    """Write a statement and its verdict as lines of an array of LaTeX."""
-    try:
-        lines = [to_latex(node) for node in _conjuncts(parse(text))]
-    except NotationError:
-        lines = [_words(text)]
-    symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else _words(field)
-    witness = witness_text(decision.witness, field)
-    verdict = _words(decision.verdict + (f": {witness}" if witness else ""))
-    lines[-1] += "" if field == NO_FIELD else rf"\;({symbol})"
-    return r" \land \\ ".join(lines) + f" & {verdict}"
-
-
-def _conjuncts(node: Node) -> list[Node]:
-    """Return what is joined by ``and``, to be written one below the other."""
-    if isinstance(node, Logic) and node.op == "and":
-        return [*_conjuncts(node.left), *_conjuncts(node.right)]
-    return [node]
-
-
-def _words(text: str) -> str:
-    """Write words inside a formula."""
-    for mark in "\\{}":
-        text = text.replace(mark, "")
-    for mark in "_^#%&$":
-        text = text.replace(mark, rf"\{mark}" if mark != "^" else r"\hat{}")
-    return rf"\text{{{text}}}"

@@ -130,3 +130,16 @@ def test_what_cannot_be_counted():
         count(ring("GF(3)"), constants("GF(3)", -1, 0, -1), "zeros")
     with pytest.raises(TooLargeError, match="formulas"):
         tally(ring("GF(101)"), constants("GF(101)", -1, 0, -1))
+
+
+@pytest.mark.parametrize("name", ["GF(4)", "GF(5)", "GF(9)", "ZZ/6", "ZZ/8"])
+def test_loops_and_tables_count_the_same(name, monkeypatch):
+    from hfield.structure.counting import tally as room
+
+    R = ring(name)
+    for c in (constants(name, -1, 0, -1), constants(name, 2, 1, 3)):
+        found = []
+        for many in (0, 10**9):
+            monkeypatch.setattr(room, "MANY", many)
+            found.append(tally(R, c))
+        assert found[0] == found[1]

@@ -1,7 +1,7 @@
 """The residue field ℤ/p of ℚ, with the same names as ``ResidueField``."""
 
-import random
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -37,7 +37,7 @@ class PrimePlace:
         """Return the class of a rational number whose denominator p does not divide."""
         return int(x.numerator) * self.inverse(int(x.denominator)) % self.modulus
 
-    def random(self, rng: random.Random) -> int:
+    def random(self, rng: Random) -> int:
         """Return a random residue."""
         return rng.randrange(self.modulus)
 

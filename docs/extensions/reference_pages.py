@@ -1,0 +1,50 @@
+"""Writes one page of reference for each package: every public name, with what its docstring says."""
+
+from importlib import import_module
+from inspect import isclass, ismodule, isroutine
+from pathlib import Path
+from typing import Any
+
+PACKAGES = {
+    "hfield": "Quaternion algebras, their fields, statements and verdicts.",
+    "rotation": "Rotations and rigid motions of space, one or a million.",
+    "anim": "The spinning top: its shape, its motion, its pictures.",
+}
+
+
+def write(app: Any) -> None:
+    """Write ``reference/PACKAGE.md`` for each package, where it changed."""
+    folder = Path(app.srcdir) / "reference"
+    folder.mkdir(exist_ok=True)
+    for package, text in PACKAGES.items():
+        path = folder / f"{package}.md"
+        page = f"# {package}\n\n{text}\n\n" + "\n\n".join(_sections(package)) + "\n"
+        if not path.exists() or path.read_text(encoding="utf-8") != page:
+            path.write_text(page, encoding="utf-8")
+
+
+def _sections(package: str) -> list[str]:
+    """Return classes, functions, values and errors, each under a heading."""
+    module = import_module(package)
+    found: dict[str, list[str]] = {"Classes": [], "Functions": [], "Values": [], "Errors": []}
+    for name in dir(module):
+        value = getattr(module, name)
+        if ismodule(value):
+            continue
+        if isclass(value) and issubclass(value, Exception):
+            kind, directive = "Errors", "autoexception"
+        elif isclass(value):
+            kind, directive = "Classes", "autoclass"
+        else:
+            kind, directive = (
+                ("Functions", "autofunction") if isroutine(value) else ("Values", "autodata")
+            )
+        members = "\n   :members:\n   :inherited-members: tuple, Enum" if kind == "Classes" else ""
+        found[kind].append(f"```{{eval-rst}}\n.. {directive}:: {package}.{name}{members}\n```")
+    return [f"## {kind}\n\n" + "\n\n".join(entries) for kind, entries in found.items() if entries]
+
+
+def setup(app: Any) -> dict[str, bool]:
+    """Join Sphinx."""
+    app.connect("builder-inited", write)
+    return {"parallel_read_safe": True}

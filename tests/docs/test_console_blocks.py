@@ -1,0 +1,35 @@
+"""Every console block of README and docs prints what it shows."""
+
+import pytest
+
+from tests.docs.console import PAGES, ROOT, agrees, blocks, run
+
+
+def shown(page):
+    return [line for block in blocks(page.read_text("utf-8")) for line in block if line.words]
+
+
+@pytest.mark.parametrize("page", [p for p in PAGES if shown(p)], ids=lambda p: p.stem)
+def test_the_page_shows_what_is_printed(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("COLUMNS", raising=False)
+    wrong = []
+    for line in shown(page):
+        printed = run(line.words)
+        if line.printed and not agrees(line.printed, printed):
+            wrong.append(f"$ {line.typed}\n{printed}")
+    assert not wrong, "python scripts/refresh_pages.py writes what is printed now:\n" + "\n".join(
+        wrong
+    )
+
+
+def test_what_is_elided_may_be_anything_and_nothing_else():
+    assert agrees("a\n…\nd\n", "a\nb\nc\nd\n")
+    assert agrees("a\n…\n", "a\nb\n")
+    assert not agrees("a\n…\nd\n", "a\nb\nc\n")
+    assert not agrees("a\nb\n", "a\nb\nc\n")
+
+
+def test_the_pages_are_all_looked_at():
+    assert ROOT / "docs" / "language.md" in PAGES
+    assert sum(len(shown(page)) for page in PAGES) > 25
