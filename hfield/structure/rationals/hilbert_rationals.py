@@ -65,7 +65,8 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     for p, alpha in in_m:
         sign = symbol_of_n(p)
         if not sign:  # p divides both
-            sign = _symbol(q := int(p), *remove(m, q), *remove(n, q))
+            prime = int(p)
+            sign = _symbol(prime, *remove(m, prime), *remove(n, prime))
         elif not alpha & 1:
             continue
         if sign < 0:
