@@ -11,6 +11,7 @@ from hfield.commands.output import Sink
 from hfield.commands.parser import add_output
 
 HELP = "Show a decision in full: the statement, how it was read, each step or the witness."
+DOING = "deciding"
 EXAMPLES = (
     "hfield explain theorem-3 --field GF9",
     "hfield explain C1.2-a",

@@ -17,6 +17,7 @@ HELP = (
     "evidence proves. Coq itself is not needed; `coqc FILE` checks the file. Exit status: "
     "0 all that was named is in the file, 1 something is not, 2 bad usage."
 )
+DOING = "writing theorems"
 EXAMPLES = ("hfield export --coq theorems.v",)
 
 

@@ -20,6 +20,7 @@ HELP = (
     "Show what is known of an algebra: its table, centre, radical, whether it is a division algebra or "
     "split (with the isomorphism or the reason), where it ramifies, a maximal order, or counts."
 )
+DOING = "describing"
 EXAMPLES = (
     "hfield info '(-1,-3|QQ)'",
     "hfield info 'H(GF(9))' '[1,t|GF(4)(t))'",

@@ -16,6 +16,7 @@ HELP = (
     "'norm(q) != 0 => q*inv(q) == e'. Without a field it is about all of them. Exit status: 0 proved "
     "or vacuous, 1 refuted, 3 undecided, 2 bad usage."
 )
+DOING = "proving"
 EXAMPLES = (
     "hfield prove 'p*q == q*p' --field GF4",
     "hfield prove 'norm(q) == 0 => q == 0' --field 'QQ(sqrt(-7))' --certificate anisotropic.json",
