@@ -9,6 +9,7 @@ from functools import partial
 from hfield.commands.many import add_inputs, answer_all, check_given, texts
 from hfield.commands.output import Sink
 from hfield.commands.parser import add_output
+from hfield.commands.status import Waiting
 
 HELP = "Show a decision in full: the statement, how it was read, each step or the witness."
 DOING = "deciding"
@@ -43,6 +44,7 @@ def _explain(
 ) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.ledger.blackboard import explain
 
+    Waiting.at(f"deciding {claim}")
     explanation = explain(claim, field)
     data = explanation.to_json()
 

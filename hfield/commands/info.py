@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink
 from hfield.commands.parser import UsageError, add_output
+from hfield.commands.status import Waiting
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ def _describe(style: str, text: str) -> tuple[int, dict[str, object], Callable[[
     from hfield.commands.count import count_lines, counts
     from hfield.description import describe
 
+    Waiting.at(f"describing {text}")
     A = QuaternionAlgebra.from_text(text)
     description = describe(A)
     counted = counts(A, quick=True) if A.ring.order is not None else None

@@ -9,6 +9,7 @@ from functools import partial
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink, note, open_output
 from hfield.commands.parser import UsageError, add_output
+from hfield.commands.status import Waiting
 from hfield.errors import shorten
 
 HELP = (
@@ -66,6 +67,7 @@ def _decide(
     from hfield.ledger.blackboard import decision_latex, decision_text
     from hfield.proving.prove import prove
 
+    Waiting.at(f"proving {statement}")
     with open_output(args.certificate) as file:
         answer = prove(statement, args.field, args.given, args.algebra, args.timeout)
         certificate = answer.certificate if args.certificate is not None else None

@@ -24,7 +24,7 @@ class StatusLine:
         stream = sys.stderr
         if stream is None or not stream.isatty():
             return
-        text = " ".join(text.split())
+        text = text.replace("\n", " ")
         text = text if len(text) <= WIDTH else f"{text[: WIDTH - 1]}…"
         plain = text.encode(stream.encoding or "ascii", "replace").decode(
             stream.encoding or "ascii"
