@@ -11,7 +11,18 @@ TASKS = {
     "lint": ["ruff", "check", "."],
     "types": ["mypy"],
     "test": ["pytest", "-n", "auto"],
-    "docs": ["sphinx", "-q", "-W", "--keep-going", "-b", "html", "docs", "hfield/site"],
+    "docs": [
+        "sphinx",
+        "-q",
+        "-W",
+        "--keep-going",
+        "-b",
+        "html",
+        "-d",
+        "docs/_build",
+        "docs",
+        "hfield/site",
+    ],
 }
 
 

@@ -19,7 +19,11 @@ MOST_FPS = 10_000.0
 
 @dataclass(frozen=True)
 class Clip:
-    """A film of ``frames`` pictures at ``fps`` a second, of a motion of ``seconds`` in its own time."""
+    """A film of ``frames`` pictures at ``fps`` a second, of a motion of ``seconds`` in its own time.
+
+    >>> Clip().duration, Clip(frames=100).interval > 0.1
+    (10.0, True)
+    """
 
     frames: int = 500
     fps: float = FPS

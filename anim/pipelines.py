@@ -99,7 +99,7 @@ def kinematic(
     return Motion.sample(pipeline, film, Kinematic(pipeline, reading or Timeline(), film.seconds))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Comparison:
     """How far apart the pipelines come; in radians."""
 
@@ -115,6 +115,14 @@ class Comparison:
         """Return whether two pipelines give the same motion up to rounding (1e-12)."""
         pair = self.names.index(first), self.names.index(second)
         return bool(self.attitudes[pair] < 1e-12)
+
+    def __str__(self) -> str:
+        return self.table()
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        return self.table()
 
     def table(self) -> str:
         """Return the attitudes' angles and the tilts as a Markdown table: degrees, or radians if tiny."""

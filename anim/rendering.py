@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from concurrent.futures import Executor
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from math import ceil, degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,10 +27,18 @@ if TYPE_CHECKING:
 
 FINE = 5000
 """At how many instants, at least, the apex's path is followed."""
+FRAMED = 5
+"""A look is framed for a tilt that is a multiple of this, in degrees."""
 UNSEEN = 0.1
 """How many pixels the line of the trace may stray from the apex's path."""
 
 Progress = Callable[[int, int], None]
+
+
+def framed(look: Look, motion: Motion) -> Look:
+    """Return the look, as close as the greatest tilt of a motion allows."""
+    steepest = degrees(float(motion.tilts.max()))
+    return replace(look, tilt=min(90, FRAMED * ceil(steepest / FRAMED)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +148,16 @@ def render(
     """Draw all frames and write them to ``path``, in the format of its suffix.
 
     The file is whole or is not there. Raises :class:`~anim.errors.AnimationError`.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> from anim.output import Film
+    >>> from anim.pipelines import kinematic
+    >>> from anim.film import clip
+    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+    >>> with TemporaryDirectory() as folder:
+    ...     render(scene, Path(folder) / "film", Film((32, 24), 2, 50.0))
+    ...     print(len(list(Path(folder, "film").iterdir())))
+    2
     """
     from anim.output.palette import sampled
     from anim.output.writing import open_film
@@ -159,9 +178,8 @@ def render(
                 progress(number, film.frames)
 
 
-def contact_sheet(scene: Scene) -> Frame:
-    """Return ten frames from the whole film in one picture (figures 3.3 and 3.4)."""
-    from anim.output.sheet import sheet, shown
+def contact_sheet(scene: Scene, numbers: list[int]) -> Frame:
+    """Return the frames of these numbers in one picture (figures 3.3 and 3.4)."""
+    from anim.output.sheet import sheet
 
-    numbers = shown(scene.motion.frames)
     return sheet([draw(scene.task(number)) for number in numbers], numbers)

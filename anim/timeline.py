@@ -54,6 +54,9 @@ class Timeline:
     - ``euler``: the axes of the Euler angles, "zyx" or, literally, "zyz".
 
     Raises :class:`~anim.errors.AnimationError` for any other value.
+
+    >>> Timeline(spin="accumulated").order
+    'spin-first'
     """
 
     spin: str = "absolute"

@@ -39,12 +39,15 @@ class Top:
         return page(self.model, shows, self.motion.fps, curves=curves_of(self.motion))
 
     def save(self, path: str | Path, look: Look | None = None, force: bool = False) -> None:
-        """Write a film, in the format of the suffix. Raises :class:`~anim.errors.AnimationError`."""
-        from anim.output import Film
-        from anim.picture import Look
-        from anim.rendering import Scene, render
+        """Write a film, in the format of the suffix; without ``look`` shaded, with trace and shadow.
 
-        chosen = Look() if look is None else look
+        Raises :class:`~anim.errors.AnimationError`.
+        """
+        from anim.output import Film
+        from anim.picture.look import FILM_LOOK
+        from anim.rendering import Scene, framed, render
+
+        chosen = framed(FILM_LOOK, self.motion) if look is None else look
         film = Film(chosen.size, self.motion.frames, self.motion.fps)
         render(Scene(self.model, self.motion, chosen), Path(path), film, force=force)
 

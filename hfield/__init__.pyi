@@ -1,6 +1,8 @@
 from . import errors as errors
 from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
+from .description import Description as Description
+from .description import info as info
 from .elements import conjugator as conjugator
 from .errors import CoercionError as CoercionError
 from .errors import HFieldError as HFieldError

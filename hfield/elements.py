@@ -10,6 +10,7 @@ from hfield import product, structure
 from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
 from hfield.hints import ELEMENT, Hinted
 from hfield.product import Coordinates
+from hfield.rings.coefficients import Coefficients
 
 Q = TypeVar("Q")
 
@@ -154,16 +155,24 @@ class ElementFacts(Hinted):
 
     # --- polynomials and equations -------------------------------------------------------------
 
-    def minimal_polynomial(self) -> tuple[Any, ...]:
-        """Return the coefficients, low degree first, monic: ``(−w, 1)`` or ``(N(q), −tr(q), 1)``."""
+    def minimal_polynomial(self) -> Coefficients:
+        """Return the coefficients, low degree first, monic: ``(−w, 1)`` or ``(N(q), −tr(q), 1)``.
+
+        They are a tuple that shows as the polynomial, in X.
+
+        >>> from hfield import H
+        >>> H("QQ")(1, 2, 0, 1).minimal_polynomial()
+        X²−2·X+6
+        """
         ring, _, q = self._single()
         if all(ring.is_zero(x) for x in q[1:]):
-            return (-q[0], ring.one)
+            return Coefficients(ring, (-q[0], ring.one))
         return self.characteristic_polynomial()
 
-    def characteristic_polynomial(self) -> tuple[Any, Any, Any]:
+    def characteristic_polynomial(self) -> Coefficients:
         """Return the reduced one, ``x² − tr(q)·x + N(q)``: its coefficients, low degree first."""
-        return structure.characteristic_polynomial(*self._single())
+        ring, constants, q = self._single()
+        return Coefficients(ring, structure.characteristic_polynomial(ring, constants, q))
 
     def is_nilpotent(self) -> bool:
         """Tell whether some power of q is 0."""
@@ -213,5 +222,12 @@ class ElementFacts(Hinted):
 
 
 def conjugator(p: Any, q: Any) -> Any:
-    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none."""
+    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none.
+
+    >>> from hfield import H, inv
+    >>> _, i, j, _ = H("QQ").basis
+    >>> x = conjugator(i, j)
+    >>> x * i * inv(x)
+    j
+    """
     return p.conjugator(q)

@@ -2,11 +2,27 @@
 
 
 class HFieldError(Exception):
-    """The root of all errors of this package; the command line prints them in one line."""
+    """The root of all errors of this package; the command line prints them in one line.
+
+    >>> from hfield import GF, errors
+    >>> try:
+    ...     GF(6)
+    ... except errors.HFieldError as error:
+    ...     print(type(error).__name__)
+    RingError
+    """
 
 
 class NotationError(HFieldError, ValueError):
-    """A text that cannot be read: ``position`` is the offset of the first character at fault."""
+    """A text that cannot be read: ``position`` is the offset of the first character at fault.
+
+    >>> from hfield import prove
+    >>> try:
+    ...     prove("p*(q == q")
+    ... except NotationError as error:
+    ...     print(error.position)
+    9
+    """
 
     def __init__(self, message: str, text: str = "", position: int | None = None) -> None:
         self.text, self.position = text, position
@@ -15,23 +31,63 @@ class NotationError(HFieldError, ValueError):
 
 
 class RingError(HFieldError, ValueError):
-    """A base ring that does not exist or that cannot be built, such as GF(6)."""
+    """A base ring that does not exist or that cannot be built, such as GF(6).
+
+    >>> from hfield import GF
+    >>> try:
+    ...     GF(6)
+    ... except RingError:
+    ...     print("no field of 6 elements")
+    no field of 6 elements
+    """
 
 
 class CoercionError(HFieldError, TypeError):
-    """A value that is not an element of the ring or algebra asked for."""
+    """A value that is not an element of the ring or algebra asked for.
+
+    >>> from hfield import H
+    >>> try:
+    ...     H("QQ")(0.5j)
+    ... except CoercionError:
+    ...     print("no rational number")
+    no rational number
+    """
 
 
 class MixedParentsError(HFieldError, TypeError):
-    """Two elements of different algebras in one operation."""
+    """Two elements of different algebras in one operation.
+
+    >>> from hfield import GF, H
+    >>> try:
+    ...     H("QQ")(1) + H(GF(3))(1)
+    ... except MixedParentsError:
+    ...     print("two algebras")
+    two algebras
+    """
 
 
 class NotInvertibleError(HFieldError, ZeroDivisionError):
-    """A division by zero, by a zero divisor or by another non-unit."""
+    """A division by zero, by a zero divisor or by another non-unit.
+
+    >>> from hfield import GF, H
+    >>> try:
+    ...     1 / H(GF(2))(1, 1, 0, 0)
+    ... except NotInvertibleError:
+    ...     print("no inverse")
+    no inverse
+    """
 
 
 class NotFiniteError(HFieldError, TypeError):
-    """An enumeration of an infinite ring or algebra."""
+    """An enumeration of an infinite ring or algebra.
+
+    >>> from hfield import H
+    >>> try:
+    ...     H("QQ").count()
+    ... except NotFiniteError:
+    ...     print("infinite")
+    infinite
+    """
 
 
 class LatticeError(HFieldError, ValueError):
@@ -43,11 +99,23 @@ class IndefiniteError(LatticeError, NotFiniteError):
 
 
 class UndecidedError(HFieldError, ArithmeticError):
-    """A question about which this package has no decision procedure; the message says what was tried."""
+    """A question about which this package has no decision procedure; the message says what was tried.
+
+    >>> issubclass(UndecidedError, ArithmeticError)
+    True
+    """
 
 
 class TooLargeError(HFieldError, ValueError):
-    """A computation refused beforehand, because its result would not fit in time or memory."""
+    """A computation refused beforehand, because its result would not fit in time or memory.
+
+    >>> from hfield import H
+    >>> try:
+    ...     H("QQ").basis[1] ** 10**30 and (2 + H("QQ").basis[1]) ** 10**30
+    ... except TooLargeError:
+    ...     print("too many digits")
+    too many digits
+    """
 
 
 def shorten(text: object, limit: int = 60) -> str:

@@ -8,7 +8,7 @@ these are passed.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from concurrent.futures import (
     BrokenExecutor,
     Executor,
@@ -18,9 +18,12 @@ from concurrent.futures import (
 )
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from hfield.errors import HFieldError
+
+if TYPE_CHECKING:
+    from multiprocessing.context import BaseContext
 
 P = ParamSpec("P")
 A = TypeVar("A")
@@ -77,28 +80,31 @@ def ordered(
 
 
 @contextmanager
-def open_executor(jobs: int = 1, dask: str | None = None) -> Iterator[Executor]:
+def open_executor(
+    jobs: int = 1, dask: str | None = None, imports: Sequence[str] = ()
+) -> Iterator[Executor]:
     """Yield an executor: this process, ``jobs`` processes, or the Dask cluster at ``dask``.
 
-    Processes are spawned, never forked, so that no lock of a numerical library is copied. On an
-    interrupt they are ended at once. Raises :class:`ExecutorError` when Dask is missing or silent,
-    or when a worker dies.
+    Processes are never forked from this one, so that no lock of a numerical library is copied. Where the
+    system can, one bare process reads the modules ``imports`` at once, while this one goes on, and the
+    workers are its forks; elsewhere they are spawned. On an interrupt they are ended at once. Raises
+    :class:`ExecutorError` when Dask is missing or silent, or when a worker dies.
     """
     if dask is not None:
         with _dask(dask) as executor:
             yield executor
     elif jobs > 1:
-        with _processes(jobs) as executor:
+        with _processes(jobs, imports) as executor:
             yield executor
     else:
         yield InProcess()
 
 
 @contextmanager
-def _processes(jobs: int) -> Iterator[Executor]:
+def _processes(jobs: int, imports: Sequence[str]) -> Iterator[Executor]:
     import multiprocessing
 
-    context = multiprocessing.get_context("spawn")
+    context = _serving(imports) if imports else multiprocessing.get_context("spawn")
     pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_as_a_worker)
     before = set(multiprocessing.active_children())
     try:
@@ -119,6 +125,29 @@ def _processes(jobs: int) -> Iterator[Executor]:
             ) from error
         raise
     pool.shutdown()
+
+
+def _serving(imports: Sequence[str]) -> BaseContext:
+    """Start the process that workers are forked from, with ``imports`` read, where there are such."""
+    import multiprocessing
+    import os
+
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    from multiprocessing.forkserver import ensure_running
+
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(list(imports))
+    before = os.environ.get("PYTHONSAFEPATH")
+    os.environ["PYTHONSAFEPATH"] = "1"  # else it would read modules from the current directory
+    try:
+        ensure_running()
+    finally:
+        if before is None:
+            del os.environ["PYTHONSAFEPATH"]
+        else:
+            os.environ["PYTHONSAFEPATH"] = before
+    return context
 
 
 def _as_a_worker() -> None:

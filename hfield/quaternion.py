@@ -42,6 +42,11 @@ class Quaternion(ElementFacts, BatchMethods):
     or four arrays of one shape, and then every operation is elementwise. Ints and Fractions mix in
     as multiples of e, elements of the base ring too. Elements of two algebras never mix:
     arithmetic raises :class:`MixedParentsError`, and ``==`` between them is False.
+
+    >>> from hfield import H
+    >>> q = H("QQ")(1, 2, 0, 1)
+    >>> q * q.conjugate() == q.norm(), q.inverse()
+    (True, 1/6 − 1/3i − 1/6k)
     """
 
     # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.

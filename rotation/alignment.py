@@ -31,6 +31,12 @@ def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Arra
     RotationError
         Shapes that do not fit, no vectors or nothing but zeros, negative weights; or vectors that
         a reflection would align, so that several rotations are best.
+
+    Examples
+    --------
+    >>> r, rssd = align([[1, 0, 0], [0, 1, 0]], [[0, 1, 0], [-1, 0, 0]])
+    >>> r.as_rotvec(degrees=True).round(9) + 0.0, float(rssd.round(9))
+    (array([ 0.,  0., 90.]), 0.0)
     """
     q, rssd = fitted(*checked(target, source, weights))
     return Rotation._of(q), rssd
@@ -48,6 +54,12 @@ def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotatio
         ``rotation.apply(source) + translation`` is the best fit.
     rssd : array, shape (…)
         The root of the weighted sum of the squared distances that remain.
+
+    Examples
+    --------
+    >>> r, t, rssd = align_points([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 1, 1], [2, 1, 1], [1, 2, 1]])
+    >>> t.round(9), float(rssd.round(9))
+    (array([1., 1., 1.]), 0.0)
     """
     a, b, w = checked(target, source, weights)
     xp = namespace(a)

@@ -8,16 +8,16 @@ S. P. Nørsett and A. Zanna, "Lie-group methods", Acta Numerica 9 (2000).
 
 import math
 from collections.abc import Callable
+from functools import reduce
+from operator import mul
 from typing import Any
-
-import numpy as np
 
 from rotation import vectors
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.coordinates import join, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, expect_numpy, floats
+from rotation.namespaces import Array, certainly, expect_last, floats, is_numpy, namespace
 from rotation.products import check_frame, running_products
 from rotation.rotation import Rotation
 
@@ -41,7 +41,7 @@ def integrate(
         which a cubic is laid; or a function of one time that returns (…, 3), called at two inner
         points of each interval.
     times : array_like, shape (n,)
-        Strictly monotonic; the first belongs to ``initial``.
+        Of any one array library, as all arguments. Strictly monotonic; the first belongs to ``initial``.
     initial : Rotation, optional
         The attitude at ``times[0]``; by default the identity.
     frame : "body" or "world"
@@ -63,7 +63,7 @@ def integrate(
         Times that are not monotonic, samples that do not fit them, or another frame; a tolerance that is
         not positive, not asked of a function, or not reached with 4096 steps in each interval.
     ForeignArrayError
-        Arrays that are not numpy's.
+        Arrays of two libraries.
 
     Examples
     --------
@@ -75,29 +75,29 @@ def integrate(
     if initial is not None:
         expect_rotations(initial=initial)
     known = None if callable(omega) else omega
-    expect_numpy("integrate", known, times, None if initial is None else initial._q)
-    t = floats(times, "times")
-    steps = np.diff(t) if t.ndim == 1 and t.size else np.array([np.nan])
-    if not (np.all(steps > 0.0) or np.all(steps < 0.0)):
+    xp = namespace(known, times, None if initial is None else initial._q)
+    t = floats(times, "times", xp)
+    steps = t[1:] - t[:-1] if t.ndim == 1 and t.shape[0] else xp.asarray([math.nan])
+    if certainly(~(xp.all(steps > 0.0) | xp.all(steps < 0.0))):
         raise RotationError(
-            f"times of shape {t.shape}: a list that strictly increases or decreases is expected"
+            f"times of shape {tuple(t.shape)}: a list that strictly increases or decreases is expected"
         )
     if tolerance is not None:
         return _refined(omega, t, initial, frame, tolerance)
     first, second = (_values(omega, t, t[:-1] + node * steps) for node in _NODES)
-    h = np.reshape(steps, steps.shape + (1,) * (first.ndim - 1))
+    h = xp.reshape(steps, (-1, *(1,) * (first.ndim - 1)))
     # In the body's axes the order of all products is reversed, and so is the commutator's sign.
     sign = 1.0 if frame == "body" else -1.0
-    bend = join(np, vectors.cross(split(first), split(second)))
+    bend = join(xp, vectors.cross(split(first), split(second)))
     turns = vectors.from_rotvec(
         0.5 * h * (first + second) + (sign * math.sqrt(3.0) / 12.0) * h * h * bend
     )
-    start = (Rotation.identity() if initial is None else initial).as_quat()
-    batch = common_batch(initial=start.shape[:-1], omega=turns.shape[1:-1])
-    chain = np.empty((len(t), *batch, 4))
-    chain[0] = start
+    start = xp.asarray([1.0, 0.0, 0.0, 0.0], dtype=turns.dtype) if initial is None else initial._q
+    batch = common_batch(initial=tuple(start.shape[:-1]), omega=tuple(turns.shape[1:-1]))
     missing = (1,) * (len(batch) + 2 - turns.ndim)
-    chain[1:] = np.reshape(turns, (len(turns), *missing, *turns.shape[1:]))
+    turns = xp.reshape(turns, (turns.shape[0], *missing, *turns.shape[1:]))
+    parts = (start[None, ...], (1, *batch, 4)), (turns, (turns.shape[0], *batch, 4))
+    chain = xp.concat([xp.broadcast_to(*part) for part in parts], axis=0)
     return Rotation._of(running_products(chain, frame))
 
 
@@ -109,13 +109,14 @@ def _refined(
         raise RotationError(
             f"tolerance {tolerance!r}: a positive angle is expected, and omega as a function"
         )
+    xp = namespace(times)
     before = integrate(omega, times, initial, frame)
     for power in range(1, _HALVINGS + 1):
         parts = 2**power
-        share = np.arange(parts) / parts
-        fine = (times[:-1, None] + np.diff(times)[:, None] * share).ravel()
-        found = integrate(omega, np.append(fine, times[-1]), initial, frame)[::parts]
-        if np.all((before.inv() * found).magnitude() <= tolerance):
+        share = xp.arange(parts, dtype=times.dtype) / parts
+        fine = xp.reshape(times[:-1, None] + (times[1:] - times[:-1])[:, None] * share, (-1,))
+        found = integrate(omega, xp.concat([fine, times[-1:]]), initial, frame)[::parts]
+        if bool(xp.all((before.inv() * found).magnitude() <= tolerance)):
             return found
         before = found
     raise RotationError(
@@ -125,41 +126,43 @@ def _refined(
 
 def _values(omega: Any, times: Array, at: Array) -> Array:
     """The angular velocities at points of which one lies in each interval, (n − 1, …, 3)."""
+    xp = namespace(times)
     if callable(omega):
-        found = [omega(float(x)) for x in at]
-        expect_numpy("integrate", *found)
-        values = [floats(w, "omega(t)") for w in found]
-        if len({v.shape for v in values}) > 1:
+        found = [omega(float(x) if is_numpy(xp) else x) for x in at]
+        namespace(at, *found)  # of two libraries it raises
+        values = [floats(w, "omega(t)", xp) for w in found]
+        if len({tuple(v.shape) for v in values}) > 1:
             raise RotationError("omega(t) has different shapes at different times")
-        w = np.stack(values) if values else np.empty((0, 3))
+        w = xp.stack(values) if values else xp.empty((0, 3))
         expect_last(w, (3,), "omega(t) at all times")
     else:
-        samples = floats(omega, "omega")
+        samples = floats(omega, "omega", xp)
         expect_last(samples, (3,), "omega")
+        number = samples.shape[0]
         if samples.ndim == 1:
-            w = np.broadcast_to(samples, (len(at), *samples.shape))
-        elif len(samples) == len(times):
+            w = xp.broadcast_to(samples, (at.shape[0], 3))
+        elif number == times.shape[0]:
             w = _interpolated(samples, times, at)
         else:
             raise RotationError(
-                f"omega has {len(samples)} samples for {len(times)} times; as many are expected"
+                f"omega has {number} samples for {times.shape[0]} times; as many are expected"
             )
     return w
 
 
 def _interpolated(samples: Array, times: Array, at: Array) -> Array:
     """Values between samples by the polynomial through the nearest four (fewer if there are fewer)."""
-    number = min(4, len(times))
-    start = np.clip(np.arange(len(at)) - 1, 0, len(times) - number)
-    near = start[:, None] + np.arange(number)
-    knots = times[near]
+    xp = namespace(samples, times)
+    intervals, number = at.shape[0], min(4, times.shape[0])
+    start = xp.clip(xp.arange(intervals) - 1, 0, times.shape[0] - number)
+    knots = [xp.take(times, start + k) for k in range(number)]
     # Differences from the sample on the left: a constant velocity stays that, to the last bit.
-    left = samples[:-1]
-    total = left.copy()
+    left = samples[:-1, ...]
+    total = left
     for j in range(number):
-        others = [k for k in range(number) if k != j]
-        factors = (at[:, None] - knots[:, others]) / (knots[:, [j]] - knots[:, others])
-        weight = np.prod(factors, axis=1)
-        shape = weight.shape + (1,) * (samples.ndim - 1)
-        total += np.reshape(weight, shape) * (samples[near[:, j]] - left)
+        factors = ((at - knots[k]) / (knots[j] - knots[k]) for k in range(number) if k != j)
+        weight = xp.reshape(
+            reduce(mul, factors, xp.ones_like(at)), (-1, *(1,) * (samples.ndim - 1))
+        )
+        total = total + weight * (xp.take(samples, start + j, axis=0) - left)
     return total

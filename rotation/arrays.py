@@ -5,6 +5,7 @@
 axes are the batch; batches broadcast by numpy's rules.
 """
 
+import sys
 from typing import Any, Literal
 
 import numpy as np
@@ -35,7 +36,7 @@ def real(value: object, name: str) -> Array:
             f"{name} is a {kind}, and this call takes numpy arrays only; "
             "Rotation.apply works on arrays of other libraries"
         )
-    if isinstance(value, np.ma.MaskedArray):
+    if _masked(value):
         raise RotationError(
             f"{name} is a masked array, whose mask would be lost; rotate its .filled(np.nan)"
         )
@@ -53,6 +54,12 @@ def real(value: object, name: str) -> Array:
         f"{name} has dtype {array.dtype}; expected float32, float64 or integers: "
         f"convert with .astype(np.float64) where that is what you mean"
     )
+
+
+def _masked(value: object) -> bool:
+    """Tell whether an array is masked, without the import of numpy.ma that asking by its name would be."""
+    masked = sys.modules.get("numpy.ma")
+    return masked is not None and isinstance(value, masked.MaskedArray)
 
 
 def components(value: object, number: int, name: str, layout: Layout) -> tuple[Array, Shape]:
@@ -113,7 +120,7 @@ def destination(
     if out is None:
         new = np.empty(shape, points.dtype)
         return new, components_last(new, layout)
-    if isinstance(out, np.ma.MaskedArray):
+    if _masked(out):
         raise RotationError("out is a masked array, whose mask would be wrong; give an ndarray")
     if not isinstance(out, np.ndarray):
         raise DTypeError(f"out is a {type(out).__name__}; expected a numpy array")

@@ -20,8 +20,8 @@ class Batch(Shaped):
     def _of(cls, q: Array) -> Self:
         """Wrap unit quaternions that nobody else will write to."""
         self = object.__new__(cls)
-        if is_numpy(namespace(q)):
-            q.flags.writeable = False
+        if isinstance(q, np.ndarray):
+            q.setflags(write=False)
         object.__setattr__(self, "_q", q)
         return self
 
@@ -88,6 +88,11 @@ class Batch(Shaped):
             )
         )
         return f"Rotation.from_quat({array})"
+
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restore, (type(self), self._q)

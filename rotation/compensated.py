@@ -7,6 +7,7 @@ T. J. Dekker, "A floating-point technique for extending the available precision"
 from collections.abc import Iterable
 from typing import Any
 
+from rotation.coordinates import root
 from rotation.kernels.compiled.series import SINE, VERSINE
 from rotation.namespaces import Array
 
@@ -44,10 +45,10 @@ def total(pairs: Iterable[Pair]) -> Pair:
 def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
     """Return ``√(Σ c²)`` as a pair; for coordinates whose squares neither overflow nor vanish."""
     high, low = total(two_product(xp, c, c) for c in coordinates)
-    root = xp.sqrt(high)
-    square, e = two_product(xp, root, root)
-    safe = xp.where(root > 0.0, root, xp.ones_like(root))
-    return root, (((high - square) - e) + low) / (2.0 * safe)
+    n = root(xp, high)
+    square, e = two_product(xp, n, n)
+    safe = xp.where(n > 0.0, n, xp.ones_like(n))
+    return n, (((high - square) - e) + low) / (2.0 * safe)
 
 
 def quotient(xp: Any, a: Array, b: Pair) -> Pair:

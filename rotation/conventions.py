@@ -35,13 +35,26 @@ def change_of_axes(source: str, target: str) -> Array:
     ------
     RotationError
         No such convention.
+
+    Examples
+    --------
+    >>> change_of_axes("ros", "opencv")
+    array([[ 0., -1.,  0.],
+           [ 0.,  0., -1.],
+           [ 1.,  0.,  0.]])
     """
     first, second = (_basis(name) for name in (source, target))
     return np.asarray(second.T @ first)
 
 
 def convert_points(points: Any, source: str, target: str) -> Array:
-    """Return points (…, 3) of one convention in another; see `change_of_axes`."""
+    """Return points (…, 3) of one convention in another; see `change_of_axes`.
+
+    Examples
+    --------
+    >>> convert_points([1, 0, 0], "ros", "opencv") + 0.0  # forward
+    array([0., 0., 1.])
+    """
     expect_numpy("convert_points", points)
     v = floats(points, "points")
     expect_last(v, (3,), "points")

@@ -8,6 +8,7 @@ from rotation.batch import Batch
 from rotation.errors import DTypeError
 from rotation.namespaces import (
     Array,
+    copied,
     expect_last,
     expect_numpy,
     floats,
@@ -194,8 +195,7 @@ class Conversions(Batch):
             otherwise the sign is the one that the computation gave.
         """
         q = quaternions.canonical(self._q) if canonical else self._q
-        xp = namespace(q)
-        return xp.asarray(q, copy=True) if scalar_first else xp.roll(q, -1, axis=-1)
+        return copied(q) if scalar_first else namespace(q).roll(q, -1, axis=-1)
 
     def as_matrix(self) -> Array:
         """Return the matrices, shape (…, 3, 3), that turn column vectors."""

@@ -49,7 +49,13 @@ def factor(xp: Any, coordinates: Coordinates) -> Array:
 def length(xp: Any, coordinates: Coordinates) -> Array:
     """Return the Euclidean length, right from the smallest float up to half the largest."""
     f = factor(xp, coordinates)
-    return xp.sqrt(sum_of_squares([f * c for c in coordinates])) / f
+    return root(xp, sum_of_squares([f * c for c in coordinates])) / f
+
+
+def root(xp: Any, square: Array) -> Array:
+    """Return the square root of what may be 0; differentiated there it gives 0, for it has no derivative."""
+    zero = square == 0.0
+    return xp.where(zero, square, xp.sqrt(xp.where(zero, xp.ones_like(square), square)))
 
 
 def unit(xp: Any, coordinates: Coordinates) -> Coordinates:

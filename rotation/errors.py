@@ -4,11 +4,31 @@ from hfield.errors import HFieldError
 
 
 class RotationError(HFieldError, ValueError):
-    """Values that name no rotation, or shapes, layouts and memory that do not fit together."""
+    """Values that name no rotation, or shapes, layouts and memory that do not fit together.
+
+    Examples
+    --------
+    >>> from rotation import Rotation
+    >>> try:
+    ...     Rotation.from_quat([0, 0, 0, 0])
+    ... except RotationError as error:
+    ...     print(type(error).__name__)
+    ZeroRotationError
+    """
 
 
 class ZeroRotationError(RotationError):
-    """A zero axis or a zero quaternion: it has no direction. ``row`` is its index in its batch."""
+    """A zero axis or a zero quaternion: it has no direction. ``row`` is its index in its batch.
+
+    Examples
+    --------
+    >>> from rotation import Rotation
+    >>> try:
+    ...     Rotation.from_quat([0, 0, 0, 0])
+    ... except ZeroRotationError:
+    ...     print("no direction")
+    no direction
+    """
 
     def __init__(self, name: str, row: tuple[int, ...]) -> None:
         self.row = row
@@ -19,7 +39,13 @@ class ZeroRotationError(RotationError):
 
 
 class DTypeError(HFieldError, TypeError):
-    """An array of a kind that is not rotated, such as complex numbers, booleans or objects."""
+    """An array of a kind that is not rotated, such as complex numbers, booleans or objects.
+
+    Examples
+    --------
+    >>> issubclass(DTypeError, TypeError)
+    True
+    """
 
 
 class MemberError(DTypeError, RotationError):
@@ -27,4 +53,10 @@ class MemberError(DTypeError, RotationError):
 
 
 class ForeignArrayError(HFieldError, TypeError):
-    """An array of another library where only numpy arrays are taken."""
+    """An array of another library where only numpy arrays are taken.
+
+    Examples
+    --------
+    >>> issubclass(ForeignArrayError, TypeError)
+    True
+    """

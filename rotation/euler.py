@@ -128,19 +128,25 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
     (a, b, c, d), sine, sign = _folded(q, axes[::-1] if intrinsic else axes)
     ab, cd = length(xp, (a, b)), length(xp, (c, d))
     middle = 2.0 * xp.atan2(cd, ab) if sine is None else xp.atan2(sine, ab * cd)
-    plus, minus = xp.atan2(b, a), xp.atan2(d, c)
     # Where one of the pairs is nothing but rounding its angle is free: choose it so that the third
     # angle as the user counts, which is the first of the extrinsic order if intrinsic, is 0.
     tiny = 8.0 * float(xp.finfo(q.dtype).eps)
     free = 1.0 if intrinsic else -1.0
+    plus_free, minus_free = ab <= tiny * cd, cd <= tiny * ab
+    plus, minus = _angle(xp, b, a, plus_free), _angle(xp, d, c, minus_free)
     plus, minus = (
-        xp.where(ab <= tiny * cd, free * minus, plus),
-        xp.where(cd <= tiny * ab, free * plus, minus),
+        xp.where(plus_free, free * minus, plus),
+        xp.where(minus_free, free * plus, minus),
     )
     start = _wrapped(xp, plus - minus)
     end = sign * _wrapped(xp, plus + minus)
     angles = (end, middle, start) if intrinsic else (start, middle, end)
     return join(xp, tuple(map(to_degrees, angles)) if degrees else angles)
+
+
+def _angle(xp: Any, y: Array, x: Array, free: Array) -> Array:
+    """The angle of (x, y), 0 where it is free: there its derivative might not be finite."""
+    return xp.atan2(xp.where(free, xp.zeros_like(y), y), xp.where(free, xp.ones_like(x), x))
 
 
 def _folded(q: Array, axes: tuple[int, ...]) -> tuple[Coordinates, Array | None, float]:

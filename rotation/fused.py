@@ -65,6 +65,11 @@ def rotate(
         A zero axis, with its row. Where ``out`` is the points themselves they are left as they were.
     DTypeError, ForeignArrayError
         Points, axes or angles that are not real numpy arrays.
+
+    Examples
+    --------
+    >>> rotate([1, 0, 0], [0, 0, 1], 90, degrees=True).round(15)
+    array([0., 1., 0.])
     """
     p, points_batch = components(points, 3, "points", layout)
     a, axis_batch = components(axis, 3, "axis", layout)
@@ -115,6 +120,11 @@ def rotate_quat(
         A zero quaternion, with its row.
     RotationError, DTypeError, ForeignArrayError
         As in `rotate`.
+
+    Examples
+    --------
+    >>> rotate_quat([1, 0, 0], [1, 1, 1, 1]).round(15)
+    array([0., 1., 0.])
     """
     p, points_batch = components(points, 3, "points", layout)
     if isinstance(q, Batch):
@@ -173,6 +183,11 @@ def rotate_euler(
     ------
     RotationError, DTypeError, ForeignArrayError
         A sequence that does not exist; otherwise as in `rotate`.
+
+    Examples
+    --------
+    >>> rotate_euler([1, 0, 0], [90, 0, 0], degrees=True).round(15) + 0.0
+    array([0., 1., 0.])
     """
     axes, intrinsic = sequence(seq)
     p, points_batch = components(points, 3, "points", layout)

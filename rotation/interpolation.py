@@ -6,12 +6,10 @@ fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion nev
 
 from typing import Any
 
-import numpy as np
-
 from rotation import quaternions, vectors
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_numpy, floats, namespace, quiet
+from rotation.namespaces import Array, certainly, copied, floats, namespace, quiet
 from rotation.rotation import Rotation
 
 
@@ -44,6 +42,13 @@ def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotatio
 
     ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``: at p it sets out towards a, at q it comes from
     b. `Squad` finds the inner points of a smooth curve through keyframes. Shapes broadcast.
+
+    Examples
+    --------
+    >>> p = Rotation.identity()
+    >>> q = Rotation.from_euler("Z", 90, degrees=True)
+    >>> squad(p, q, p, q, 0.5).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 45.])
     """
     expect_rotations(p=p, q=q, a=a, b=b)
     q = _nearer(q, p)
@@ -78,7 +83,7 @@ class Slerp:
     Parameters
     ----------
     times : array_like, shape (n,)
-        Strictly increasing.
+        Strictly increasing; of numpy, or of the library of the rotations.
     rotations : Rotation, shape (n, …)
         At least two keyframes along the first axis.
 
@@ -86,11 +91,16 @@ class Slerp:
     ------
     RotationError
         Times that do not increase or do not fit the rotations.
+
+    Examples
+    --------
+    >>> keys = Rotation.from_euler("Z", [[0], [90]], degrees=True)
+    >>> Slerp([0, 1], keys)(0.5).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 45.])
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
         expect_rotations(rotations=rotations)
-        expect_numpy("a curve through keyframes", times, rotations._q)
         self.times = _times(times, rotations)
         self.rotations = rotations
 
@@ -107,18 +117,35 @@ class Slerp:
 
     def _place(self, times: Any) -> tuple[Array, Array]:
         """For each time its interval and where it lies there, from 0 to 1."""
-        x = floats(times, "times")
+        xp = namespace(times, self.times)
+        x = floats(times, "times", xp)
         first, last = self.times[0], self.times[-1]
-        if np.any((x < first) | (x > last)):
+        if certainly(xp.any((x < first) | (x > last))):
             raise RotationError(
-                f"times from {first:g} to {last:g} are expected, as the keyframes have"
+                f"times from {float(first):g} to {float(last):g} are expected, as the keyframes have"
             )
-        n = np.clip(np.searchsorted(self.times, x, side="right") - 1, 0, len(self.times) - 2)
-        t = (x - self.times[n]) / (self.times[n + 1] - self.times[n])
-        return n, np.reshape(t, t.shape + (1,) * (self.rotations.ndim - 1))
+        n, t = place(x, self.times)
+        return n, xp.reshape(t, (*t.shape, *(1,) * (self.rotations.ndim - 1)))
 
     def _between(self, n: Array, t: Array) -> Rotation:
-        return slerp(self.rotations[n], self.rotations[n + 1], t)
+        keys = self.rotations._q
+        return slerp(Rotation._of(taken(keys, n)), Rotation._of(taken(keys, n + 1)), t)
+
+
+def place(x: Array, times: Array) -> tuple[Array, Array]:
+    """Return for each x (…) the interval of the times (n,) it is in, and where there, from 0 to 1."""
+    xp = namespace(x, times)
+    after = xp.searchsorted(times, xp.reshape(x, (-1,)), side="right")
+    n = xp.reshape(xp.clip(after - 1, 0, times.shape[0] - 2), x.shape)
+    start = taken(times, n)
+    return n, (x - start) / (taken(times, n + 1) - start)
+
+
+def taken(array: Array, n: Array) -> Array:
+    """Return the rows of an array along its first axis that whole numbers n (…) say."""
+    xp = namespace(array)
+    rows = xp.take(array, xp.reshape(n, (-1,)), axis=0)
+    return xp.reshape(rows, (*n.shape, *rows.shape[1:]))
 
 
 class Squad(Slerp):
@@ -127,33 +154,44 @@ class Squad(Slerp):
     The velocity at a keyframe is the mean of those of the two neighbouring slerps, each weighted by
     the length of the other interval; at the ends it is that of the only neighbour. With two
     keyframes it is a slerp. Parameters and errors as in `Slerp`.
+
+    Examples
+    --------
+    >>> keys = Rotation.from_euler("Z", [[0], [90], [180]], degrees=True)
+    >>> Squad([0, 1, 2], keys)(0.5).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 45.])
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
         super().__init__(times, rotations)
+        xp = namespace(self.times, rotations._q)
         steps = (rotations[:-1].inv() * rotations[1:]).as_rotvec()
-        h = np.reshape(np.diff(self.times), (-1,) + (1,) * rotations.ndim)
+        h = xp.reshape(self.times[1:] - self.times[:-1], (-1, *(1,) * rotations.ndim))
         rates = steps / h
-        inner = (h[1:] * rates[:-1] + h[:-1] * rates[1:]) / (h[1:] + h[:-1])
-        velocities = np.concatenate([rates[:1], inner, rates[-1:]])
+        (h0, h1), (before, after) = ((a[:-1, ...], a[1:, ...]) for a in (h, rates))
+        inner = (h1 * before + h0 * after) / (h1 + h0)
+        velocities = xp.concat([rates[:1, ...], inner, rates[-1:, ...]], axis=0)
         # At t = 0 a squad turns by log(p⁻¹q) + 2·log(p⁻¹a) per unit of t, at t = 1 by
         # log(p⁻¹q) − 2·log(q⁻¹b); solved for the inner points a and b.
         keys = self.rotations = _continuous(rotations)
-        self._after = keys[:-1] * _turn((velocities[:-1] * h - steps) / 2.0)
-        self._before = keys[1:] * _turn((steps - velocities[1:] * h) / 2.0)
+        self._after = keys[:-1] * _turn((velocities[:-1, ...] * h - steps) / 2.0)
+        self._before = keys[1:] * _turn((steps - velocities[1:, ...] * h) / 2.0)
 
     def _between(self, n: Array, t: Array) -> Rotation:
-        ends = self.rotations[n], self.rotations[n + 1]
-        return _cubic(*ends, self._after[n], self._before[n], t)
+        keys = self.rotations._q
+        p, q = Rotation._of(taken(keys, n)), Rotation._of(taken(keys, n + 1))
+        a, b = (Rotation._of(taken(r._q, n)) for r in (self._after, self._before))
+        return _cubic(p, q, a, b, t)
 
 
 def _continuous(rotations: Rotation) -> Rotation:
     """The same rotations, each by the quaternion nearer to the one before."""
-    q = rotations.as_quat()
-    flips = np.sum(q[1:] * q[:-1], axis=-1) < 0.0
-    signs = np.where(np.cumsum(flips, axis=0) % 2, -1.0, 1.0)
-    q[1:] *= signs[..., None]
-    return Rotation._of(q)
+    q = rotations._q
+    xp = namespace(q)
+    flips = xp.sum(q[1:, ...] * q[:-1, ...], axis=-1) < 0.0
+    odd = xp.cumulative_sum(xp.astype(flips, xp.int64), axis=0) % 2 == 1
+    rest = xp.where(odd[..., None], -q[1:, ...], q[1:, ...])
+    return Rotation._of(xp.concat([q[:1, ...], rest], axis=0))
 
 
 def _turn(rotvec: Array) -> Rotation:
@@ -162,13 +200,15 @@ def _turn(rotvec: Array) -> Rotation:
 
 @quiet
 def _times(times: Any, rotations: Rotation) -> Array:
-    x = floats(times, "times").copy()  # which nobody else can change
-    if rotations.single or len(rotations) < 2 or x.shape != rotations.shape[:1]:
+    xp = namespace(times, rotations._q)
+    x = copied(floats(times, "times", xp))  # which nobody else can change
+    if rotations.single or len(rotations) < 2 or tuple(x.shape) != rotations.shape[:1]:
         raise RotationError(
-            f"times of shape {x.shape} for rotations of shape {rotations.shape}: "
+            f"times of shape {tuple(x.shape)} for rotations of shape {rotations.shape}: "
             "one time for each of at least two keyframes is expected"
         )
-    if not (np.all(np.isfinite(np.diff(x))) and np.all(np.diff(x) > 0.0)):
+    steps = x[1:] - x[:-1]
+    if certainly(~xp.all(xp.isfinite(steps) & (steps > 0.0))):
         raise RotationError(
             "the times of the keyframes must be finite, as their differences, and strictly increasing"
         )

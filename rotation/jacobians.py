@@ -35,6 +35,13 @@ def left_jacobian(rotvec: Any) -> Array:
     ------
     RotationError
         The last axis is not of three.
+
+    Examples
+    --------
+    >>> left_jacobian([0, 0, 0])
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
     """
     return _LEFT(_vectors(rotvec))
 
@@ -49,6 +56,13 @@ def inverse_left_jacobian(rotvec: Any) -> Array:
     ------
     RotationError
         The last axis is not of three.
+
+    Examples
+    --------
+    >>> inverse_left_jacobian([0, 0, 0])
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
     """
     return _INVERSE(_vectors(rotvec))
 

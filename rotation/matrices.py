@@ -27,12 +27,28 @@ Entries = list[list[Array]]
 
 
 def R_x(angle: Any, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about x (thesis, section 2.2.2)."""
+    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about x (thesis, section 2.2.2).
+
+    Examples
+    --------
+    >>> R_x(90, degrees=True).round(15) + 0.0
+    array([[ 1.,  0.,  0.],
+           [ 0.,  0., -1.],
+           [ 0.,  1.,  0.]])
+    """
     return _about(0, angle, degrees)
 
 
 def R_y(angle: Any, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about y (thesis, section 2.2.2)."""
+    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about y (thesis, section 2.2.2).
+
+    Examples
+    --------
+    >>> R_y(90, degrees=True).round(15) + 0.0
+    array([[ 0.,  0.,  1.],
+           [ 0.,  1.,  0.],
+           [-1.,  0.,  0.]])
+    """
     return _about(1, angle, degrees)
 
 
@@ -176,7 +192,8 @@ def _from_matrix(m: Array, tolerance: float) -> Array:
     r = _polished(xp, r)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     q = unit(xp, _dominant_row(xp, r))
-    return join(xp, tuple(xp.where(finite, c, xp.nan * c) for c in q))
+    nan = xp.nan * xp.ones_like(q[0])
+    return join(xp, tuple(xp.where(finite, c, nan) for c in q))
 
 
 _FROM_MATRIX = {

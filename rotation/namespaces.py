@@ -110,7 +110,7 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     xp = namespace(value) if xp is None else xp
     if is_numpy(xp):
         return real(value, what).astype(np.float64, copy=False)
-    array = xp.asarray(value)
+    array = xp.asarray(value) if _own_namespace(value) is None else value
     if xp.isdtype(array.dtype, "real floating"):
         if xp.finfo(array.dtype).bits < 32:
             raise DTypeError(
@@ -120,6 +120,13 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     if xp.isdtype(array.dtype, "integral"):
         return xp.astype(array, xp.zeros(()).dtype)  # the library's default precision
     raise DTypeError(f"{what} has dtype {array.dtype}; expected integers or real floats")
+
+
+def copied(array: Array) -> Array:
+    """Return a copy, through which derivatives go."""
+    return (
+        array.copy() if is_numpy(namespace(array)) else namespace(array).astype(array, array.dtype)
+    )
 
 
 def expect_last(array: Array, shape: tuple[int, ...], what: str) -> None:
@@ -141,10 +148,21 @@ def spread(xp: Any, array: Array, shape: tuple[int, ...], what: str) -> Array:
     return xp.broadcast_to(array, shape)
 
 
+def certainly(condition: Array) -> bool:
+    """Tell whether a condition on one number holds.
+
+    While JAX traces a function no value is known and nothing can be refused: then it is False.
+    """
+    try:
+        return bool(condition)
+    except TypeError:  # a tracer has no truth
+        return False
+
+
 def first_row(bad: Array) -> tuple[int, ...] | None:
     """Return the index of the first row where ``bad`` is true, or None."""
     xp = namespace(bad)
-    if not bool(xp.any(bad)):
+    if not certainly(xp.any(bad)):
         return None
     return tuple(int(axis[0]) for axis in xp.nonzero(bad)) if bad.ndim else ()
 

@@ -31,7 +31,14 @@ LETTER_T: tuple[tuple[int, int], ...] = (
 
 
 def R2(psi: ArrayLike, *, degrees: bool = False) -> Floats:
-    """Return the rotation matrices [[cos ψ, −sin ψ], [sin ψ, cos ψ]], shape (…, 2, 2) (2.1.1)."""
+    """Return the rotation matrices [[cos ψ, −sin ψ], [sin ψ, cos ψ]], shape (…, 2, 2) (2.1.1).
+
+    Examples
+    --------
+    >>> R2(90, degrees=True).round(15) + 0.0
+    array([[ 0., -1.],
+           [ 1.,  0.]])
+    """
     c, s = _cos_sin(psi, degrees)
     return _matrix(c, -s, s, c)
 
@@ -42,6 +49,12 @@ def reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
     Each is the mirror in the line through the origin at the angle θ/2: θ = 0 is the x axis, θ = π the
     y axis. They are all the orthogonal matrices of determinant −1; what the thesis prints in their
     place is :func:`printed_orthogonal` and :func:`printed_reflection`.
+
+    Examples
+    --------
+    >>> reflection(0)
+    array([[ 1.,  0.],
+           [ 0., -1.]])
     """
     c, s = _cos_sin(theta, degrees)
     return _matrix(c, s, s, -c)
@@ -94,7 +107,13 @@ def rotate2(points: ArrayLike, psi: ArrayLike, *, degrees: bool = False) -> Floa
 
 
 def reflect2(points: ArrayLike, theta: ArrayLike, *, degrees: bool = False) -> Floats:
-    """Return the points (…, 2) mirrored in the line through the origin at the angle θ/2, broadcast."""
+    """Return the points (…, 2) mirrored in the line through the origin at the angle θ/2, broadcast.
+
+    Examples
+    --------
+    >>> reflect2([1, 2], 180, degrees=True).round(15) + 0.0
+    array([-1.,  2.])
+    """
     return transform(reflection(_precise(theta), degrees=degrees), points)
 
 

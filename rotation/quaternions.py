@@ -146,33 +146,38 @@ def power(q: Array, exponent: Any) -> Array:
     exponent : array or float
         Its shape broadcasts with that of the rotations.
     """
-    return direct_power(canonical(q), exponent)
+    return _raised(q, exponent, True)
 
 
 def direct_power(q: Array, exponent: Any) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
-    namespace(q, exponent)  # of two libraries it raises
-    common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
+    return _raised(q, exponent, False)
 
+
+def _raised(q: Array, exponent: Any, shorter: bool) -> Array:
     if isinstance(exponent, int | float):
         exponent = namespace(q).asarray(float(exponent), dtype=q.dtype)
-    return _POWER(q, exponent)
+    else:
+        namespace(q, exponent)  # of two libraries it raises
+        common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
+    return _POWER[shorter](q, exponent)
 
 
-def _power(q: Array, exponent: Array) -> Array:
+def _power(q: Array, exponent: Array, shorter: bool) -> Array:
     exponent = exponent[...]
     xp = namespace(q)
-    w, *u = split(q)
+    w, *u = upright(xp, split(q)) if shorter else split(q)
     n = length(xp, tuple(u))
     half = xp.atan2(n, w) * exponent
     turning = n > 0.0
-    # Without an axis, at ±1, nothing turns.
-    ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), 0.0 * n)
+    # Without an axis, at ±1, nothing turns; of the power near 1 the ratio is the exponent.
+    near = xp.where(xp.isfinite(exponent) & (w > 0.0), exponent, xp.zeros_like(half))
+    ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), near + 0.0 * n)
     cosine = xp.where(n == 0.0, xp.ones_like(half), xp.cos(half))
     return join(xp, (cosine, *(ratio * c for c in u)))
 
 
-_POWER = Formula(_power, (4,), ())
+_POWER = [Formula(_power, (4,), (), parameters=(shorter,)) for shorter in (False, True)]
 
 
 @quiet

@@ -12,7 +12,7 @@ from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import DTypeError, RotationError
 from rotation.matrices import from_matrix
-from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, spread
+from rotation.namespaces import Array, copied, expect_last, floats, is_numpy, namespace, spread
 from rotation.rotation import Rotation
 from rotation.screws import Screw, from_screw, to_screw
 from rotation.shaped import Shaped
@@ -86,7 +86,7 @@ class RigidTransform(Shaped):
         m = floats(matrix, "matrices")
         motions.expect_affine(m)
         q = from_matrix(m[..., :3, :3], orthonormalize)
-        return cls._of(q, namespace(m).asarray(m[..., :3, 3], copy=True))
+        return cls._of(q, copied(m[..., :3, 3]))
 
     @classmethod
     def from_rotation(cls, rotation: Rotation) -> Self:
@@ -161,12 +161,12 @@ class RigidTransform(Shaped):
     @property
     def rotation(self) -> Rotation:
         """The rotations, of the same batch shape."""
-        return Rotation._of(namespace(self._q).asarray(self._q, copy=True))
+        return Rotation._of(copied(self._q))
 
     @property
     def translation(self) -> Array:
         """The translations, shape (…, 3), as a copy."""
-        return namespace(self._t).asarray(self._t, copy=True)
+        return copied(self._t)
 
     def as_components(self) -> tuple[Array, Rotation]:
         """Return the translations and the rotations."""
@@ -316,6 +316,11 @@ class RigidTransform(Shaped):
     def __repr__(self) -> str:
         return f"RigidTransform.from_components({self._t!r}, {Rotation._of(self._q)!r})"
 
+    def _repr_html_(self) -> str | None:
+        from rotation.shown import table
+
+        return table(self._q, self._t)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self)._of, (self._q, self._t)
 
@@ -325,6 +330,12 @@ def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
 
     At constant rate: ``p·(p⁻¹·q)ᵗ``, the shorter way round. The shapes of p, q and t broadcast. L. Kavan et
     al., "Dual quaternions for rigid transformation blending" (2006), screw linear interpolation.
+
+    Examples
+    --------
+    >>> move = RigidTransform.from_translation([2, 0, 0])
+    >>> sclerp(RigidTransform.identity(), move, 0.5).translation
+    array([1., 0., 0.])
     """
     for name, value in (("p", p), ("q", q)):
         if not isinstance(value, RigidTransform):
@@ -338,4 +349,4 @@ def _copied(value: Any, what: str, length: int = 3) -> Array:
     if not array.ndim:
         raise RotationError(f"{what} has shape (); expected (…, {length})")
     expect_last(array, (length,), what)
-    return namespace(array).asarray(array, copy=True)
+    return copied(array)

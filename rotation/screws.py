@@ -14,7 +14,14 @@ from rotation.vectors import cross, from_axis_angle, to_axis_angle
 
 
 class Screw(NamedTuple):
-    """A motion along a screw: directions (…, 3), points of the lines (…, 3), angles and displacements (…)."""
+    """A motion along a screw: directions (…, 3), points of the lines (…, 3), angles and displacements (…).
+
+    Examples
+    --------
+    >>> from rotation import RigidTransform
+    >>> RigidTransform.from_translation([0, 0, 2]).as_screw().displacement
+    np.float64(2.0)
+    """
 
     axis: Array
     point: Array

@@ -6,17 +6,18 @@ These equations are nearly linear, and are solved by repeated solution of their 
 one of scipy's `RotationSpline`.
 """
 
+import math
 from math import factorial
 from typing import Any
 
-import numpy as np
-
 from rotation.batch import expect_rotations
+from rotation.coordinates import join, split
 from rotation.errors import RotationError
-from rotation.interpolation import Slerp
+from rotation.interpolation import Slerp, place, taken
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
-from rotation.namespaces import Array, floats
+from rotation.namespaces import Array, floats, namespace
 from rotation.rotation import Rotation
+from rotation.vectors import cross
 
 _STEPS = 100  # far more than are needed where steps stay below half a turn
 
@@ -35,6 +36,12 @@ class RotationSpline:
     ------
     RotationError
         Times that do not increase or do not fit the rotations, or keyframes for which no curve was found.
+
+    Examples
+    --------
+    >>> keys = Rotation.from_euler("Z", [[0], [90], [180]], degrees=True)
+    >>> RotationSpline([0, 1, 2], keys)(1).as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 90.])
     """
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
@@ -43,7 +50,7 @@ class RotationSpline:
             raise RotationError("a spline goes through a list of rotations, of shape (n,)")
         self._keys = Slerp(times, rotations)
         self.times, self.rotations = self._keys.times, self._keys.rotations
-        self._h = np.diff(self.times)[:, None]
+        self._h = (self.times[1:] - self.times[:-1])[:, None]
         # In the axes of the body: R(t) = R[k]·exp(θ(t)), the rate of which is ω = J(−θ)·θ̇.
         self._steps = (self.rotations[:-1].inv() * self.rotations[1:]).as_rotvec()
         self._rates = self._solved()
@@ -56,20 +63,17 @@ class RotationSpline:
         RotationError
             A time outside, or another order.
         """
-        t = floats(times, "times")
-        self._keys._place(t)
-        return self.extended(t, order)
+        self._keys._place(times)
+        return self.extended(times, order)
 
     def extended(self, times: Any, order: int = 0) -> Any:
         """Return the same; before the first and after the last keyframe their cubics go on."""
         if order not in (0, 1, 2):
             raise RotationError(f"order {order!r}: 0, 1 or 2 is expected")
-        x = floats(times, "times")
-        n = np.clip(np.searchsorted(self.times, x, side="right") - 1, 0, len(self.times) - 2)
-        s = (x - self.times[n]) / (self.times[n + 1] - self.times[n])
+        n, s = place(floats(times, "times", namespace(times, self.times)), self.times)
         theta, rate, bend = self._cubic(n, s[..., None])
         if order == 0:
-            return self.rotations[n] * Rotation.from_rotvec(theta)
+            return Rotation._of(taken(self.rotations._q, n)) * Rotation.from_rotvec(theta)
         if order == 1:
             return _turned(theta, rate)
         return _accelerated(theta, rate, bend)
@@ -77,35 +81,42 @@ class RotationSpline:
     def _cubic(self, n: Any, s: Array, rates: Array | None = None) -> tuple[Array, Array, Array]:
         """The rotation vector in interval n at the fraction s of it, and its two derivatives by time."""
         w = self._rates if rates is None else rates
-        d, h = self._steps[n], self._h[n]
-        start = w[n]
-        end = np.einsum("...ij,...j->...i", inverse_left_jacobian(-d), w[n + 1])
+        d, h = taken(self._steps, n), taken(self._h, n)
+        start = taken(w, n)
+        end = _applied(inverse_left_jacobian(-d), taken(w, n + 1))
         a, b = 3.0 * d / h - 2.0 * start - end, start + end - 2.0 * d / h
         theta = h * s * (start + s * (a + s * b))
         return theta, start + s * (2.0 * a + 3.0 * s * b), (2.0 * a + 6.0 * s * b) / h
 
     def _jumps(self, rates: Array) -> Array:
         """The jumps of the acceleration at the keyframes between the ends."""
-        n = np.arange(len(self._steps))
-        one = np.ones((len(n), 1))
+        n = namespace(rates).arange(rates.shape[0] - 1)
+        one = namespace(rates).ones_like(self._h)
         first = self._cubic(n, 0.0 * one, rates)[2]
         last = _accelerated(*self._cubic(n, one, rates))
-        return np.asarray(first[1:] - last[:-1])
+        return first[1:, ...] - last[:-1, ...]
 
     def _solved(self) -> Array:
         means = self._steps / self._h
-        rates = np.concatenate([means[:1], 0.5 * (means[1:] + means[:-1]), means[-1:]])
-        size = float(np.max(np.abs(means)))
-        before = np.inf
+        xp = namespace(means)
+        first, inner, last = means[:1, ...], means[1:, ...] + means[:-1, ...], means[-1:, ...]
+        rates = xp.concat([first, 0.5 * inner, last], axis=0)
+        if rates.shape[0] == 2:
+            return rates
+        size = float(xp.max(xp.abs(means)))
+        eps = float(xp.finfo(means.dtype).eps)
+        before = math.inf
         for _ in range(_STEPS):
             change = _tridiagonal(1.0 / self._h[:, 0], self._jumps(rates))
-            rates[1:-1] += change
-            now = float(np.max(np.abs(change), initial=0.0))
-            if now <= 1e-14 * size or (now <= 1e-9 * size and now >= 0.5 * before):
+            rates = xp.concat([first, rates[1:-1, ...] + change, last], axis=0)
+            now = float(xp.max(xp.abs(change)))
+            if now <= 45.0 * eps * size or (
+                now <= math.sqrt(eps) / 16.0 * size and now >= 0.5 * before
+            ):
                 return rates
             before = now
-        if not np.isfinite(size):
-            return rates * np.nan
+        if not math.isfinite(size):
+            return rates * math.nan
         raise RotationError(
             "no smooth curve was found: the keyframes are too far from each other; give some between them"
         )
@@ -116,23 +127,27 @@ def _tridiagonal(inverse: Array, right: Array) -> Array:
 
     ``2·i[k]·x[k−1] + 4·(i[k] + i[k+1])·x[k] + 2·i[k+1]·x[k+1] = right[k]``, by elimination.
     """
-    n = len(right)
-    x = right.copy()
-    diagonal = 4.0 * (inverse[:-1] + inverse[1:])
-    beside = 2.0 * inverse[1:-1]
+    n = right.shape[0]
+    x = [right[k, ...] for k in range(n)]
+    diagonal = [4.0 * (inverse[k] + inverse[k + 1]) for k in range(n)]
+    beside = [2.0 * inverse[k] for k in range(1, n)]
     for k in range(1, n):
         factor = beside[k - 1] / diagonal[k - 1]
-        diagonal[k] -= factor * beside[k - 1]
-        x[k] -= factor * x[k - 1]
+        diagonal[k] = diagonal[k] - factor * beside[k - 1]
+        x[k] = x[k] - factor * x[k - 1]
     for k in range(n - 1, -1, -1):
         if k + 1 < n:
-            x[k] -= beside[k] * x[k + 1]
-        x[k] /= diagonal[k]
-    return x
+            x[k] = x[k] - beside[k] * x[k + 1]
+        x[k] = x[k] / diagonal[k]
+    return namespace(right).stack(x)
+
+
+def _applied(matrices: Array, vectors: Array) -> Array:
+    return namespace(vectors).sum(matrices * vectors[..., None, :], axis=-1)
 
 
 def _turned(theta: Array, rate: Array) -> Array:
-    return np.asarray(np.einsum("...ij,...j->...i", left_jacobian(-theta), rate))
+    return _applied(left_jacobian(-theta), rate)
 
 
 def _accelerated(theta: Array, rate: Array, bend: Array) -> Array:
@@ -142,22 +157,26 @@ def _accelerated(theta: Array, rate: Array, bend: Array) -> Array:
 
 def _change(theta: Array, rate: Array) -> Array:
     """The derivative of ``J(−θ)·θ̇`` along θ̇, θ̇ fixed, by its series or in closed form."""
-    t = np.sum(theta * theta, axis=-1, keepdims=True)
-    far = np.where(t > 0.25, t, 1.0)
-    size = np.sqrt(far)
-    small = np.where(t > 0.25, 0.0, t)
-    sine, cosine = np.sin(size), np.cos(size)
+    xp = namespace(theta, rate)
+    t = xp.sum(theta * theta, axis=-1, keepdims=True)
+    wide = t > 0.25
+    far = xp.where(wide, t, xp.ones_like(t))
+    size = xp.sqrt(far)
+    small = xp.where(wide, xp.zeros_like(t), t)
+    sine, cosine = xp.sin(size), xp.cos(size)
     # B, and the derivatives of A and B by θ² doubled.
-    b = np.where(t > 0.25, (size - sine) / (far * size), _sum(_B, small))
-    da = np.where(t > 0.25, (size * sine - 2.0 * (1.0 - cosine)) / far**2, _sum(_DA, small))
-    db = np.where(
-        t > 0.25, (3.0 * sine - size * cosine - 2.0 * size) / (far**2 * size), _sum(_DB, small)
+    b = xp.where(wide, (size - sine) / (far * size), _sum(_B, small))
+    da = xp.where(wide, (size * sine - 2.0 * (1.0 - cosine)) / far**2, _sum(_DA, small))
+    db = xp.where(
+        wide, (3.0 * sine - size * cosine - 2.0 * size) / (far**2 * size), _sum(_DB, small)
     )
-    along = np.sum(theta * rate, axis=-1, keepdims=True)
-    across = np.cross(theta, rate)
-    return np.asarray(
-        -da * along * across + db * along * np.cross(theta, across) + b * np.cross(rate, across)
-    )
+    along = xp.sum(theta * rate, axis=-1, keepdims=True)
+
+    def times(p: Array, q: Array) -> Array:
+        return join(xp, cross(split(p), split(q)))
+
+    across = times(theta, rate)
+    return -da * along * across + db * along * times(theta, across) + b * times(rate, across)
 
 
 def _series(first: int, derived: bool) -> list[float]:
@@ -167,7 +186,7 @@ def _series(first: int, derived: bool) -> list[float]:
 
 
 def _sum(coefficients: list[float], t: Array) -> Array:
-    total: Array = np.zeros_like(t)
+    total: Array = 0.0 * t
     for c in reversed(coefficients):
         total = total * t + c
     return total

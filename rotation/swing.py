@@ -30,6 +30,12 @@ def swing_twist(rotation: Rotation, axis: Any) -> tuple[Rotation, Rotation]:
     ------
     RotationError
         An axis is zero, or shapes that do not fit.
+
+    Examples
+    --------
+    >>> swing, twist = swing_twist(Rotation.from_euler("ZX", [30, 40], degrees=True), [0, 0, 1])
+    >>> twist.as_rotvec(degrees=True).round(9) + 0.0
+    array([ 0.,  0., 30.])
     """
     expect_rotations(rotation=rotation)
     xp = namespace(rotation._q, axis)

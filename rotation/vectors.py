@@ -58,8 +58,10 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     rest = rest + sine[1] / n[0]
     products = (two_product(xp, ratio, a) for a in c)
     spoilt = poison(c)
+    tangent = 0.5 * (math.radians(1.0) if degrees else 1.0) / f  # only the derivative at 0 needs it
     u = (
-        xp.where(turning, p + (e + rest * a), spoilt) for (p, e), a in zip(products, c, strict=True)
+        xp.where(turning, p + (e + rest * a), tangent * a + spoilt)
+        for (p, e), a in zip(products, c, strict=True)
     )
     return join(xp, (xp.where(turning, cosine[0] + cosine[1], xp.ones_like(f)) + spoilt, *u))
 
@@ -102,7 +104,8 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
     rest = rest + 2.0 * half[1] / n[0]
     products = (two_product(xp, ratio, a) for a in c)
     v = tuple(
-        xp.where(turning, p + (e + rest * a), a) for (p, e), a in zip(products, c, strict=True)
+        xp.where(turning, p + (e + rest * a), 2.0 * b)
+        for (p, e), a, b in zip(products, c, u, strict=True)
     )
     return join(xp, tuple(map(to_degrees, v)) if degrees else v)
 
@@ -153,9 +156,9 @@ def _to_axis_angle(q: Array, degrees: bool) -> Array:
     c = tuple(u)
     n = length(xp, c)
     still = n == 0.0
-    x, y, z = unit(xp, c)
     zero, one = xp.zeros_like(n), xp.ones_like(n)
-    axis = (xp.where(still, zero, x), xp.where(still, zero, y), xp.where(still, one, z))
+    usual = (zero, zero, one)
+    axis = unit(xp, tuple(xp.where(still, a, b) for a, b in zip(usual, c, strict=True)))
     angle = 2.0 * xp.atan2(n, w)
     return join(xp, (*axis, to_degrees(angle) if degrees else angle))
 

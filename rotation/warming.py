@@ -4,7 +4,7 @@ import numpy as np
 
 from rotation import kernels
 from rotation.fused import rotate, rotate_euler, rotate_quat
-from rotation.interpolation import slerp
+from rotation.interpolation import slerp, squad
 from rotation.rotation import Rotation
 
 _PRECISIONS = (np.float64, np.float32)
@@ -25,8 +25,17 @@ def warm_up() -> None:
     points, angles = q[:, 1:], q[:, 0]
     r = Rotation(q)
     (r * r, r**0.5, r.inv(), r.magnitude(), r.apply(points), r.apply(points, inverse=True))
-    (r.as_matrix(), r.as_mrp(), r.as_quat(canonical=True), r[0].apply(points), slerp(r, r, 0.5))
-    Rotation.from_matrix(r.as_matrix())
+    (
+        r.as_matrix(),
+        r.as_mrp(),
+        r.as_quat(canonical=True),
+        r[0].apply(points),
+        slerp(r, r, 0.5),
+        squad(r, r, r, r, 0.5),
+    )
+    for kind in _PRECISIONS:  # each with its own tolerance
+        Rotation.from_matrix(r.as_matrix().astype(kind))
+    Rotation.from_matrix(r.as_matrix(), orthonormalize=True)
     Rotation.from_mrp(r.as_mrp())
     for degrees in (False, True):
         Rotation.from_rotvec(r.as_rotvec(degrees), degrees)

@@ -2,8 +2,8 @@
 # Draws the pictures of docs/gallery.md again, each by the line that the page shows.
 set -euo pipefail
 cd "$(dirname "$0")/../docs/images"
-hfield render --model physics --style shaded --trace --shadow --size 320x240 --fps 20 --frames 120 --force -o top.webp
-hfield render --model physics --style shaded --trace --shadow --sheet --force -o top.png
+hfield render --model physics --size 320x240 --fps 20 --frames 120 --force -o top.webp
+hfield render --model physics --sheet --force -o top.png
 for style in classic flat shaded; do
     hfield render --style "$style" --size 320x240 --sheet --force -o "style-$style.png"
 done

@@ -20,6 +20,7 @@ SLOW = {
     *("test_certified.py", "test_existence.py", "test_scopes.py", "test_broken_product.py"),
     *(
         "test_picture_depth.py",
+        "test_picture_in_frame.py",
         "test_output.py",
         "test_output_failures.py",
         "test_render_command.py",
@@ -33,7 +34,7 @@ SLOW = {
     ),
     *("warming.py", "test_figures.py", "test_fused.py", "test_defects.py", "test_isometry.py"),
     *("test_dask.py", "test_many_classes.py"),
-    "test_number_field_ramification.py",
+    *("test_number_field_ramification.py", "test_notebooks.py", "test_site.py"),
 }
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 

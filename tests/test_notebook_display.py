@@ -2,16 +2,25 @@
 
 import re
 
+import numpy as np
 import pytest
 
-from hfield import GF, QQ, RR, H, QuaternionAlgebra, explain, prove, ring, verify
+from anim import compare
+from hfield import GF, QQ, RR, H, QuaternionAlgebra, explain, info, prove, ring, verify
 from hfield.rings.latex_names import latex_name
+from rotation import RigidTransform, Rotation
 
 A = QuaternionAlgebra("QQ", 1, 3)
 B = QuaternionAlgebra("QQ", -1, -1)
 SHOWN = [
     *(QQ, RR, GF(9), ring("QQ(sqrt(-7))"), ring("GF(2)(t)"), A, H(GF(9)), A.split(), A(1, 2, 0, 1)),
     *(B.isomorphism(QuaternionAlgebra("QQ", -4, -1)), verify("centre", field="QQ")),
+    *(
+        B.maximal_order(),
+        B.maximal_order().right_ideal([2, "i + j"]),
+        B.lattice([1, "i", "j", "k"]),
+    ),
+    *(B.maximal_order().class_set(), B(1, 2, 0, 1).minimal_polynomial()),
     *(explain("centre"), prove("p*q == q*p"), QuaternionAlgebra.from_text("[1,t|GF(4)(t))")),
 ]
 
@@ -57,3 +66,44 @@ def test_an_answer_shows_verdict_witness_and_reasons():
 )
 def test_names_of_rings(name, latex):
     assert latex_name(name) == latex
+
+
+def test_info_shows_the_page_of_the_command(capsys):
+    from hfield.cli import main
+
+    about = info("(-1,-3|QQ)")
+    assert main(("info", "(-1,-3|QQ)")) == 0
+    assert capsys.readouterr().out.rstrip() == str(about) == repr(about)
+    assert about.algebra == QuaternionAlgebra("QQ", -1, -3) == info(about.algebra).algebra
+    assert "ramified at" in about._repr_html_()
+
+
+@pytest.mark.parametrize("field", ["QQ", "GF(9)", "QQ(sqrt(2))", "GF(2)(t)"])
+def test_a_polynomial_is_a_tuple_that_shows_as_one(field):
+    A = H(field)
+    q = A(1, 1, 0, 1)
+    f = q.minimal_polynomial()
+    assert isinstance(f, tuple)
+    assert f == (q.norm(), -q.trace(), A.ring.one)
+    assert repr(f).startswith("X²")
+    assert sum((c * q**n for n, c in enumerate(f)), A.zero) == A.zero
+    assert repr(A(-3).minimal_polynomial() if field == "QQ" else "X+3") in ("X+3", "'X+3'")
+
+
+def test_rotations_show_angle_and_axis():
+    turn = Rotation.from_euler("ZYX", [90, 0, 0], degrees=True)
+    html = turn._repr_html_()
+    assert "90°" in html
+    assert "0, 0, 1" in html
+    moved = RigidTransform.from_components([1, 2, 3], turn)._repr_html_()
+    assert "1, 2, 3" in moved
+    many = Rotation.identity(1000)._repr_html_()
+    assert many.count("<tr>") == 7
+    assert "994 more" in many
+    assert "shape (0,)" in Rotation.from_quat(np.zeros((0, 4)))._repr_html_()
+
+
+def test_a_comparison_is_a_table():
+    shown = compare()
+    assert shown._repr_markdown_() == repr(shown)
+    assert repr(shown).startswith("| | quaternions |")

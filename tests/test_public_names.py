@@ -1,15 +1,16 @@
 """The public names of the three packages: a name added, lost or moved is seen here."""
 
 from importlib import import_module
+from types import ModuleType
 
 import pytest
 
 NAMES = {
     "hfield": """
-        CC CoercionError GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
+        CC CoercionError Description GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
         NotInvertibleError NotationError NumberField Order QQ Quaternion QuaternionAlgebra RDF
         RR RingError TooLargeError UndecidedError ZZ Zmod conj conjugator errors explain
-        four_squares hilbert_symbol inv norm places prove ring trace verify
+        four_squares hilbert_symbol info inv norm places prove ring trace verify
     """,
     "rotation": """
         DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError
@@ -32,6 +33,22 @@ def test_the_public_names(package: str) -> None:
     for name in dir(module):
         value = getattr(module, name)
         assert not callable(value) or value.__doc__, f"{package}.{name} has no docstring"
+
+
+# Constants: what they are is said where they are made, and no docstring is shown for them.
+NO_EXAMPLE = {"PIPELINES"}
+
+
+@pytest.mark.parametrize("package", NAMES)
+def test_every_public_name_has_an_example(package: str) -> None:
+    module = import_module(package)
+    values = {name: getattr(module, name) for name in dir(module)}
+    without = {
+        name
+        for name, value in values.items()
+        if not isinstance(value, ModuleType) and ">>> " not in (value.__doc__ or "")
+    }
+    assert without == NO_EXAMPLE & set(values)
 
 
 @pytest.mark.parametrize("package", NAMES)

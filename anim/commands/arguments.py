@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from argparse import ArgumentParser, ArgumentTypeError, _ArgumentGroup
+from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _ArgumentGroup
 
 from anim.picture.styles import STYLES
 from hfield.commands.parser import add_format, processes
@@ -35,10 +35,13 @@ def declare(parser: ArgumentParser) -> None:
         action="store_true",
         help="the still pictures of sections 3.3 and 3.4, into the folder FILE",
     )
+    kind.add_argument(
+        "--frame", type=int, metavar="N", help="one frame of the film, counted from 0, a .png"
+    )
     parser.add_argument(
         "--preview",
         action="store_true",
-        help="a quick look: half the size, a quarter of the frames",
+        help="a quick look: the same film at half the size, its edges jagged",
     )
     parser.add_argument(
         "--jobs", type=processes, default=1, metavar="N", help="draw in N processes"
@@ -110,9 +113,8 @@ def _picture(group: _ArgumentGroup) -> None:
     )
     group.add_argument(
         "--style",
-        default="flat",
         metavar="|".join(STYLES),
-        help="; ".join(f"{name}: {STYLES.summary(name)}" for name in STYLES) + " (default: flat)",
+        help="; ".join(f"{name}: {STYLES.summary(name)}" for name in STYLES) + " (default: shaded)",
     )
     group.add_argument(
         "--camera",
@@ -121,11 +123,11 @@ def _picture(group: _ArgumentGroup) -> None:
         "with parallel at the end, parallel rays",
     )
     group.add_argument("--background", metavar="COLOUR", help="such as white or '#f5f2ea'")
-    group.add_argument("--trace", action="store_true", help="draw the path of the apex")
-    group.add_argument("--shadow", action="store_true", help="draw the shadow on the ground")
-    group.add_argument(
-        "--quality", type=int, default=2, metavar="1..4", help="smoothness (default: 2)"
-    )
+    for name, text in (("trace", "the path of the apex"), ("shadow", "the shadow on the ground")):
+        group.add_argument(
+            f"--{name}", action=BooleanOptionalAction, help=f"draw {text} (default: yes)"
+        )
+    group.add_argument("--quality", type=int, metavar="1..4", help="smoothness (default: 2)")
     group.add_argument(
         "--crf", type=int, default=18, metavar="N", help="quality of mp4: 0 best, 51 (default: 18)"
     )

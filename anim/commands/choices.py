@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import Namespace
 from dataclasses import replace
-from math import ceil, degrees, pi, radians
+from math import pi, radians
 from typing import TYPE_CHECKING
 
 from anim.commands.arguments import MODELS
@@ -21,7 +21,6 @@ PHYSICS_ONLY = (
     *("spin_rate", "tilt", "precession", "gravity", "mass", "density", "scale"),
     *("spin_decay", "tilt_decay"),
 )
-FRAMED = 5  # degrees: a look is framed for a tilt that is a multiple of this
 
 
 def model_of(args: Namespace) -> Model:
@@ -34,13 +33,25 @@ def model_of(args: Namespace) -> Model:
 
 
 def clip_of(args: Namespace) -> Clip:
-    """Return how many frames there are, and how fast; a preview has a quarter of them."""
+    """Return how many frames there are, and how fast."""
     from anim.film import clip
 
-    whole = clip(args.frames, args.fps, args.duration, args.time_scale)
-    if not args.preview:
-        return whole
-    return clip(max(1, whole.frames // 4), None, whole.duration, whole.time_scale)
+    return clip(args.frames, args.fps, args.duration, args.time_scale)
+
+
+def numbers_of(args: Namespace, clip: Clip) -> list[int]:
+    """Return which frames are in the one picture that the flags ask for, counted from 0."""
+    if args.sheet:
+        from anim.output.sheet import shown
+
+        return shown(clip.frames)
+    number: int = args.frame or 0
+    if not 0 <= number < clip.frames:
+        raise UsageError(
+            f"--frame is {number}, and the film has {clip.frames} frames; "
+            f"expected a number from 0 to {clip.frames - 1}"
+        )
+    return [number]
 
 
 def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
@@ -67,27 +78,17 @@ def camera_of(args: Namespace) -> Camera:
 
 
 def look_of(args: Namespace, size: tuple[int, int]) -> Look:
-    """Return the look, by default of ``size``; a preview is half as wide and high."""
-    from anim.picture import Look
+    """Return the look, by default that of a film, of ``size``; a preview is half as wide and high."""
+    from anim.picture.look import FILM_LOOK
 
-    width, height = args.size or size
-    if args.preview:
-        width, height = (max(2, side // 4 * 2) for side in (width, height))
-    return Look(
-        size=(width, height),
-        style=args.style,
-        camera=camera_of(args),
-        background=args.background,
-        trace=args.trace,
-        shadow=args.shadow,
-        quality=1 if args.preview else args.quality,
-    )
-
-
-def framed(look: Look, motion: Motion) -> Look:
-    """Return the look, as close as the greatest tilt of a motion allows."""
-    steepest = degrees(float(motion.tilts.max()))
-    return replace(look, tilt=min(90, FRAMED * ceil(steepest / FRAMED)))
+    given = {
+        name: getattr(args, name)
+        for name in ("size", "style", "background", "trace", "shadow", "quality")
+        if getattr(args, name) is not None
+    }
+    width, height = size
+    quick = {"size": (width // 2, height // 2), "quality": 1} if args.preview else {"size": size}
+    return replace(FILM_LOOK, camera=camera_of(args), **(quick | given))
 
 
 def _reading(args: Namespace) -> Timeline:

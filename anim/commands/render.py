@@ -54,14 +54,19 @@ def run(args: Namespace) -> int:
     from anim.output.writing import PAGE
 
     model, clip = model_of(args), clip_of(args)
-    if args.sheet:
-        return _sheet(args, model, clip, path)
+    if args.sheet or args.frame is not None or _is_one_picture(path, clip):
+        return _picture(args, model, clip, path)
     if path.suffix.lower() == PAGE:
         return _page(args, model, clip, path)
     return _film(args, model, clip, path)
 
 
+def _is_one_picture(path: Path, clip: Clip) -> bool:
+    return clip.frames == 1 and path.suffix.lower() == ".png"
+
+
 def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+    from anim.bands import apparent_spin
     from anim.commands.choices import look_of, motions_of
     from anim.output import Film, check
 
@@ -70,21 +75,19 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     film = Film(look.size, clip.frames, clip.fps, args.crf, preset)
     check(path, film, args.force)
     (motion,) = motions_of(args, model, clip)
-    _render(args, _scene(args, model, motion, look), path, film)
-    return _report(args, motion, path, look.size)
-
-
-def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
-    from anim.bands import apparent_spin
-    from anim.commands.choices import framed
-    from anim.rendering import Scene
-
-    scene = Scene(model, motion, framed(look, motion), args.motion_blur)
+    scene = _scene(args, model, motion, look)
     if motion.frames > 1 and not scene.blur:
         said = apparent_spin(motion, model.bands).message()
         if said:
             note(said)
-    return scene
+    _render(args, scene, path, film)
+    return _report(args, motion, path, look.size)
+
+
+def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
+    from anim.rendering import Scene, framed
+
+    return Scene(model, motion, framed(look, motion), args.motion_blur)
 
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
@@ -122,23 +125,27 @@ def time_left(seconds: float) -> str:
     return f"{seconds:.0f} s left" if seconds < 100 else f"{seconds / 60:.0f} min left"
 
 
-def _sheet(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
-    from anim.commands.choices import look_of, motions_of
+def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+    """Write one picture: ten frames of the film, or the one asked for."""
+    from anim.commands.choices import look_of, motions_of, numbers_of
     from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
-    from anim.rendering import contact_sheet
+    from anim.rendering import contact_sheet, draw
 
+    kind, size = ("sheet", SHEET_SIZE) if args.sheet else ("frame", FILM_SIZE)
     if path.suffix.lower() != ".png":
         raise UsageError(
-            f"--sheet makes one picture: expected a name such as sheet.png, not {path.name!r}"
+            f"--{kind} makes one picture: expected a name such as {kind}.png, not {path.name!r}"
         )
-    look = look_of(args, SHEET_SIZE)
+    numbers = numbers_of(args, clip)
+    look = look_of(args, size)
     refuse_early(path, args.force)
     (motion,) = motions_of(args, model, clip)
-    picture = contact_sheet(_scene(args, model, motion, look))
+    scene = _scene(args, model, motion, look)
+    picture = contact_sheet(scene, numbers) if args.sheet else draw(scene.task(numbers[0]))
     with file_place(path) as part:
         save_png(picture, part)
-    return _report(args, motion, path, look.size)
+    return _report(args, motion, path, look.size, numbers)
 
 
 def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
@@ -189,8 +196,14 @@ def _figures(args: Namespace, folder: Path) -> int:
     return 0
 
 
-def _report(args: Namespace, motion: Motion, path: Path, size: tuple[int, int] | None) -> int:
-    """Tell what was made."""
+def _report(
+    args: Namespace,
+    motion: Motion,
+    path: Path,
+    size: tuple[int, int] | None,
+    numbers: list[int] | None = None,
+) -> int:
+    """Tell what was made: a film, or a picture of the frames of these numbers."""
     files = sorted(path.iterdir()) if path.is_dir() else [path]
     large = sum(file.stat().st_size for file in files)
     landed = motion.record.landed if motion.record else None
@@ -202,19 +215,31 @@ def _report(args: Namespace, motion: Motion, path: Path, size: tuple[int, int] |
                     "file": str(path),
                     "bytes": large,
                     "model": motion.name,
-                    "frames": motion.frames,
+                    "frames": motion.frames if numbers is None else len(numbers),
                     "fps": motion.fps,
                     "duration": motion.duration,
                     "size": size and list(size),
                     "landed": landed,
+                    **({} if numbers is None else {"shown": numbers}),
                 }
             )
         else:
-            number = "1 frame" if motion.frames == 1 else f"{motion.frames} frames"
-            shape = f" of {size[0]}x{size[1]}" if size else ""
+            made = _of_the_film(motion, size) if numbers is None else _of_frames(numbers, motion)
             fell = "" if landed is None else f", on the ground after {landed:.3g} s"
-            out.write(
-                f"{path}: {number}{shape} at {motion.fps:g} a second, "
-                f"{motion.duration:.4g} s, {large / 1e6:.2f} MB{fell}"
-            )
+            out.write(f"{path}: {made}, {large / 1e6:.2f} MB{fell}")
     return 0
+
+
+def _of_the_film(motion: Motion, size: tuple[int, int] | None) -> str:
+    number = "1 frame" if motion.frames == 1 else f"{motion.frames} frames"
+    shape = f" of {size[0]}x{size[1]}" if size else ""
+    return f"{number}{shape} at {motion.fps:g} a second, {motion.duration:.4g} s"
+
+
+def _of_frames(numbers: list[int], motion: Motion) -> str:
+    if len(numbers) == 1:
+        return (
+            f"frame {numbers[0]} of {motion.frames}, {numbers[0] / motion.fps:.4g} s into the film"
+        )
+    listed = ", ".join(map(str, numbers))
+    return f"{len(numbers)} frames of {motion.frames}: {listed}"

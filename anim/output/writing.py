@@ -44,7 +44,7 @@ def check(path: Path, film: Film | None, force: bool = False) -> None:
     if suffix in suffixes and os.path.isdir(path):
         raise AnimationError(f"{shorten(path)!r} is a folder; choose another name")
     if not is_folder(path) and suffix not in suffixes:
-        hint = "; --sheet makes one .png of ten frames" if suffix == ".png" else ""
+        hint = "; --frame N makes a .png of one frame, --sheet of ten" if suffix == ".png" else ""
         raise AnimationError(
             f"{shorten(path.name)!r}: no film can be written as {suffix!r}; expected {', '.join(suffixes)}, "
             f"or a name without suffix for a folder of pictures{hint}"

@@ -20,7 +20,12 @@ LEAST = 1e-90
 
 @dataclass(frozen=True)
 class Body:
-    """What the equations of motion need to know of a top whose tip is fixed. SI units."""
+    """What the equations of motion need to know of a top whose tip is fixed. SI units.
+
+    >>> from anim import Model
+    >>> Body.turned(Model().profile).mass
+    1.0
+    """
 
     mass: float
     """In kg."""

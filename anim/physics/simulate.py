@@ -34,6 +34,9 @@ class Launch:
 
     Raises :class:`~anim.errors.AnimationError` for what is not a number, for a negative tilt or gravity, and
     for decay times that are not positive.
+
+    >>> Launch(tilt=0.2).tilt
+    0.2
     """
 
     spin: float | None = None
@@ -211,6 +214,10 @@ def physical(
     """Return the film of a heavy symmetric top; by default the thesis's model in metres.
 
     Raises :class:`~anim.errors.AnimationError` where :class:`HeavyTop` does.
+
+    >>> from anim import clip
+    >>> physical(clip(frames=50)).frames
+    50
     """
     film = clip or Clip()
     top = HeavyTop(body or Body.turned(Model().profile), launch or Launch(), film.seconds)

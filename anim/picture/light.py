@@ -5,10 +5,11 @@ from math import cos, radians, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.look import Camera
+from anim.model import Model
+from anim.picture.look import Camera, Look
 from anim.picture.merge import HIDDEN, Rim, outlines
 from anim.picture.mesh import Mesh
-from anim.picture.projection import View
+from anim.picture.projection import View, reached
 from anim.picture.solid import Piece
 
 Floats = NDArray[np.float64]
@@ -16,13 +17,27 @@ Floats = NDArray[np.float64]
 ASIDE, HEIGHT = -50.0, 58.0
 """Degrees: how far the light stands to the left of the camera, and how high above the ground."""
 
-GROUND = np.array([[1.0, 0, 0, 0], [0, 1.0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 1.0]])
-
 
 def direction(camera: Camera) -> Floats:
     """Return the unit vector (3,) towards the light, which is far away."""
     a, e = radians(camera.azimuth + ASIDE), radians(HEIGHT)
     return np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])
+
+
+def places(model: Model, look: Look) -> Floats:
+    """Return points (k, 3) spread over all places of the top, and of its shadow if the look has one."""
+    top = reached(model, look.tilt)
+    if not look.shadow:
+        return top
+    above = top[top[:, 2] >= 0]
+    return np.concatenate([top, above @ _fall(direction(look.camera))[:3, :3].T])
+
+
+def _fall(light: Floats) -> Floats:
+    """Return the map (4, 4) of homogeneous points along the light onto the ground."""
+    fall = np.diag([1.0, 1.0, 0.0, 1.0])
+    fall[:2, 2] = -light[:2] / light[2]
+    return fall
 
 
 def shadow(
@@ -36,9 +51,7 @@ def shadow(
     """
     here = mesh.points @ rotation.T
     source = np.append(light @ rotation, 0.0)
-    fall = np.eye(4)
-    fall[:2, 2] = -light[:2] / light[2]
-    on_ground = View(view.matrix @ GROUND @ fall)
+    on_ground = View(view.matrix @ _fall(light))
     loops: list[Floats] = []
     for part in parts:
         keys = np.where(part.facing(source), 0, HIDDEN)

@@ -27,6 +27,9 @@ class Camera:
     axis, elevation above the ground, −90 to 90); ``distance`` from the top in the thesis's unit (6 or
     more; without effect when ``perspective`` is false: parallel rays); ``zoom`` enlarges the picture, 1
     being the largest at which the top stays in frame. Raises :class:`~anim.errors.AnimationError`.
+
+    >>> Camera(azimuth=30, zoom=2).elevation
+    20.0
     """
 
     azimuth: float = -60.0
@@ -83,6 +86,9 @@ class Look:
     ground. ``quality`` is 1 (jagged edges) to 4; shaded pictures take quality² samples a pixel. ``tilt``
     is the greatest angle in degrees between the axis and the vertical at which the whole top stays in frame.
     Raises :class:`~anim.errors.AnimationError`.
+
+    >>> Look(size=(1920, 1080), style="shaded", shadow=True).style
+    'shaded'
     """
 
     size: tuple[int, int] = (640, 480)
@@ -149,3 +155,7 @@ def _two(colours: Any) -> tuple[str, str]:
     for value in values:
         colour("a colour of the top", value)
     return values[0], values[1]
+
+
+FILM_LOOK = Look(style="shaded", trace=True, shadow=True)
+"""What a film looks like unless it is told otherwise."""

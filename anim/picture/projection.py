@@ -21,6 +21,8 @@ Floats = NDArray[np.float64]
 
 MARGIN = 0.03
 """The share of the picture left free at each edge."""
+LEAST_MARGIN = 2.0
+"""How many pixels are left free in a small picture, where the lines are wide for it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,9 +74,8 @@ class View:
         return np.column_stack([u / w, v / w, d / w])
 
 
-def view(camera: Camera, size: tuple[int, int], model: Model, tilt: float) -> View:
-    """Return the camera's view, scaled so that the top, leaning up to ``tilt`` degrees, stays in frame."""
-    places = reached(model, tilt)
+def view(camera: Camera, size: tuple[int, int], places: Floats) -> View:
+    """Return the camera's view, scaled so that all ``places`` (k, 3) stay in frame."""
     raw = View(_camera_matrix(camera))
     reach = float(np.linalg.norm(places, axis=1).max())
     if raw.eye[3] and np.linalg.norm(raw.eye[:3]) < 1.2 * reach:
@@ -96,8 +97,10 @@ def fitting(
     ``margin`` is the share of the picture left free at each edge; ``zoom`` enlarges about the middle.
     """
     low, high = seen.min(axis=0), seen.max(axis=0)
-    scale = float(np.min(np.array(size) * (1 - 2 * margin) / (high - low))) * zoom
-    return scale, np.array(size) / 2 - scale * (low + high) / 2
+    whole = np.array(size)
+    free = np.minimum(np.maximum(margin * whole, LEAST_MARGIN), whole / 4)
+    scale = float(np.min((whole - 2 * free) / (high - low))) * zoom
+    return scale, whole / 2 - scale * (low + high) / 2
 
 
 def reached(model: Model, tilt: float) -> Floats:

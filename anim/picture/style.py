@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.canvas import Canvas
+from anim.picture.light import places
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
@@ -33,7 +34,7 @@ class Style(ABC):
 
     def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
         """Return the projection and the picture without the top, uint8 (height, width, 3)."""
-        return view(look.camera, look.size, model, look.tilt), self.background(look)
+        return view(look.camera, look.size, places(model, look)), self.background(look)
 
     def background(self, look: Look) -> Pixels:
         """Return the picture without the top: even paper."""

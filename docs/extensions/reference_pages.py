@@ -18,26 +18,30 @@ def write(app: Any) -> None:
     folder.mkdir(exist_ok=True)
     for package, text in PACKAGES.items():
         path = folder / f"{package}.md"
-        page = f"# {package}\n\n{text}\n\n" + "\n\n".join(_entries(package)) + "\n"
+        page = f"# {package}\n\n{text}\n\n" + "\n\n".join(_sections(package)) + "\n"
         if not path.exists() or path.read_text(encoding="utf-8") != page:
             path.write_text(page, encoding="utf-8")
 
 
-def _entries(package: str) -> list[str]:
+def _sections(package: str) -> list[str]:
+    """Return classes, functions, values and errors, each under a heading."""
     module = import_module(package)
-    entries = []
+    found: dict[str, list[str]] = {"Classes": [], "Functions": [], "Values": [], "Errors": []}
     for name in dir(module):
         value = getattr(module, name)
         if ismodule(value):
             continue
-        members = ""
-        if isclass(value):
-            directive = "autoclass"
-            members = "\n   :members:\n   :inherited-members: Exception, tuple, Enum"
+        if isclass(value) and issubclass(value, Exception):
+            kind, directive = "Errors", "autoexception"
+        elif isclass(value):
+            kind, directive = "Classes", "autoclass"
         else:
-            directive = "autofunction" if isroutine(value) else "autodata"
-        entries.append(f"```{{eval-rst}}\n.. {directive}:: {package}.{name}{members}\n```")
-    return entries
+            kind, directive = (
+                ("Functions", "autofunction") if isroutine(value) else ("Values", "autodata")
+            )
+        members = "\n   :members:\n   :inherited-members: tuple, Enum" if kind == "Classes" else ""
+        found[kind].append(f"```{{eval-rst}}\n.. {directive}:: {package}.{name}{members}\n```")
+    return [f"## {kind}\n\n" + "\n\n".join(entries) for kind, entries in found.items() if entries]
 
 
 def setup(app: Any) -> dict[str, bool]:

@@ -11,6 +11,7 @@ from hfield.errors import shorten
 COMMANDS = {
     "verify": "decide the claims of the thesis over a panel of fields",
     "claims": "list the claims",
+    "report": "write the ledger as one page, or as a paper",
     "explain": "show one decision in full",
     "prove": "prove or refute a statement of your own",
     "check": "re-check certificates, independently",

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import note, open_output
-from hfield.commands.parser import add_format, add_output
+from hfield.commands.parser import add_format, add_output, add_standalone
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -28,7 +28,8 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--search", metavar="WORD", help="only those in whose name, kind, words or note it stands"
     )
-    add_format(parser, "table", "json", "markdown")
+    add_format(parser, "table", "json", "markdown", "latex")
+    add_standalone(parser)
     add_output(parser)
 
 
@@ -47,6 +48,10 @@ def run(args: Namespace) -> int:
             out.write_json({"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]})
         elif args.format == "markdown":
             out.write(_markdown(chosen))
+        elif args.format == "latex":
+            from hfield.ledger import paper
+
+            out.write_latex(paper.claims(chosen), args.standalone)
         else:
             out.write(_table(chosen, out.style()))
     return 0

@@ -8,7 +8,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import open_output
-from hfield.commands.parser import add_algebra, add_format, add_output, algebra_of
+from hfield.commands.parser import add_algebra, add_format, add_output, add_standalone, algebra_of
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -29,7 +29,8 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--formulas", action="store_true", help="do not go through the elements, however few"
     )
-    add_format(parser, "plain", "json")
+    add_format(parser, "plain", "json", "latex")
+    add_standalone(parser)
     add_output(parser)
 
 
@@ -58,6 +59,8 @@ def run(args: Namespace) -> int:
         if args.format == "json":
             head = {"schema": "hfield-count/1", "algebra": A.name, "field": A.ring.name}
             out.write_json({**head, "q": A.ring.order, **result.to_json()})
+        elif args.format == "latex":
+            out.write_latex(count_latex(result), args.standalone)
         else:
             title = f"{A.name}, q = {A.ring.order}"
             out.write("\n".join([title, "", *count_lines(result)]))
@@ -148,10 +151,27 @@ def count_lines(result: Counts) -> list[str]:
     rows = [(label, str(n), formula or "") for label, n, formula in result.lines]
     wide = [max(len(row[n]) for row in rows) for n in (0, 1)]
     lines = [f"  {w:<{wide[0]}}  {n:>{wide[1]}}  {formula}".rstrip() for w, n, formula in rows]
+    return [*lines, "", f"  {_note(result)}"]
+
+
+def count_latex(result: Counts) -> str:
+    """Lay out the counts as a table of LaTeX."""
+    from hfield.latex import words
+
+    A = result.algebra
+    rows = (
+        rf"{words(label)} & {n} & " + (f"${words(formula).strip('$')}$" if formula else "") + r" \\"
+        for label, n, formula in result.lines
+    )
+    head = rf"\[ {A.latex()}, \qquad q = {A.ring.order} \]"
+    table = [r"\begin{tabular}{lrl}", *rows, r"\end{tabular}"]
+    return "\n".join([head, *table, "", rf"\noindent {words(_note(result).capitalize())}."])
+
+
+def _note(result: Counts) -> str:
+    """Say how the counts were found."""
     if result.exhausted is None:
-        note = "by the formulas; there are too many elements to go through them all here"
-    elif all(formula is None for _, _, formula in result.lines):
-        note = f"counted by going through all {result.exhausted} elements"
-    else:
-        note = f"confirmed by going through all {result.exhausted} elements"
-    return [*lines, "", f"  {note}"]
+        return "by the formulas; there are too many elements to go through them all here"
+    if all(formula is None for _, _, formula in result.lines):
+        return f"counted by going through all {result.exhausted} elements"
+    return f"confirmed by going through all {result.exhausted} elements"

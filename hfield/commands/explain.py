@@ -8,7 +8,7 @@ from functools import partial
 
 from hfield.commands.many import add_inputs, answer_all, check_given, texts
 from hfield.commands.output import Sink
-from hfield.commands.parser import add_output
+from hfield.commands.parser import add_output, add_standalone
 from hfield.commands.status import Waiting
 
 HELP = "Show a decision in full: the statement, how it was read, each step or the witness."
@@ -26,6 +26,7 @@ def configure(parser: ArgumentParser) -> None:
     what = "id, name or number, such as C1.2-a, centre, 'definition 2', or 1.3.1 for a section"
     add_inputs(parser, "CLAIM", what, "plain", "json", "latex")
     parser.add_argument("--field", metavar="F", help="the field, or `universal` (default: QQ)")
+    add_standalone(parser)
     add_output(parser)
 
 
@@ -36,23 +37,23 @@ def run(args: Namespace) -> int:
     check_given(args)
     args.inputs = [claim.id for text in texts(args) for claim in find_all(text)]
     args.source = None
-    return answer_all(args, partial(_explain, args.field, args.format), COLUMNS)
+    return answer_all(args, partial(_explain, args), COLUMNS)
 
 
-def _explain(
-    field: str | None, style: str, claim: str
-) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+def _explain(args: Namespace, claim: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.ledger.blackboard import explain
 
     Waiting.at(f"deciding {claim}")
-    explanation = explain(claim, field)
+    explanation = explain(claim, args.field)
     data = explanation.to_json()
 
     def show(out: Sink) -> None:
-        if style == "json":
+        if args.format == "json":
             out.write_json(data)
-        elif style == "latex":
-            out.write(explanation.latex())
+        elif args.format == "latex":
+            from hfield.ledger.paper import explanation as paragraphs
+
+            out.write_latex(paragraphs(explanation.row), args.standalone)
         else:
             out.write(explanation.text(out.style()))
 

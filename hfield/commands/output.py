@@ -53,6 +53,12 @@ class Sink:
             text = _lay_out(data, ensure_ascii=True)
         print(text, file=self.stream)
 
+    def write_latex(self, text: str, standalone: bool) -> None:
+        """Write a piece of LaTeX, in a document of its own if it is to stand alone."""
+        from hfield.latex import document
+
+        self.write(document(text) if standalone else text)
+
     def style(self) -> Style:
         """Return what this place can show: its width, unicode, colours."""
         from shutil import get_terminal_size

@@ -130,6 +130,13 @@ def add_output(parser: ArgumentParser) -> None:
     parser.add_argument("-o", "--output", metavar="FILE", help="write to FILE, whole or not at all")
 
 
+def add_standalone(parser: ArgumentParser) -> None:
+    """Declare ``--standalone``, for commands that write LaTeX."""
+    parser.add_argument(
+        "--standalone", action="store_true", help="with --format latex: a document that compiles"
+    )
+
+
 def add_algebra(parser: ArgumentParser) -> None:
     """Declare ``--field`` and ``--algebra``, of which one may be given."""
     group = parser.add_mutually_exclusive_group()

@@ -8,7 +8,7 @@ from functools import partial
 
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink, note, open_output
-from hfield.commands.parser import UsageError, add_output
+from hfield.commands.parser import UsageError, add_output, add_standalone
 from hfield.commands.status import Waiting
 from hfield.errors import shorten
 
@@ -51,6 +51,7 @@ def configure(parser: ArgumentParser) -> None:
         "--timeout", type=_seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+    add_standalone(parser)
     add_output(parser)
 
 
@@ -64,7 +65,7 @@ def run(args: Namespace) -> int:
 def _decide(
     args: Namespace, statement: str
 ) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
-    from hfield.ledger.blackboard import decision_latex, decision_text
+    from hfield.ledger.blackboard import decision_text
     from hfield.proving.prove import prove
 
     Waiting.at(f"proving {statement}")
@@ -83,7 +84,11 @@ def _decide(
         if args.format == "json":
             out.write_json(data)
         elif args.format == "latex":
-            out.write(decision_latex(answer.text, answer.decision, answer.field))
+            from hfield.ledger.claim import UNIVERSAL
+            from hfield.ledger.paper import decision
+
+            place = (answer.field or UNIVERSAL, answer.setting.algebra)
+            out.write_latex(decision(answer.text, answer.decision, *place), args.standalone)
         else:
             where = (answer.setting.algebra, answer.field)
             out.write(decision_text(answer.text, answer.decision, *where, out.style()))

@@ -7,11 +7,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import OutputError, note, open_output
-from hfield.commands.parser import add_format, add_output, processes
+from hfield.commands.parser import add_format, add_output, add_standalone, processes
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from hfield.ledger.claim import Claim, Row
 
 HELP = (
@@ -44,7 +46,8 @@ def configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--section", metavar="S", help="the claims of a section, such as 1.3.1")
     parser.add_argument("--all", action="store_true", help="show every row, not only the report")
-    add_format(parser, "table", "json", "markdown")
+    add_format(parser, "table", "json", "markdown", "latex")
+    add_standalone(parser)
     parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
     parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at tcp://HOST:PORT")
     parser.add_argument(
@@ -55,7 +58,17 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
+    from importlib.metadata import entry_points
+
     from hfield.executors import open_executor
+
+    ledgers = [point.module for point in entry_points(group="hfield.claims")]
+    with open_executor(args.jobs, args.dask, ["hfield.ledger.run", *ledgers]) as executor:
+        return _verify(args, executor)
+
+
+def _verify(args: Namespace, executor: Executor) -> int:
+    """Read what is to be decided, while workers begin; decide and report."""
     from hfield.ledger.columns import split_columns
     from hfield.ledger.registry import find
     from hfield.ledger.run import contradictions, decide_rows
@@ -70,7 +83,7 @@ def run(args: Namespace) -> int:
     own = len(names) < len(args.claims)
     _remark(fields)
     with open_output(args.output) as out:
-        with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
+        with Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)
         paths = _certificates(rows, args.certificates)
         if args.format == "json":
@@ -84,6 +97,10 @@ def run(args: Namespace) -> int:
             from hfield.ledger.markdown import markdown
 
             out.write(markdown(rows, everything=args.all))
+        elif args.format == "latex":
+            from hfield.ledger import paper
+
+            out.write_latex(paper.report(rows, everything=args.all), args.standalone)
         else:
             from hfield.ledger.report import report
 

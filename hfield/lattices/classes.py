@@ -304,5 +304,9 @@ class ClassSet:
             ],
         }
 
+    def _repr_latex_(self) -> str:
+        mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
+        return rf"$h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}$"
+
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"

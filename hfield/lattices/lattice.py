@@ -112,6 +112,14 @@ class Lattice(NormedLattice):
     def __repr__(self) -> str:
         return f"ℤ⟨{', '.join(map(str, self.basis))}⟩ in {self.algebra}"
 
+    def latex(self) -> str:
+        """Write the lattice by its basis over ℤ, and its algebra, in LaTeX."""
+        basis = ", ".join(q.text("latex") for q in self.basis)
+        return rf"\mathbb{{Z}}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
+
     def __reduce__(self) -> Any:
         return _restore, (type(self), self.algebra, *self.hnf)
 

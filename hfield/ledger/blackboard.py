@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from hfield.errors import NotationError, shorten
+from hfield.latex import words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.ledger.columns import split_columns
 from hfield.ledger.evaluated import evaluated
@@ -18,7 +19,9 @@ from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.statements.printing import to_latex
-from hfield.syntax import Logic, Node, parse
+from hfield.proving.statements.trees import conjuncts
+from hfield.rings.latex_names import latex_name
+from hfield.syntax import parse
 
 _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
@@ -117,19 +120,13 @@ def decision_text(
     return "\n".join([*lines, *told])
 
 
-def decision_latex(statement: str, decision: Decision, field: str | None) -> str:
-    """Write a statement of the language and its verdict as a formula of LaTeX."""
-    body = _formula(statement, decision, field or UNIVERSAL)
-    return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
-
-
 def _decision(
     text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
 ) -> Iterator[str]:
     verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
     method = ""
     if decision.verdict != NOT_APPLICABLE:
-        method = f"  (by {decision.method}{_scope(decision)})"
+        method = f"  (by {decision.method}{scope_text(decision)})"
     yield from _wrap("verdict", verdict + method, style, plain=False)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
@@ -147,7 +144,7 @@ def _decision(
         yield from _wrap("tried", attempt, style)
 
 
-def _scope(decision: Decision) -> str:
+def scope_text(decision: Decision) -> str:
     """Say where the statement holds, beyond the field it was decided over."""
     if decision.scope in (None, FIELD):
         return ""
@@ -171,30 +168,14 @@ def _wrap(
 
 def _formula(text: str, decision: Decision, field: str) -> str:
     try:
-        lines = [to_latex(node) for node in _conjuncts(parse(text))]
+        lines = [to_latex(node) for node in conjuncts(parse(text))]
     except NotationError:
-        lines = [_words(text)]
-    symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else _words(field)
+        lines = [rf"\text{{{words(text)}}}"]
+    symbol = r"\mathbb{Z}[\ldots]" if field == UNIVERSAL else latex_name(field)
     witness = witness_text(decision.witness, field)
-    verdict = _words(decision.verdict + (f": {witness}" if witness else ""))
+    verdict = rf"\text{{{words(decision.verdict + (f': {witness}' if witness else ''))}}}"
     lines[-1] += "" if field == NO_FIELD else rf"\;({symbol})"
     return r" \land \\ ".join(lines) + f" & {verdict}"
-
-
-def _conjuncts(node: Node) -> list[Node]:
-    """Return what is joined by ``and``, to be written one below the other."""
-    if isinstance(node, Logic) and node.op == "and":
-        return [*_conjuncts(node.left), *_conjuncts(node.right)]
-    return [node]
-
-
-def _words(text: str) -> str:
-    """Write words inside a formula."""
-    for mark in "\\{}":
-        text = text.replace(mark, "")
-    for mark in "_^#%&$":
-        text = text.replace(mark, rf"\{mark}" if mark != "^" else r"\hat{}")
-    return rf"\text{{{text}}}"
 
 
 def _json(proposition: Proposition | None, decision: Decision) -> dict[str, object]:

@@ -12,6 +12,13 @@ from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, 
 
 MARKS = {PROVED: "✓", REFUTED: "✗", VACUOUS: "∅", UNDECIDED: "?", NOT_APPLICABLE: "·"}
 ASCII_MARKS = {PROVED: "+", REFUTED: "x", VACUOUS: "o", UNDECIDED: "?", NOT_APPLICABLE: "."}
+LATEX_MARKS = {
+    PROVED: r"\checkmark",
+    REFUTED: r"\times",
+    VACUOUS: r"\varnothing",
+    UNDECIDED: "?",
+    NOT_APPLICABLE: r"\cdot",
+}
 _COLOURS = {PROVED: "32", REFUTED: "31", VACUOUS: "36", UNDECIDED: "33", NOT_APPLICABLE: "2"}
 _LEAST_NAME = 12
 

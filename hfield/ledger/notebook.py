@@ -6,22 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hfield.executors import InProcess
+from hfield.latex import words
 from hfield.ledger.claim import Row
 from hfield.ledger.columns import split_columns
-from hfield.ledger.matrix import Style, columns_of
+from hfield.ledger.matrix import LATEX_MARKS, Style, columns_of
 from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
-from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS
-
-_MARKS = {
-    PROVED: r"\checkmark",
-    REFUTED: r"\times",
-    VACUOUS: r"\varnothing",
-    UNDECIDED: "?",
-    NOT_APPLICABLE: r"\cdot",
-}
+from hfield.rings.latex_names import latex_name
 
 
 @dataclass(frozen=True)
@@ -34,12 +27,14 @@ class Report:
     def latex(self) -> str:
         """Write the table of verdicts as an array of LaTeX."""
         fields = columns_of(self.rows)
-        marks = {(row.claim.id, row.field): _MARKS[row.as_printed.verdict] for row in self.rows}
+        marks = {
+            (row.claim.id, row.field): LATEX_MARKS[row.as_printed.verdict] for row in self.rows
+        }
         names = {row.claim.id: row.claim.name for row in self.rows}
-        lines = [" & ".join(["", *(rf"\text{{{field}}}" for field in fields)]) + r" \\ \hline"]
+        lines = [" & ".join(["", *map(latex_name, fields)]) + r" \\ \hline"]
         for key, name in names.items():
             cells = [marks.get((key, field), "") for field in fields]
-            lines.append(" & ".join([rf"\text{{{key} {name}}}", *cells]) + r" \\")
+            lines.append(" & ".join([rf"\text{{{words(f'{key} {name}')}}}", *cells]) + r" \\")
         return rf"\begin{{array}}{{l|{'c' * len(fields)}}}" + "\n".join(lines) + r"\end{array}"
 
     def __str__(self) -> str:

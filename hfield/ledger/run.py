@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
-from itertools import groupby
 
 from hfield.certificates.glossary import GAVE_UP
 from hfield.errors import HFieldError
@@ -16,7 +15,8 @@ from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decisio
 Piece = tuple[Claim, str]
 Verdicts = tuple[Decision, Decision | None]
 Progress = Callable[[int, int, str], None]
-CHUNK = 64  # rows a task: small enough for progress, large enough to outweigh its journey
+TASKS = 48  # enough for progress and even shares
+LEAST = 6  # rows a task, which have to outweigh its journey
 
 
 def decide_rows(
@@ -24,29 +24,29 @@ def decide_rows(
 ) -> list[Row]:
     """Decide every piece (a claim and the name of a field), in the order given.
 
-    The work goes to ``executor`` by fields, so that a worker that has set up a field keeps it.
-    ``progress`` is told how many rows are done, of how many, and the field in work.
+    The work goes to ``executor`` claim by claim, so that what is proved of a claim in general is proved once
+    and carried over to the fields by the same worker. ``progress`` is told how many rows are done, of
+    how many, and the claim in work.
     """
     chunks = _chunks(pieces)
-    tasks = [(field, tuple(_sent(pieces[n][0]) for n in indices)) for field, indices in chunks]
+    tasks = [tuple((_sent(pieces[n][0]), pieces[n][1]) for n in indices) for indices in chunks]
     decided: dict[int, Verdicts] = {}
     for number, verdicts in unordered(executor, _decide_chunk, tasks):
-        field, indices = chunks[number]
+        indices = chunks[number]
         decided.update(zip(indices, verdicts, strict=True))
         if progress:
-            progress(len(decided), len(pieces), field)
+            progress(len(decided), len(pieces), pieces[indices[-1]][0].id)
     return [Row(claim, field, *decided[n]) for n, (claim, field) in enumerate(pieces)]
 
 
-def _chunks(pieces: Sequence[Piece]) -> list[tuple[str, list[int]]]:
-    """Return the indices of the pieces, by field in order of appearance, in short runs."""
-    position = {field: n for n, field in reversed(list(enumerate(f for _, f in pieces)))}
-    order = sorted(range(len(pieces)), key=lambda n: position[pieces[n][1]])
-    out = []
-    for field, group in groupby(order, key=lambda n: pieces[n][1]):
-        indices = list(group)
-        out += [(field, indices[m : m + CHUNK]) for m in range(0, len(indices), CHUNK)]
-    return out
+def _chunks(pieces: Sequence[Piece]) -> list[range]:
+    """Return the indices of the pieces in runs, those with claims that compute without a field first.
+
+    They take longest, and what is long must not come last, when the other workers have nothing.
+    """
+    size = max(LEAST, -(-len(pieces) // TASKS))
+    runs = [range(m, min(m + size, len(pieces))) for m in range(0, len(pieces), size)]
+    return sorted(runs, key=lambda run: all(pieces[n][1] != NO_FIELD for n in run))
 
 
 def _sent(claim: Claim) -> str | Claim:
@@ -54,10 +54,9 @@ def _sent(claim: Claim) -> str | Claim:
     return claim.id if any(claim is known for known in claims()) else claim
 
 
-def _decide_chunk(task: tuple[str, tuple[str | Claim, ...]]) -> list[Verdicts]:
-    """Decide some claims over one field; decisions are plain data."""
-    field, sent = task
-    return [decide_one(find(x) if isinstance(x, str) else x, field) for x in sent]
+def _decide_chunk(task: Sequence[tuple[str | Claim, str]]) -> list[Verdicts]:
+    """Decide some rows; decisions are plain data."""
+    return [decide_one(find(x) if isinstance(x, str) else x, field) for x, field in task]
 
 
 def decide_one(claim: Claim, field: str) -> Verdicts:

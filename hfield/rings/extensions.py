@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Hashable, Sequence
+from random import Random
 from typing import Any
 
 from hfield import syntax
@@ -222,7 +222,7 @@ class SimpleExtension(Ring):
                 return self._constant(root)
         raise UndecidedError(f"square roots in {self.name} are not decided")
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element; the same for the same seed."""
         return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
 

@@ -22,6 +22,9 @@ def GF(q: Any, modulus: Any = None) -> FiniteField:
 
     q is an int or a text such as ``"3^2"``. Without a modulus it is Conway's. Raises
     :class:`RingError` when q is no prime power or the modulus does not fit.
+
+    >>> GF(9).order, GF(7)(3) ** 2
+    (9, 2)
     """
     from hfield.rings import ring
 

@@ -48,7 +48,11 @@ class _Ordered(ValueRing):
 
 
 class Integers(_Ordered):
-    """ℤ; elements are flint's ``fmpz``. ``ZZ / 6`` is the residue ring."""
+    """ℤ; elements are flint's ``fmpz``. ``ZZ / 6`` is the residue ring.
+
+    >>> (ZZ / 6).order, ZZ(6) * 7
+    (6, 42)
+    """
 
     name = "ZZ"
 
@@ -127,7 +131,11 @@ class Integers(_Ordered):
 
 
 class Rationals(_Ordered):
-    """ℚ; elements are flint's ``fmpq``."""
+    """ℚ; elements are flint's ``fmpq``.
+
+    >>> QQ("1/3") + 1, QQ.level.value
+    (4/3, inf)
+    """
 
     name = "QQ"
     is_field = True
@@ -231,7 +239,12 @@ class Residues(Modular):
 
 
 def Zmod(n: int) -> Modular:
-    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int, at least 2."""
+    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int, at least 2.
+
+    >>> from hfield import H
+    >>> H(Zmod(6)).count("units")
+    384
+    """
     number = rational(n)
     if not isinstance(number, int):
         raise RingError(f"ZZ/{shorten(n)}: the modulus must be an integer, as in ZZ/6")

@@ -8,9 +8,9 @@ Each prime P gets a π with (p, π) = P, a β in pP⁻¹ that is not in pO, with
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
+from random import Random
 from typing import Any
 
 import flint
@@ -207,7 +207,7 @@ def _primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
 
 def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[str]:
     """Yield texts ``(p, g(x); θ)``, where g is the polynomial over GF(p) of the residue of an integer θ."""
-    field, rng = prime.field, random.Random(1)
+    field, rng = prime.field, Random(1)
     for _ in range(count):
         theta = prime.order.element(rng.randrange(4 * prime.p) for _ in range(field.degree))
         powers = [prime.residue_of(theta**k) for k in range(prime.f + 1)]
@@ -277,7 +277,7 @@ class _ResidueAlgebra:
             total = total * m + self.one * c
         return total
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         return self.row([rng.randrange(self.p) for _ in range(self.n)])
 
     def lift(self, x: Any) -> FieldElement:
@@ -291,7 +291,7 @@ class _ResidueAlgebra:
 
     def idempotents(self, count: int) -> list[Any]:
         """Return the primitive idempotents, as many as said."""
-        rng, found = random.Random(1), [self.one]
+        rng, found = Random(1), [self.one]
         while len(found) < count:
             x = self.random(rng)
             f = self.matrix(x).charpoly()
@@ -359,7 +359,7 @@ def _residue_field(
     algebra: _ResidueAlgebra, epsilon: Any, inside: list[Any], f: int
 ) -> tuple[Any, Any, Any]:
     """Return a polynomial that makes the residue field, its root, and the matrix that takes residues."""
-    p, n, rng = algebra.p, algebra.n, random.Random(1)
+    p, n, rng = algebra.p, algebra.n, Random(1)
     project = algebra.matrix(epsilon)
     while True:
         gen = algebra.random(rng) if f > 1 else algebra.one

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Hashable
+from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
@@ -142,7 +142,7 @@ class RationalFunctions(Ring):
             return super().sign(x, ordering)
         return self.polynomials.sign(x.num)
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random fraction of polynomials of few terms; the same for the same seed."""
         num, den = self.polynomials.random(rng), self.polynomials.random(rng)
         return self.quotient(num, den if den != 0 else self._one)

@@ -14,7 +14,7 @@ from flint import fmpq
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.residues.prime_numbers import PrimePlace
-from hfield.structure.minimise import Conic, Lattice, half_discriminant, minimise
+from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:

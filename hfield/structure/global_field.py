@@ -18,7 +18,7 @@ from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
-from hfield.structure.minimise import Vector
+from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 

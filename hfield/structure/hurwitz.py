@@ -96,6 +96,9 @@ def four_squares(n: int) -> tuple[int, int, int, int]:
     """Return a ≥ b ≥ c ≥ d ≥ 0 with ``a² + b² + c² + d² = n``; quick for hundreds of digits.
 
     Raises :class:`CoercionError` for a negative n or one that is no integer.
+
+    >>> sum(x * x for x in four_squares(10**40 + 7)) == 10**40 + 7
+    True
     """
     if not isinstance(n, int) or n < 0:
         raise CoercionError(

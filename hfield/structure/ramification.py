@@ -39,6 +39,11 @@ def places(ring: Ring) -> Iterator[Any]:
     """Run through the places of a global field, without end: infinite ones, then by size.
 
     Raises :class:`UndecidedError` for a ring that has no such list.
+
+    >>> from itertools import islice
+    >>> from hfield import QQ
+    >>> list(islice(places(QQ), 4))
+    ['inf', 2, 3, 5]
     """
     return ring.places()
 

@@ -13,6 +13,11 @@ def threads(number: int | None = None) -> int:
     At first it is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
     number of processors this process may run on. Raises `RotationError` unless it is a whole number of at
     least 1.
+
+    Examples
+    --------
+    >>> threads() >= 1
+    True
     """
     try:
         return pool.threads(number)

@@ -7,7 +7,7 @@ from anim.errors import AnimationError
 from anim.model import Model
 from anim.picture import Camera, Look, painter
 from anim.picture.mesh import Mesh
-from anim.picture.projection import frame, view
+from anim.picture.projection import frame, reached, view
 from anim.picture.solid import drawing_order, pieces
 from tests.anim.cones import random_rotation
 
@@ -39,7 +39,7 @@ def about_z(angle):
 @given(cameras)
 @settings(max_examples=30)
 def test_eye_is_where_the_camera_stands(camera):
-    eye = view(camera, SIZE, MODEL, 90).eye
+    eye = view(camera, SIZE, reached(MODEL, 90)).eye
     towards = frame(camera)[2]
     if camera.perspective:
         np.testing.assert_allclose(
@@ -55,7 +55,7 @@ def test_leaning_top_stays_in_frame(camera, tilt, seed):
     rng = np.random.default_rng(seed)
     turns = rng.uniform(-np.pi, np.pi, 2)
     rotation = about_z(turns[0]) @ about_y(np.radians(tilt) * rng.uniform()) @ about_z(turns[1])
-    seen = view(camera, SIZE, MODEL, tilt).project(MODEL.points @ rotation.T)
+    seen = view(camera, SIZE, reached(MODEL, tilt)).project(MODEL.points @ rotation.T)
     assert (seen > 0).all()
     assert (seen < SIZE).all()
 
@@ -64,7 +64,7 @@ def test_leaning_top_stays_in_frame(camera, tilt, seed):
 @settings(max_examples=30)
 def test_turning_the_top_or_the_view_is_the_same(camera, seed):
     rotation = random_rotation(np.random.default_rng(seed))
-    seen = view(camera, SIZE, MODEL, 90)
+    seen = view(camera, SIZE, reached(MODEL, 90))
     turned = seen.turned(rotation)
     points = MODEL.points
     np.testing.assert_allclose(turned.project(points), seen.project(points @ rotation.T), atol=1e-8)
@@ -75,7 +75,9 @@ def test_turning_the_top_or_the_view_is_the_same(camera, seed):
 @given(cameras, seeds)
 @settings(max_examples=30)
 def test_faces_turned_to_the_eye_turn_counterclockwise(camera, seed):
-    seen = view(camera, SIZE, MODEL, 180).turned(random_rotation(np.random.default_rng(seed)))
+    seen = view(camera, SIZE, reached(MODEL, 180)).turned(
+        random_rotation(np.random.default_rng(seed))
+    )
     x, y = seen.project(MODEL.points).T
     for part, corners in zip(
         pieces(Mesh.of(MODEL, 1e9)), (MODEL.lower, MODEL.sides, MODEL.upper), strict=True
@@ -89,7 +91,7 @@ def test_faces_turned_to_the_eye_turn_counterclockwise(camera, seed):
 @given(cameras, seeds)
 @settings(max_examples=30)
 def test_depth_grows_towards_the_eye(camera, seed):
-    seen = view(camera, SIZE, MODEL, 90)
+    seen = view(camera, SIZE, reached(MODEL, 90))
     point = np.random.default_rng(seed).uniform(-1, 1, 3)
     towards = seen.eye[:3] - point * seen.eye[3]
     nearer = point + 0.1 * towards / np.linalg.norm(towards)

@@ -62,8 +62,9 @@ def test_every_model_in_every_style(capsys, tmp_path: Path, model: str, style: s
 
 def test_the_sheet(capsys, tmp_path: Path) -> None:
     path = tmp_path / "sheet.png"
-    status, _, _ = run(capsys, "--sheet", "--points", "30", "--size", "60x45", "-o", path)
+    status, out, _ = run(capsys, "--sheet", "--points", "30", "--size", "60x45", "-o", path)
     assert status == 0
+    assert "sheet.png: 10 frames of 500: 0, 49, 99, 149" in out
     with Image.open(path) as image:
         assert image.size == (5 * 66 + 6, 2 * 51 + 6)
     status, _, err = run(capsys, "--sheet", "-o", tmp_path / "sheet.mp4")
@@ -77,11 +78,47 @@ def test_preview_is_small_and_quick(capsys, tmp_path: Path) -> None:
     assert status == 0
     made = json.loads(out)
     assert (made["frames"], made["fps"], made["duration"], made["size"]) == (
-        125,
-        12.5,
+        500,
+        50.0,
         10.0,
         [320, 240],
     )
+
+
+def test_a_size_that_is_given_wins_over_the_preview(capsys, tmp_path: Path) -> None:
+    words = ("--preview", *SMALL, "-o", tmp_path / "t.gif", "--format", "json")
+    status, out, _ = run(capsys, *words)
+    assert status == 0
+    assert json.loads(out)["size"] == [96, 72]
+
+
+def picture(capsys, path: Path, *words):
+    status, out, err = run(capsys, *SMALL, *words, "--force", "-o", path)
+    assert (status, err) == (0, "")
+    return out, np.asarray(Image.open(path))
+
+
+def test_one_frame_of_the_film(capsys, tmp_path: Path) -> None:
+    assert run(capsys, *SMALL, "-o", tmp_path / "film")[0] == 0
+    out, fourth = picture(capsys, tmp_path / "x.png", "--frame", "4")
+    assert "x.png: frame 4 of 6, 0.08 s into the film" in out
+    np.testing.assert_array_equal(fourth, np.asarray(Image.open(tmp_path / "film/frame_00004.png")))
+    out, only = picture(capsys, tmp_path / "x.png", "--frames", "1")
+    assert "frame 0 of 1" in out
+    assert only.shape == fourth.shape
+
+
+def test_without_options_the_film_is_shaded_with_trace_and_shadow(capsys, tmp_path: Path) -> None:
+    path = tmp_path / "x.png"
+    (_, plain), (_, full) = (
+        picture(capsys, path, "--frame", "4", *words)
+        for words in ((), ("--style", "shaded", "--trace", "--shadow"))
+    )
+    np.testing.assert_array_equal(plain, full)
+    others = [("--style", "flat"), ("--no-trace",), ("--no-shadow",)]
+    for words in others:
+        _, other = picture(capsys, path, "--frame", "4", *words)
+        assert (other != plain).any()
 
 
 def test_the_page_shows_four_models_or_one(capsys, tmp_path: Path) -> None:
@@ -121,6 +158,10 @@ def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
     [
         (("-o", "t.avi"), f"expected .{next(iter(FORMATS))}"),
         (("-o", "t.mp4", "--frames", "0"), "frames is 0"),
+        (("-o", "t.png", "--frame", "500"), "expected a number from 0 to 499"),
+        (("-o", "t.png", "--frame", "-1"), "--frame is -1"),
+        (("-o", "t.mp4", "--frame", "1"), "expected a name such as frame.png"),
+        (("-o", "t.png"), "--frame N makes a .png of one frame"),
         (("-o", "t.mp4", "--frames", "-5"), "frames is -5"),
         (("-o", "t.mp4", "--size", "101x100"), "try --size 102x100"),
         (("-o", "t.mp4", "--size", "0x0"), "the width is 0"),

@@ -12,6 +12,8 @@ from tests.certificates.cases import Certificate, certified
 
 IDENTITY = {"kind": "identity"}
 SQUARES = {"form": "squares", "by": "ordering", "most": None, "positive": True}
+ROOTS = {"form": "roots", "by": "factors"}
+BINARY = {"step": "binary form", "terms": ["s", "1"], "coefficients": ["1", "0", "1"]}
 END = {"step": "contradiction", "cofactors": ["0", "1", "T1"], "denominator": 1}
 CASES = {
     "step": "cases",
@@ -54,6 +56,14 @@ BASE: dict[str, Certificate] = {
         "s**2 == 0 => s == 0",
         *("QQ", "implication"),
         implication(facts=[SQUARES], steps=[{**FORM, "coefficients": [1]}, END]),
+    ),
+    "binary": certified(
+        "s**2 == 0 => s == 0",
+        *("QQ", "implication"),
+        implication(
+            facts=[ROOTS],
+            steps=[{**FORM, **BINARY}, END],
+        ),
     ),
     "root": certified("s**2 == 0 => s == 0", "QQ", "implication", implication(steps=[ROOT])),
     "norm": certified("s**2 == 0 => s == 0", "QQ", "implication", implication(facts=[NORM])),
@@ -102,6 +112,10 @@ NAMED: list[tuple[str, tuple[Any, ...], str, dict[str, str]]] = [
      "coefficients": "coefficients must be a list"}),
     ("form", ("evidence", "facts", 0), "a fact", {"positive": "'positive' must be true or false",
      "by": "sums of squares in QQ may be 0"}),
+    ("binary", STEP, "a step", {"terms": "terms must be a list",
+     "coefficients": "coefficients must be a list"}),
+    ("binary", (*STEP, "coefficients"), "",
+     {0: "an entry of coefficients must be a text"}),  # type: ignore[dict-item]
     ("root", STEP, "a step", {"polynomial": "polynomial must be a text"}),
     ("norm", ("evidence", "facts", 0), "a fact about a norm", {"place": "a place must be a text",
      "u": "coordinates must be a list", "j": "coordinates must be a list"}),

@@ -309,3 +309,33 @@ BAD: list[tuple[str, str | None, dict[str, Any]]] = [
 def test_what_is_not_shown_is_rejected(n: int) -> None:
     statement, field, changes = BAD[n]
     rejects(row_of(statement, field), **changes)
+
+
+def test_words_nest_only_so_deep() -> None:
+    def nested(depth: int) -> dict[str, Any]:
+        statement, evidence = "formally-real", LEVEL
+        for _ in range(depth):
+            statement = f"implies{{division; {statement}}}"
+            evidence = {"kind": "conclusion", "evidence": evidence}
+        row = (statement, "QQ", "proved", "level", None, evidence, "field")
+        return certificate(row)
+
+    assert check(nested(6)).scope == "field"
+    with pytest.raises(Rejected, match="nests too deeply"):
+        check(nested(7))
+    inside = nested(5)
+    inside["statement"] = f"over{{QQ; {inside['statement']}}}"
+    assert check(inside).scope == "field"
+    inside["statement"] = f"every{{{inside['statement']}}}"
+    inside["evidence"] = {**PARTS, "parts": [proved(inside["evidence"])]}
+    with pytest.raises(Rejected, match="nests too deeply"):
+        check(inside)
+
+
+def test_rows_and_columns_are_named() -> None:
+    row = row_of("centre{2}", "QQ")
+    for key in ("rows", "columns"):
+        for value, said in (("1", "must be an integer"), (-1, "must be at least 0")):
+            wrong = {**MINOR, key: [value, *MINOR[key][1:]]}  # type: ignore[index]
+            with pytest.raises(Rejected, match=f"^a row or column {said}"):
+                check(certificate(row, evidence=wrong))

@@ -8,8 +8,8 @@ import pytest
 from hfield.errors import TooLargeError
 from hfield.executors import InProcess
 from hfield.ledger import run
-from hfield.ledger.claim import Claim, Row
-from hfield.ledger.run import contradictions, decide_row, decide_rows
+from hfield.ledger.claim import NO_FIELD, Claim, Row
+from hfield.ledger.run import LEAST, contradictions, decide_row, decide_rows
 from hfield.proving.decision import Decision
 
 
@@ -59,11 +59,20 @@ def test_rows_come_in_the_order_asked_for(ledger, make):
         assert (row.as_corrected is not None) == (row.field == "GF(3)")
 
 
-def test_a_field_is_worked_through_before_the_next(ledger):
+def test_a_claim_goes_through_its_fields_before_the_next(ledger):
     claims, asked = ledger
     decide_rows([(c, f) for c in claims.values() for f in FIELDS], InProcess())
-    assert list(dict.fromkeys(asked)) == list(FIELDS)
-    assert asked == sorted(asked, key=FIELDS.index)
+    assert asked == [f for _ in claims for f in FIELDS]
+
+
+def test_what_computes_without_a_field_goes_first(ledger):
+    claims, _ = ledger
+    done = []
+    pieces = [(c, f) for c in claims.values() for f in FIELDS]
+    pieces[-1] = (pieces[-1][0], NO_FIELD)
+    rows = decide_rows(pieces, InProcess(), lambda _done, _total, what: done.append(what))
+    assert done[0] == "C1-t"
+    assert [(row.claim, row.field) for row in rows] == pieces
 
 
 def test_progress_runs_up_to_the_end(ledger):
@@ -73,8 +82,8 @@ def test_progress_runs_up_to_the_end(ledger):
     decide_rows(pieces, InProcess(), lambda done, total, what: seen.append((done, total, what)))
     done = [n for n, _, _ in seen]
     assert done == sorted(set(done))
-    assert seen[-1] == (60, 60, "universal")
-    assert len(seen) == len(FIELDS)  # a task a field
+    assert seen[-1] == (60, 60, "C1-t")
+    assert len(seen) == 60 // LEAST
 
 
 def test_no_rows():

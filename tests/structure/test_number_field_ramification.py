@@ -11,7 +11,7 @@ from hfield.product import Constants
 from hfield.rings.number_field_places import ComplexPlace, RealPlace
 from hfield.rings.number_primes import PrimeIdeal
 from hfield.rings.residues.number_ideals import local_place
-from hfield.structure.minimise import Conic, minimise, norm_form
+from hfield.structure.minimal_conics import Conic, minimise, norm_form
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import candidates
 from tests.steps import steps

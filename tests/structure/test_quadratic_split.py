@@ -21,7 +21,7 @@ from hfield.rings.residues.prime_ideals import (
     primes_above,
 )
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
-from hfield.structure.minimise import Conic
+from hfield.structure.minimal_conics import Conic
 from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
 from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
 from hfield.structure.quadratic_fields.hilbert_quadratic import (

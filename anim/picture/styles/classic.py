@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.model import Model
+from anim.picture.light import places
 from anim.picture.look import RGB, Look
 from anim.picture.mesh import Mesh
-from anim.picture.projection import View, fitting, reached
+from anim.picture.projection import View, fitting
 from anim.picture.style import Style
 from anim.picture.styles.flat import FlatBody
 from rotation.figures.backend import import_matplotlib
@@ -43,17 +44,17 @@ def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     axes = Axes3D(figure, rect=(0, 0, 1, 1))
     figure.add_axes(axes)
     axes.patch.set_visible(False)
-    places = reached(model, look.tilt)
-    _set_up(axes, look, places)
-    _fit(axes, look, places)
+    reached = places(model, look)
+    _set_up(axes, look, reached)
+    _fit(axes, look, reached)
     canvas.draw()
     return _view(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
 
 
-def _set_up(axes: Any, look: Look, places: Floats) -> None:
+def _set_up(axes: Any, look: Look, reached: Floats) -> None:
     """Set camera, limits and letters; one unit is as long on every axis."""
     camera = look.camera
-    reach, tall = float(np.abs(places[:, :2]).max()), float(places[:, 2].max())
+    reach, tall = float(np.abs(reached[:, :2]).max()), float(reached[:, 2].max())
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(0, tall), autoscale_on=False)
     axes.set_box_aspect((2 * reach, 2 * reach, tall))
     axes.view_init(elev=camera.elevation, azim=camera.azimuth)
@@ -70,12 +71,12 @@ def _set_up(axes: Any, look: Look, places: Floats) -> None:
             axis.set_ticklabels([])
 
 
-def _fit(axes: Any, look: Look, places: Floats) -> None:
+def _fit(axes: Any, look: Look, reached: Floats) -> None:
     """Place the axes so that their box and the leaning top fill the picture."""
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
-    seen = _view(axes).project(np.concatenate([places, np.array(box)]))
-    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 1.5 / LETTERS
+    seen = _view(axes).project(np.concatenate([reached, np.array(box)]))
+    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 2.5 / LETTERS
     scale, shift = fitting(seen, look.size, margin, look.camera.zoom)
     size = np.array(look.size)
     # The axes take the largest square inside their rectangle.

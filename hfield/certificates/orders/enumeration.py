@@ -17,6 +17,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
     minors = [1, *(lines[m][m] for m in range(4))]
     common = lcm(*(minors[m] * minors[m + 1] for m in range(4)))
     weights = [common // (minors[m] * minors[m + 1]) for m in range(4)]
+    cost = 4 + common.bit_length() // 200
     x = [0, 0, 0, 0]
 
     def level(m: int, left: int, zero: bool) -> Iterator[tuple[Row, int]]:
@@ -29,7 +30,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
         reach = isqrt(left // weights[m])
         first = 0 if zero else -((reach + shift) // d)
         last = (reach - shift) // d
-        charge(4 + 4 * max(last - first + 1, 0))
+        charge(cost * (1 + max(last - first + 1, 0)))
         for value in range(first, last + 1):
             x[m] = value
             y = d * value + shift

@@ -52,7 +52,7 @@ def _power(disc: Disc, k: int) -> Disc:
         # |zw − z'w'| ≤ |z|·|w − w'| + |w'|·|z − z'|, and 2 for what is cut off
         error = (size * error + bound * radius >> BITS) + 4
         re, im = re * x - im * y >> BITS, re * y + im * x >> BITS
-        bound = (bound * size >> BITS) + 1
+        bound = (bound * size >> BITS) + 3
     return re, im, error
 
 

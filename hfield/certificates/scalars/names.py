@@ -17,7 +17,9 @@ def without_blanks(text: str) -> str:
 
 
 def integer(digits: str) -> int:
-    """Read a number."""
+    """Read an integer."""
+    if not re.fullmatch("-?[0-9]+", digits):
+        reject(f"expected a number, found {shown(digits)!r}")
     if len(digits) > MAX_DIGITS:
         reject(f"a number of {len(digits)} digits is too large")
     return int(digits)

@@ -78,10 +78,7 @@ class PrimeIdeal(OverFiniteField):
         return any(rest) and len(gcd_modulo(list(g), rest, self.p)) == 1
 
     def _element(self, f: list[int]) -> tuple[Fraction, ...]:
-        n = self.field.degree
-        if len(f) > n:  # g = f modulo p: p generates the ideal
-            return (Fraction(0),) * n
-        return (*map(Fraction, f), *[Fraction(0)] * (n - len(f)))
+        return (*map(Fraction, f), *[Fraction(0)] * (self.field.degree - len(f)))
 
     def residue(self, x: Any) -> Any:
         """Return the class of x modulo P; None where x is not integral, or not seen to be.

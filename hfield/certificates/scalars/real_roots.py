@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import ceil
+from math import ceil, gcd, lcm
 
 from hfield.certificates.rejection import reject
 from hfield.certificates.work import charge
@@ -14,7 +14,7 @@ MAX_HALVINGS = 4_000
 class RealRoot:
     """A root of f in an interval at whose ends f has different signs; bisection goes for one root."""
 
-    def __init__(self, f: Sequence[Fraction], low: Fraction, high: Fraction) -> None:
+    def __init__(self, f: Sequence[int], low: Fraction, high: Fraction) -> None:
         self.f, self.low, self.high = f, low, high
         self.rising = _value(f, low) < 0
 
@@ -23,6 +23,8 @@ class RealRoot:
         if not any(x):
             return 0
         for _ in range(MAX_HALVINGS):
+            bits = len(x) * max(c.denominator.bit_length() for c in (self.low, self.high, *x))
+            charge(len(x) * (20 + bits * bits // 200_000))
             low, high = _bounds(x, self.low, self.high)
             if low > 0 or high < 0:
                 return 1 if low > 0 else -1
@@ -31,7 +33,6 @@ class RealRoot:
 
     def _halve(self) -> None:
         middle = (self.low + self.high) / 2
-        charge(10 + middle.denominator.bit_length() // 10)
         if (_value(self.f, middle) < 0) == self.rising:
             self.low = middle
         else:
@@ -44,36 +45,49 @@ def real_roots(f: Sequence[Fraction]) -> list[RealRoot]:
     Sturm's sequence counts them, and intervals are halved until each has one.
     """
     bound = Fraction(2 + ceil(max(abs(c) for c in f)))
-    chain = [list(f), [n * c for n, c in enumerate(f)][1:]]
-    charge(100 * len(f) ** 2)
+    scale = lcm(*(c.denominator for c in f))
+    whole = _primitive([int(c * scale) for c in f])
+    chain = [whole, _primitive([n * c for n, c in enumerate(whole)][1:])]
     while len(chain[-1]) > 1:
-        chain.append([-c for c in _remainder(chain[-2], chain[-1])])
-        if not chain[-1]:
+        rest = [-c for c in _remainder(chain[-2], chain[-1])]
+        if not rest:
             reject("a modulus has a double root")
+        chain.append(_primitive(rest))
     out: list[RealRoot] = []
     waiting = [(-bound, bound)]
     while waiting:
         low, high = waiting.pop()
-        charge(10 * len(f) ** 2)
         count = _changes(chain, low) - _changes(chain, high)
         if count == 1:
-            out.append(RealRoot(f, low, high))
+            out.append(RealRoot(whole, low, high))
         elif count > 1:
             middle = (low + high) / 2
             waiting += [(middle, high), (low, middle)]
     return out
 
 
-def _changes(chain: list[list[Fraction]], x: Fraction) -> int:
+def _changes(chain: list[list[int]], x: Fraction) -> int:
     signs = [v > 0 for f in chain if (v := _value(f, x))]
     return sum(a != b for a, b in pairwise(signs))
 
 
-def _value(f: Sequence[Fraction], x: Fraction) -> Fraction:
-    total = Fraction(0)
+def _value(f: Sequence[int], x: Fraction) -> int:
+    """Return f(x) times a power of the denominator of x: what has its sign."""
+    bits = max(c.bit_length() for c in f) + len(f) * x.denominator.bit_length()
+    charge(len(f) * (1 + bits // 1_000))
+    total, power = 0, 1
     for c in reversed(f):
-        total = total * x + c
+        total = total * x.numerator + c * power
+        power *= x.denominator
     return total
+
+
+def _primitive(f: Sequence[int]) -> list[int]:
+    """Divide by a positive number, so that the coefficients are small and the signs as before."""
+    bits = max(c.bit_length() for c in f)
+    charge(len(f) * (5 + bits * bits // 500_000))
+    content = gcd(*f)
+    return [c // content for c in f]
 
 
 def _bounds(f: Sequence[Fraction], low: Fraction, high: Fraction) -> tuple[Fraction, Fraction]:
@@ -85,12 +99,14 @@ def _bounds(f: Sequence[Fraction], low: Fraction, high: Fraction) -> tuple[Fract
     return a, b
 
 
-def _remainder(f: list[Fraction], g: list[Fraction]) -> list[Fraction]:
-    f = list(f)
+def _remainder(f: list[int], g: list[int]) -> list[int]:
+    """Return the remainder of f by g, times a positive number."""
+    f, sign, lead = list(f), 1 if g[-1] > 0 else -1, abs(g[-1])
     while len(f) >= len(g):
-        c, shift = f[-1] / g[-1], len(f) - len(g)
-        for k, d in enumerate(g[:-1]):
-            f[shift + k] -= c * d
+        top, shift = sign * f[-1], len(f) - len(g)
+        f = [lead * c for c in f]
+        for k, d in enumerate(g):
+            f[shift + k] -= top * d
         f.pop()
     while f and not f[-1]:
         f.pop()

@@ -8,6 +8,7 @@ from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import ALGEBRA, COMMUTATIVE_RINGS, FIELD, PRESENTATION
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import (
+    MAX_DIGITS,
     a_list,
     a_text,
     an_integer,
@@ -89,8 +90,18 @@ def _words(tree: Tree, identity: bool) -> Words:
 def _add(f: Words, g: Words, scale: int) -> Words:
     out = dict(f)
     for word, c in g.items():
-        out[word] = out.get(word, 0) + scale * c
-    return {word: c for word, c in out.items() if c}
+        _collect(out, word, scale * c)
+    return out
+
+
+def _collect(f: Words, word: str, c: int) -> None:
+    """Add c·word to f."""
+    charge(1)
+    total = f.pop(word, 0) + c
+    if total.bit_length() > 4 * MAX_DIGITS:
+        reject("a coefficient has grown too large")
+    if total:
+        f[word] = total
 
 
 def _times(f: Words, g: Words) -> Words:
@@ -101,8 +112,8 @@ def _times(f: Words, g: Words) -> Words:
         for w, d in g.items():
             if len(v + w) > MAX_WORD:
                 reject("a word is too long")
-            out[v + w] = out.get(v + w, 0) + c * d
-    return {word: c for word, c in out.items() if c}
+            _collect(out, v + w, c * d)
+    return out
 
 
 def _a_word(value: object, identity: bool) -> str:
@@ -177,10 +188,8 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Findi
             n = an_integer(entry[2], "the number of a relation", 0)
             if n >= len(target.relations):
                 reject("there is no relation of that number")
-            charge(len(target.relations[n]) * 50)
-            total = _add(
-                total, {left + w + right: d for w, d in target.relations[n].items()}, factor
-            )
+            for word, d in target.relations[n].items():
+                _collect(total, left + word + right, factor * d)
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
     return Finding(COMMUTATIVE_RINGS if ring is None else FIELD, PRESENTATION)

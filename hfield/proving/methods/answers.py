@@ -19,6 +19,7 @@ from hfield.proving.polynomials.field_rules import rules
 from hfield.proving.polynomials.vanishing import common_primes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
+from hfield.proving.statements.trees import conjuncts
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node, Not
 
@@ -62,14 +63,8 @@ def _algebra_may_exist(x: Expanded, p: int) -> bool:
 def is_conjunction_of_identities(statement: Statement) -> bool:
     """Tell whether the statement is made of equations without division by "and" alone."""
     return not (statement.hypotheses or statement.exists or statement.divides) and all(
-        isinstance(n, Compare) and n.op == "==" for n in _conjuncts(statement.conclusion)
+        isinstance(n, Compare) and n.op == "==" for n in conjuncts(statement.conclusion)
     )
-
-
-def _conjuncts(node: Node) -> list[Node]:
-    if isinstance(node, Logic) and node.op == "and":
-        return [*_conjuncts(node.left), *_conjuncts(node.right)]
-    return [node]
 
 
 def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) -> Decision:

@@ -22,7 +22,7 @@ from hfield.syntax import (
 IFF, IMPLIES, OR, AND, NOT, COMPARE, SUM, PRODUCT, UNARY, POWER, POSTFIX = range(11)
 _LOGIC = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_UNICODE = {
+UNICODE_SIGNS = {
     "<=>": " ⇔ ",
     "=>": " ⇒ ",
     "or": " ∨ ",
@@ -46,12 +46,12 @@ _LATEX = {
     "*": r" \cdot ",
     "/": "/",
 }
-_UNICODE_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}
+SHORT_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}
 
 
 def to_text(node: Node) -> str:
     """Write ``node`` in the language itself: ``parse(to_text(node)) == node``."""
-    return _Text(node).write(node)
+    return Writer(node).write(node)
 
 
 def to_unicode(node: Node) -> str:
@@ -89,8 +89,8 @@ def _is_product(node: Node) -> bool:
     return isinstance(node, Binary) and node.op == "*"
 
 
-class _Text:
-    """The writer; its two sisters override how single things look.
+class Writer:
+    """The writer of plain text; its sisters override how single things look.
 
     Where a product is written to the right of another, as in ``p·(q·r)``, all nested products get
     their parentheses: then it is their order that the statement is about.
@@ -102,13 +102,19 @@ class _Text:
         )
 
     def write(self, node: Node, floor: int = -1) -> str:
+        """Write a node, in parentheses where it binds less tightly than ``floor``."""
         text = self.bare(node)
         return self.group(text) if self.precedence(node) < floor else text
 
     def precedence(self, node: Node) -> int:
+        """Say how tightly a node binds."""
         return _precedence(node)
 
     def bare(self, node: Node) -> str:
+        """Write a node without parentheses around it."""
+        if (joined := self.infix(node)) is not None:
+            x, left, op, y, right = joined
+            return self.write(x, left) + self.operator(op) + self.write(y, right)
         match node:
             case Number(value):
                 return self.number(value)
@@ -126,26 +132,29 @@ class _Text:
                 return self.operator("not") + self.write(x, NOT)
             case Exists(names, x):
                 return self.exists(names, self.write(x))
+        raise AssertionError(node)
+
+    def infix(self, node: Node) -> tuple[Node, int, str, Node, int] | None:
+        """Take what is joined by an operator apart: each side with the floor below which it is grouped."""
+        match node:
             case Binary(op, x, y):
-                return self.binary(op, x, y)
+                floor = SUM if op in "+-" else PRODUCT
+                # A unary minus on the right would read back, but two signs in a row read badly.
+                right = max(floor + 1, POWER if isinstance(y, Negate) else 0)
+                if self.nested and op == "*" and _is_product(x):
+                    floor += 1
+                return x, floor, op, y, right
             case Compare(op, x, y):
-                return self.write(x, SUM) + self.operator(op) + self.write(y, SUM)
+                return x, SUM, op, y, SUM
             case Logic(op, x, y):
                 floor = _LOGIC[op]
                 left = floor if op in ("and", "or") else floor + 1
                 right = floor if op == "=>" else floor + 1
-                return self.write(x, left) + self.operator(op) + self.write(y, right)
-        raise AssertionError(node)
-
-    def binary(self, op: str, x: Node, y: Node) -> str:
-        floor = SUM if op in "+-" else PRODUCT
-        # A unary minus on the right would read back, but two signs in a row read badly.
-        right = max(floor + 1, POWER if isinstance(y, Negate) else 0)
-        if self.nested and op == "*" and _is_product(x):
-            floor += 1
-        return self.write(x, floor) + self.operator(op) + self.write(y, right)
+                return x, left, op, y, right
+        return None
 
     def operator(self, op: str) -> str:
+        """Write an operator with the blanks around it."""
         if op == "neg":
             return "-"
         if op == "not":
@@ -153,9 +162,11 @@ class _Text:
         return op if op in "*/" else f" {op} "
 
     def group(self, text: str) -> str:
+        """Put parentheses around what is written."""
         return f"({text})"
 
     def number(self, value: int | Fraction) -> str:
+        """Write a number."""
         if isinstance(value, int):
             return str(value)
         # A fraction comes from a decimal literal, so some power of ten clears its denominator.
@@ -164,24 +175,29 @@ class _Text:
         return f"{digits[:-places]}.{digits[-places:]}" if places else f"{digits}.0"
 
     def name(self, name: str) -> str:
+        """Write a name."""
         return name
 
     def power(self, base: str, exponent: int) -> str:
+        """Write a power."""
         return f"{base}**{exponent}"
 
     def index(self, base: str, index: int) -> str:
+        """Write a coordinate."""
         return f"{base}[{index}]"
 
     def call(self, function: str, arguments: tuple[Node, ...]) -> str:
+        """Write a function of its arguments."""
         return f"{function}({', '.join(self.write(x) for x in arguments)})"
 
     def exists(self, names: tuple[str, ...], body: str) -> str:
+        """Write what exists such that ``body``."""
         return f"exists {', '.join(names)}: {body}"
 
 
-class _Unicode(_Text):
+class _Unicode(Writer):
     def operator(self, op: str) -> str:
-        return {"neg": "−", "not": "¬"}.get(op) or _UNICODE[op]
+        return {"neg": "−", "not": "¬"}.get(op) or UNICODE_SIGNS[op]
 
     def power(self, base: str, exponent: int) -> str:
         return base + str(exponent).translate(_SUPERSCRIPTS)
@@ -198,23 +214,23 @@ class _Unicode(_Text):
         inside = ", ".join(self.write(x) for x in arguments)
         if function == "comm":
             return f"[{inside}]"
-        return f"{_UNICODE_FUNCTIONS.get(function, function)}({inside})"
+        return f"{SHORT_FUNCTIONS.get(function, function)}({inside})"
 
     def exists(self, names: tuple[str, ...], body: str) -> str:
         return f"∃ {', '.join(names)}: {body}"
 
 
-class _Latex(_Text):
+class _Latex(Writer):
     def operator(self, op: str) -> str:
         return {"neg": "-", "not": r"\lnot "}.get(op) or _LATEX[op]
 
     def group(self, text: str) -> str:
         return rf"\left({text}\right)"
 
-    def binary(self, op: str, x: Node, y: Node) -> str:
-        if op == "/":
-            return rf"\frac{{{self.write(x)}}}{{{self.write(y)}}}"
-        return super().binary(op, x, y)
+    def bare(self, node: Node) -> str:
+        if isinstance(node, Binary) and node.op == "/":
+            return rf"\frac{{{self.write(node.left)}}}{{{self.write(node.right)}}}"
+        return super().bare(node)
 
     def name(self, name: str) -> str:
         return name if len(name) == 1 else rf"\mathrm{{{name}}}"
@@ -235,7 +251,7 @@ class _Latex(_Text):
             return rf"\left[{inside}\right]"
         if function == "sqrt":
             return rf"\sqrt{{{inside}}}"
-        name = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}.get(function, function)
+        name = SHORT_FUNCTIONS.get(function, function)
         return rf"\operatorname{{{name}}}\left({inside}\right)"
 
     def exists(self, names: tuple[str, ...], body: str) -> str:

@@ -71,6 +71,13 @@ def conjunction(nodes: Sequence[Node]) -> Node:
     return out
 
 
+def conjuncts(node: Node) -> list[Node]:
+    """Return what is joined by ``and``, in order; the node itself where nothing is."""
+    if isinstance(node, Logic) and node.op == "and":
+        return [*conjuncts(node.left), *conjuncts(node.right)]
+    return [node]
+
+
 def implication(hypotheses: Sequence[Node], conclusion: Node) -> Node:
     """Return hypotheses ⇒ conclusion."""
     for h in reversed(hypotheses):

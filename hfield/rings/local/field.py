@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Hashable, Iterator
 from functools import cached_property
+from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError, UndecidedError
@@ -187,7 +187,7 @@ class LocalField(Ring):
         """Run through the places: there is one."""
         yield self.place
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a small random exact element; the same for the same seed."""
         return LocalElement(self, self.global_field.random(rng))
 

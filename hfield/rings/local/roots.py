@@ -7,7 +7,7 @@ quadratic defect: O'Meara, *Introduction to Quadratic Forms*, §63A).
 from __future__ import annotations
 
 import itertools
-import random
+from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
@@ -132,7 +132,7 @@ def _squares(F: LocalField) -> tuple[LocalElement, ...]:
     if F.doubling and F.doubling * (F.residues.order.bit_length() - 1) % 2:
         root = F.sqrt(F(-7))  # 1 modulo 8
         return F.one, F.one, F(2), root
-    rng = random.Random(1)
+    rng = Random(1)
     for n in itertools.islice(itertools.count(), TRIES):
         x = F(n) if n < 10 else F(sum((F.random(rng).value * F.pi**m for m in range(4)), F.pi * 0))
         root = F.sqrt(-F.one - x * x)

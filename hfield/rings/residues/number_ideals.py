@@ -1,4 +1,4 @@
-"""Prime ideals of number fields with residue fields, for :mod:`minimise` and :mod:`local_order`."""
+"""Prime ideals of number fields with residue fields, for :mod:`minimal_conics` and :mod:`local_order`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The prime ideals of a quadratic field ℚ(√d), each with its residue field, for :mod:`minimise`.
+"""The prime ideals of a quadratic field ℚ(√d), each with its residue field, for :mod:`minimal_conics`.
 
 ω is (1 + √d)/2 where d ≡ 1 mod 4 and √d elsewhere, so that 1 and ω are a basis of the integers. Modulo
 a prime ideal P above p, ω is a root r of its minimal polynomial, or generates GF(p²).

@@ -1,8 +1,8 @@
 """The residue field ℤ/p of ℚ, with the same names as ``ResidueField``."""
 
-import random
 from collections.abc import Callable
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import flint
@@ -42,7 +42,7 @@ class PrimePlace:
         """Return the class of a rational number whose denominator p does not divide."""
         return int(x.numerator) * self.inverse(int(x.denominator)) % self.modulus
 
-    def random(self, rng: random.Random) -> int:
+    def random(self, rng: Random) -> int:
         """Return a random residue."""
         return rng.randrange(self.modulus)
 

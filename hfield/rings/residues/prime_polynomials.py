@@ -3,8 +3,8 @@
 Elements are polynomials of FLINT reduced modulo π; k is a finite field or ℚ.
 """
 
-import random
 from functools import cached_property
+from random import Random
 from typing import Any
 
 import flint
@@ -118,7 +118,7 @@ class ResidueField:
 
     def _cipolla(self, x: Any) -> Any:
         """Return the square root of a nonzero square, as a power in the quadratic extension."""
-        rng = random.Random(1)
+        rng = Random(1)
         while True:
             r = self.random(rng)
             n = (r * r - x) % self.modulus
@@ -149,7 +149,7 @@ class ResidueField:
             conjugates.append(self.multiply(conjugates[-1], conjugates[-1]))
         if sum(conjugates[1:], conjugates[0]) != 0:
             return None
-        rng = random.Random(1)
+        rng = Random(1)
         while True:
             u = self.random(rng)
             traces = [u]
@@ -191,7 +191,7 @@ class ResidueField:
         below = x.den // scale
         return self.field.quotient(x.num * (below.xgcd(power)[1] % power) % power, scale)
 
-    def random(self, rng: random.Random) -> Any:
+    def random(self, rng: Random) -> Any:
         """Return a random element."""
         t = self.field.gen.num
         x = self.zero

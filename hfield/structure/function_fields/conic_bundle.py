@@ -14,7 +14,7 @@ from hfield.errors import UndecidedError
 from hfield.product import Constants
 from hfield.rings.residues.prime_polynomials import ResidueField
 from hfield.structure.linear_algebra.kernels import kernel
-from hfield.structure.minimise import (
+from hfield.structure.minimal_conics import (
     Conic,
     Form,
     Lattice,

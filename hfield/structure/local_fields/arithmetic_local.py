@@ -14,7 +14,7 @@ from hfield.rings.local.field import DIGITS, LocalField
 from hfield.rings.local.roots import hensel
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, known_field
-from hfield.structure.minimise import Vector
+from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
 
 TRIES = 2_000

@@ -18,7 +18,7 @@ from typing import Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants, norm
-from hfield.structure.minimise import Vector, adapt, kernel_at
+from hfield.structure.minimal_conics import Vector, adapt, kernel_at
 
 MAX_STEPS = 1_000
 

@@ -22,7 +22,7 @@ from hfield.errors import UndecidedError
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import integral_generator
-from hfield.structure.minimise import Vector
+from hfield.structure.minimal_conics import Vector
 from hfield.structure.number_fields.good_module import good_module
 from hfield.structure.number_fields.hilbert_number_fields import candidates
 

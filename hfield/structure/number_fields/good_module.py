@@ -1,6 +1,6 @@
 """Lattices in K³ on which a form over a number field K is good at every prime ideal.
 
-At a prime ideal :func:`hfield.structure.minimise.minimise` gives a local basis whose entries are integral at
+At a prime ideal ``minimal_conics`` gives a local basis whose entries are integral at
 all other primes. The module over the integers of K that has these bases at the bad primes, and is the
 standard one elsewhere, is their sum, each times a number that is divisible enough by the others.
 """
@@ -16,7 +16,7 @@ from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_primes import primes_above
 from hfield.rings.residues.number_ideals import LocalPlace, local_place
-from hfield.structure.minimise import Conic, Vector, minimise
+from hfield.structure.minimal_conics import Conic, Vector, minimise
 
 
 def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list[Vector]:

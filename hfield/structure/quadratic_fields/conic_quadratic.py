@@ -23,7 +23,7 @@ import flint
 from hfield.errors import UndecidedError
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.residues.prime_ideals import coordinates
-from hfield.structure.minimise import Vector
+from hfield.structure.minimal_conics import Vector
 from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
 from hfield.structure.rationals.whole_numbers import fraction
 

@@ -1,6 +1,6 @@
 """Lattices on which a form over a quadratic field is good at every prime ideal.
 
-At a prime ideal :func:`hfield.structure.minimise.minimise` gives a local basis, and it is one whose entries
+At a prime ideal ``minimal_conics`` gives a local basis, and it is one whose entries
 are integral at all other primes. The lattice that has these bases at the bad primes, and is the standard
 one elsewhere, is their sum, each times a number that is divisible enough by the others.
 """
@@ -20,7 +20,7 @@ from hfield.rings.residues.prime_ideals import (
     omega,
     primes_above,
 )
-from hfield.structure.minimise import Conic, Vector, minimise
+from hfield.structure.minimal_conics import Conic, Vector, minimise
 
 
 def bad_primes(

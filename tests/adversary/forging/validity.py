@@ -185,24 +185,28 @@ def _witness(evidence: Any, data: Certificate) -> bool:
 
 
 def _place(evidence: Any, data: Certificate) -> bool:
+    """At these values nothing exists: the prover is asked about the statement in which they stand."""
     field = evidence.get("field", data["field"])
-    given = []
-    for name, texts in evidence["values"].items():
-        units = "eijk" if len(texts) == 4 else "1"
-        given.append(
-            f"{name} == " + " + ".join(f"({c})*{u}" for c, u in zip(texts, units, strict=True))
-        )
-    return (
-        prove(data["statement"], field, given, data["algebra"].replace("F)", f"{field})")).verdict
-        == "refuted"
-    )
+    values = {name: _written(texts) for name, texts in evidence["values"].items()}
+    algebra = _put_in(data["algebra"], values).replace("F)", f"{field})")
+    return prove(_put_in(data["statement"], values), field, (), algebra).verdict == "refuted"
 
 
 def _terms(evidence: Any, data: Certificate) -> bool:
-    given = [f"{name} == {term}" for name, term in evidence["terms"].items()]
     before, _, after = data["statement"].partition("exists")
-    text = before + after.partition(":")[2]
-    return prove(text, data["field"], given, data["algebra"]).verdict == "proved"
+    text = _put_in(before + after.partition(":")[2], evidence["terms"])
+    return prove(text, data["field"], (), data["algebra"]).verdict == "proved"
+
+
+def _written(texts: list[str]) -> str:
+    """Write the coordinates of an unknown as a term."""
+    units = "eijk" if len(texts) == 4 else "1"
+    return " + ".join(f"({c})*{u}" for c, u in zip(texts, units, strict=True))
+
+
+def _put_in(text: str, values: dict[str, str]) -> str:
+    """Put terms in the place of names."""
+    return re.sub(r"\b[A-Za-z]\w*", lambda m: f"({values[m[0]]})" if m[0] in values else m[0], text)
 
 
 def _left_out(evidence: Any, data: Certificate) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from html import escape
 from typing import Any
 
 from hfield import structure
@@ -19,11 +20,16 @@ from hfield.rings.base import INFINITY
 SCHEMA = "hfield-info/1"
 
 
-@dataclass
+@dataclass(repr=False)
 class Description:
-    """The answers about ``algebra``; one that is None was not decided, or has no meaning here.
+    """All that is known of ``algebra``, as :func:`info` returns it; it shows as the page of ``hfield info``.
 
+    An answer that is None was not decided, or has no meaning here.
     ``undecided`` tells by name which were tried in vain, and why.
+
+    >>> from hfield import info
+    >>> info("H(GF(7))").division
+    False
     """
 
     algebra: QuaternionAlgebra
@@ -53,6 +59,16 @@ class Description:
         except (UndecidedError, TooLargeError) as error:
             self.undecided[name] = str(error)
         return None
+
+    def __str__(self) -> str:
+        from hfield.description.page import WIDTH, page
+
+        return "\n".join(page(self, WIDTH))
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
 
     def to_json(self) -> dict[str, object]:
         """Return what programs read: scalars as texts, elements as four of them."""
@@ -122,13 +138,21 @@ def place_json(place: Any) -> object:
     return place if isinstance(place, int) else str(place)
 
 
-def describe(A: QuaternionAlgebra, factors: Factors | None = None) -> Description:
-    """Ask all that is asked of an algebra. Nothing raises where something is merely undecided.
+def info(A: QuaternionAlgebra | str, factors: Factors | None = None) -> Description:
+    """Return all that is known of an algebra: what ``hfield info`` prints, as an object that shows itself.
 
-    ``factors`` may name primes of a and b, which spares their factorisation where it is too hard.
+    ``A`` is an algebra, or a text such as ``"(-1,-3|QQ)"``. ``factors`` may name primes of a and b, which
+    spares their factorisation where it is too hard. Nothing raises where something is merely undecided: see
+    ``undecided``. Raises :class:`NotationError` for a text that names no algebra.
+
+    >>> from hfield import info
+    >>> about = info("(-1,-3|QQ)")
+    >>> about.division, about.discriminant, about.ramified
+    (True, 3, (3, 'inf'))
     """
+    algebra = QuaternionAlgebra.from_text(A) if isinstance(A, str) else A
     with known_primes(factors):
-        return _describe(A)
+        return _describe(algebra)
 
 
 def _describe(A: QuaternionAlgebra) -> Description:

@@ -1,0 +1,1 @@
+from anim import *

@@ -1,0 +1,111 @@
+"""``hfield report``: the ledger, decided, as one page to read and print, or as a paper."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from hfield.commands.output import Progress, Sink, open_output
+from hfield.commands.parser import UsageError, add_output, processes
+from hfield.errors import shorten
+
+if TYPE_CHECKING:
+    from hfield.ledger.claim import Row
+
+HELP = (
+    "Write the ledger, decided, as one self-contained page: summary, claims and fields to filter, each "
+    "claim with its decisions and certificates, the errata, and chapters of other packages. With FILE.toml: "
+    "that ledger. A name that ends in .tex makes a paper for LaTeX. Exit status as of `verify`."
+)
+EXAMPLES = (
+    "hfield report -o report.html",
+    "hfield report -o raport.html --lang pl",
+    "hfield report sheet.toml -o sheet.tex",
+)
+SUFFIXES = (".html", ".htm", ".tex")
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("ledgers", nargs="*", metavar="FILE.toml", help="ledgers of your own")
+    parser.add_argument(
+        "--section", metavar="S", help="only the claims of a section, such as 1.3.1"
+    )
+    parser.add_argument(
+        "--field",
+        action="append",
+        default=[],
+        metavar="F",
+        help="only these fields; as of `verify`",
+    )
+    parser.add_argument(
+        "--lang", choices=("en", "pl"), default="en", help="the page's own words (default: en)"
+    )
+    parser.add_argument(
+        "--chapters",
+        metavar="NAME,…",
+        help="chapters of other packages, such as figures,benchmark,top; all, or none (default: all, and "
+        "none for ledgers of your own)",
+    )
+    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Decide, write, and return the exit status."""
+    from hfield.executors import open_executor
+    from hfield.ledger.columns import split_columns
+    from hfield.ledger.document import read_ledgers
+    from hfield.ledger.registry import claims
+    from hfield.ledger.run import contradictions, decide_rows
+    from hfield.ledger.selection import in_section, rows_to_decide
+
+    suffix = PurePath(args.output or "").suffix.lower()
+    if suffix not in SUFFIXES:
+        found = "none" if not args.output else shorten(args.output)
+        raise UsageError(f"expected -o FILE.html or -o FILE.tex, found {found}")
+    ledger = read_ledgers(args.ledgers) if args.ledgers else claims()
+    chosen = ledger if args.section is None else in_section(args.section, ledger)
+    pieces = rows_to_decide(chosen, split_columns(args.field))
+    wanted = _chapters(args)
+    title = ", ".join(PurePath(path).stem for path in args.ledgers) or None
+    with open_output(args.output) as out:
+        with open_executor(args.jobs) as executor, Progress("rows") as progress:
+            rows = decide_rows(pieces, executor, progress)
+        if suffix == ".tex":
+            from hfield.report.paper import paper
+
+            out.write(paper(rows, args.lang, title))
+        else:
+            _write_page(out, rows, args.lang, wanted, title)
+    return int(bool(contradictions(rows)) or not all(row.settled for row in rows))
+
+
+def _write_page(
+    out: Sink, rows: list[Row], language: str, wanted: list[str], title: str | None
+) -> None:
+    from hfield.report.certified import Certificates
+    from hfield.report.chapters import chapters
+    from hfield.report.page import page
+
+    with Progress("rows") as progress:
+        certificates = Certificates(rows, progress)
+    with Progress("chapters") as progress:
+        made = chapters(wanted, language, progress)
+    out.write(page(rows, certificates, language, made, title))
+
+
+def _chapters(args: Namespace) -> list[str]:
+    """Return the names of the chapters that are wanted. Raises :class:`UsageError`."""
+    from hfield.report.chapters import names
+
+    asked = args.chapters or ("none" if args.ledgers else "all")
+    if asked in ("all", "none"):
+        return names() if asked == "all" else []
+    wanted = [word.strip() for word in asked.split(",") if word.strip()]
+    for word in wanted:
+        if word not in names():
+            known = ", ".join(names()) or "none is installed"
+            raise UsageError(f"there is no chapter {shorten(word)!r}; there are {known}")
+    return list(dict.fromkeys(wanted))

@@ -1,0 +1,191 @@
+"""The page about an algebra: what is known of it, laid out in lines."""
+
+from __future__ import annotations
+
+from textwrap import wrap
+from typing import TYPE_CHECKING
+
+from hfield.errors import shorten
+from hfield.maps import matrix_text
+from hfield.notation import element_text
+
+if TYPE_CHECKING:
+    from hfield.description.asking import Description
+
+LABEL = 16  # the width of the first column
+WIDTH = 100  # where nobody says how wide the page is
+
+
+def page(d: Description, width: int) -> list[str]:
+    """Lay out the page in lines of at most ``width`` characters, tables apart."""
+    A = d.algebra
+    lines = [*_title(A.name, A.ring.in_words(), width), ""]
+    lines += [f"  {',   '.join(shorten(relation, width // 2) for relation in d.relations)}", ""]
+    table = [f" {line}" for line in A.table_text("unicode").splitlines()]
+    if max(map(len, table)) > width:
+        table = ["  The table is wider than this page; `hfield table` prints it."]
+    lines += table
+    for title, rows in _facts(d):
+        if rows:
+            lines += ["", title]
+            for label, text in rows:
+                lines += row(label, text, width)
+    return lines
+
+
+def page_latex(d: Description) -> str:
+    """Set the page in LaTeX: the algebra and its table as formulas, and what is known of it as lists."""
+    from hfield.latex import descriptions, words
+
+    A = d.algebra
+    parts = [rf"\[ {A.latex()} \]", rf"\noindent over {words(A.ring.in_words())}."]
+    parts.append(rf"\[ {A.table_text('latex')} \]")
+    for title, rows in _facts(d):
+        if rows:
+            pairs: list[tuple[str, str]] = []
+            for label, text in rows:  # a row without a label goes on with the one above
+                if label or not pairs:
+                    pairs.append((label, words(text)))
+                else:
+                    pairs[-1] = (pairs[-1][0], f"{pairs[-1][1]} {words(text)}")
+            parts += [rf"\paragraph{{{title}}}", descriptions(pairs)]
+    return "\n\n".join(parts)
+
+
+def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
+    """Return what is known in three parts: title, and pairs of a label and a text."""
+    base = "Base field" if d.algebra.ring.is_field else "Base ring"
+    return [(base, _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))]
+
+
+def _title(name: str, ring: str, width: int) -> list[str]:
+    """Lay out the first line, which says what the base ring is, in words, and a rule under it."""
+    words = shorten(f"over {ring}", width - 20)
+    title = f"{shorten(name, width - len(words) - 2)}  {words}"
+    return [title, "─" * len(title)]
+
+
+def row(label: str, text: str, width: int) -> list[str]:
+    """Lay out one fact: a label, and its text wrapped beside it, words cut that are too long."""
+    room = max(width - LABEL - 3, 24)
+    text = " ".join(shorten(word, room) for word in text.split(" "))
+    body = wrap(text, room, break_long_words=False, break_on_hyphens=False)
+    labels = [label] + [""] * (len(body) - 1)
+    return [f"  {head:<{LABEL}} {line}".rstrip() for head, line in zip(labels, body, strict=True)]
+
+
+def _field(d: Description) -> list[tuple[str, str]]:
+    F = d.algebra.ring
+    size = "" if F.order is None else f", {F.order} elements"
+    rows = [("name", f"{F.name}, characteristic {F.characteristic}{size}")]
+    modulus = getattr(F, "modulus", None)
+    if isinstance(modulus, str):
+        rows.append(("modulus", f"{modulus} ({F.modulus_origin})"))  # type: ignore[attr-defined]
+    if not F.is_exact:
+        rows.append(("inexact", "floats: nothing is proved over this ring"))
+    elif F.is_field:
+        rows.append(("level", str(F.level)))
+    return rows
+
+
+def _algebra(d: Description) -> list[tuple[str, str]]:
+    F = d.algebra.ring
+    rows = []
+    if d.normal_form is not None:
+        rows.append(("isomorphic to", f"{d.normal_form}, {d.substitution}"))
+    if _is_hamilton(d):
+        rows.append(("known as", f"H({F.name}), Hamilton's quaternions over {F.name}"))
+    rows.append(("commutative", "yes" if d.commutative else "no"))
+    rows.append(("centre", _span(d, "center", d.center)))
+    if d.radical is not None or "radical" in d.undecided:
+        rows.append(("radical", _span(d, "radical", d.radical)))
+    if d.central_simple is not None:
+        degenerate = "no, it is degenerate: (t² + 4a)·b = 0"
+        rows.append(("central simple", "yes" if d.central_simple else degenerate))
+    rows.append(("derivations", _derivations(d)))
+    rows.append(("division algebra", _division(d)))
+    if d.assumes:
+        rows.append(("cited", "; ".join(d.assumes)))
+    if d.zero_norm is not None:
+        rows.append(("zero norm", f"N({d.zero_norm.text('unicode')}) = 0"))
+    elif d.division is None or "zero_norm_element" in d.undecided:
+        rows.append(("zero norm", _undecided(d, "zero_norm_element", "division")))
+    else:
+        rows.append(("zero norm", "only 0 has norm 0" if d.division or d.reason else "not known"))
+    if d.splitting is not None:
+        rows.append(("splitting", f"isomorphic to M₂({F.name}), checked by multiplying out:"))
+        for name, matrix in (("i", d.splitting.i), ("j", d.splitting.j)):
+            rows.append(("", f"{name} ↦ {matrix_text(F, matrix, 'unicode')}"))
+    elif "splitting" in d.undecided:
+        rows.append(("splitting", _undecided(d, "splitting")))
+    return rows
+
+
+def _is_hamilton(d: Description) -> bool:
+    F, (a, t, b) = d.algebra.ring, d.algebra.constants
+    return all(F.is_zero(x) for x in (a + F.one, t, b + F.one))
+
+
+def _division(d: Description) -> str:
+    if d.division is None:
+        return _undecided(d, "division")
+    level = d.algebra.ring.level
+    reason = d.reason.replace(str(level), str(level.value))  # the base field's rows give its reason
+    if d.division:
+        return f"yes: {reason}" if reason else "yes"
+    if not d.algebra.ring.is_field:
+        return f"no: {d.algebra.ring.name} is not a field, and its scalars need inverses"
+    if d.splitting is None and "splitting" in d.undecided:
+        return "no"
+    return f"no: {reason}" if reason else "no: it has zero divisors"
+
+
+def _derivations(d: Description) -> str:
+    if d.derivations is None or d.center is None:
+        return _undecided(d, "derivations", "center")
+    if not d.algebra.ring.is_field:
+        return f"generated by {d.derivations}"
+    inner = 4 - len(d.center)
+    which = "all inner" if inner == d.derivations else f"the inner ones dimension {inner}"
+    return f"dimension {d.derivations}, {which}"
+
+
+def _span(d: Description, name: str, basis: object) -> str:
+    if basis is None:
+        return _undecided(d, name)
+    assert isinstance(basis, tuple)
+    texts = [element_text(d.algebra.ring, q.coordinates, "unicode", "e") for q in basis]
+    if not texts:
+        return "0"
+    if not d.algebra.ring.is_field:
+        return f"generated by {', '.join(texts)}"
+    return f"spanned by {', '.join(texts)} (dimension {len(texts)})"
+
+
+def _undecided(d: Description, *names: str) -> str:
+    return f"undecided: {next((d.undecided[n] for n in names if n in d.undecided), 'not tried')}"
+
+
+def _number(d: Description) -> str:
+    return str(d.units) if d.units is not None else _undecided(d, "units")
+
+
+def _places(d: Description) -> list[tuple[str, str]]:
+    if "ramified_places" in d.undecided:
+        return [("ramified at", _undecided(d, "ramified_places"))]
+    if d.ramified is None:
+        return []
+    rows = [("ramified at", ", ".join(map(str, d.ramified)) or "no place")]
+    value = d.discriminant_json()
+    shown = " · ".join(value) or "1" if isinstance(value, list) else value
+    rows.append(("discriminant", str(shown)))
+    if d.order is not None:
+        basis = ", ".join(str(q) for q in d.order.basis)
+        definite = "inf" in d.ramified
+        count = f"{_number(d)} units" if definite else "infinitely many units"
+        rows.append(
+            ("maximal order", f"ℤ⟨{basis}⟩, discriminant {d.order.discriminant()}, {count}")
+        )
+    elif "maximal_order" in d.undecided:
+        rows.append(("maximal order", _undecided(d, "maximal_order")))
+    return rows

@@ -1,0 +1,137 @@
+"""The claims one by one: what is said, how it was decided over each field, with steps and certificates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from hfield.errors import shorten
+from hfield.ledger.claim import Claim, Row
+from hfield.ledger.wording import witness_text
+from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
+from hfield.report.certified import Certificates
+from hfield.report.markup import Words, anchor, field_html, field_text, formula, prose, verdict_html
+
+MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
+Alike = tuple[str, str, str, str]
+
+
+def claims_html(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+    """Set all claims, by section."""
+    by_claim: dict[Claim, list[Row]] = {}
+    for row in rows:
+        by_claim.setdefault(row.claim, []).append(row)
+    parts, section = [], ""
+    for claim, own in by_claim.items():
+        if claim.section != section:
+            parts += ["</section>"] if section else []
+            section = claim.section
+            parts.append(
+                f'<section class="of-section"><h3>{words["section"]} {escape(section)}</h3>'
+            )
+        parts.append(_article(claim, own, certificates, words))
+    return "\n".join([*parts, "</section>"])
+
+
+def _article(claim: Claim, rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+    name = anchor(claim.id)
+    refuted = any(row.as_printed.verdict == REFUTED for row in rows)
+    facts = [(words["statement"], f'<p lang="en">{escape(claim.statement)}</p>')]
+    if claim.printed not in ("", "—", claim.statement):
+        facts.append((words["printed"], f'<p lang="pl">{escape(claim.printed)}</p>'))
+    if claim.as_printed is not None:
+        facts.append((words["read_as"], formula(claim.as_printed.text)))
+    if claim.note:
+        facts.append((words["note"], f'<p lang="en">{escape(claim.note)}</p>'))
+    if refuted and claim.corrected is not None:
+        facts.append((words["corrected"], formula(claim.corrected.text)))
+    return (
+        f'<article class="claim" id="{name}" aria-labelledby="{name}-name">'
+        f'<h4 id="{name}-name"><a href="#{name}">{escape(claim.id)}</a> <span lang="en">'
+        f"{escape(claim.name)} <small>{escape(claim.kind)}</small></span></h4>"
+        f"{description(facts)}{_decisions(rows, certificates, words)}</article>"
+    )
+
+
+def description(facts: Sequence[tuple[str, str]]) -> str:
+    """Set labels with what stands beside them."""
+    return (
+        "<dl>"
+        + "".join(f"<div><dt>{label}</dt><dd>{body}</dd></div>" for label, body in facts)
+        + "</dl>"
+    )
+
+
+def _decisions(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+    """Set the decisions of a claim in a table, those that are alike in one line; closed at first."""
+    alike: dict[Alike, list[Row]] = {}
+    for row in rows:
+        alike.setdefault(_alike(row), []).append(row)
+    if all(row.as_printed.verdict == NOT_APPLICABLE for row in rows):
+        return f'<p class="none">{verdict_html(NOT_APPLICABLE, words)}</p>'
+    groups = sorted(alike.values(), key=lambda group: VERDICTS.index(group[0].as_printed.verdict))
+    counts = dict.fromkeys(row.as_printed.verdict for group in groups for row in group)
+    title = " ".join(
+        f"{verdict_html(v, words)}<span> × {sum(row.as_printed.verdict == v for row in rows)}</span>"
+        for v in counts
+    )
+    head = ("verdict", "over", "method", "witness", "corrected")
+    used = head if any(row.as_corrected is not None for row in rows) else head[:-1]
+    top = "".join(f'<th scope="col">{words[key].lower()}</th>' for key in used)
+    body = "".join(_line(group, len(used), certificates, words) for group in groups)
+    return (
+        f'<details><summary><span class="vh">{words["decisions"]}: </span>{title}</summary>'
+        f'<div class="scroll"><table class="decisions"><caption class="vh">{words["decisions"]}</caption>'
+        f"<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div></details>"
+    )
+
+
+def _alike(row: Row) -> Alike:
+    decision, corrected = row.as_printed, row.as_corrected
+    after = "" if corrected is None else f"{corrected.verdict} {corrected.method}"
+    return decision.verdict, decision.method, witness_text(decision.witness, row.field), after
+
+
+def _line(rows: Sequence[Row], width: int, certificates: Certificates, words: Words) -> str:
+    first = rows[0]
+    verdict, method, witness, _ = _alike(first)
+    fields = " ".join(_field(row, certificates.number(row)) for row in rows)
+    cells = [
+        fields,
+        f'<span lang="en">{escape(method)}</span>',
+        prose(shorten(witness, MOST_LETTERS)),
+    ]
+    if width > 4:
+        after = first.as_corrected
+        cells.append(
+            ""
+            if after is None
+            else f"{verdict_html(after.verdict, words)} "
+            + " ".join(_field(row, certificates.number(row, True), "corrected") for row in rows)
+        )
+    line = f'<tr><th scope="row">{verdict_html(verdict, words)}</th>'
+    line += "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
+    told = _reasons(first.as_printed, words)
+    return line + (f'<tr class="steps"><td colspan="{width}">{told}</td></tr>' if told else "")
+
+
+def _field(row: Row, number: int | None, which: str = "") -> str:
+    """Set a field, as a button where there is a certificate to save."""
+    shown = field_html(row.field)
+    if number is None:
+        return f'<span class="field">{shown}</span>'
+    return f'<button type="button" data-c="{number}" data-f="{field_text(row.field)}{which}">{shown}</button>'
+
+
+def _reasons(decision: Decision, words: Words) -> str:
+    """Set the steps of a decision, what it cites and what was tried, as lines."""
+    steps = [f"<li>{prose(shorten(step.strip(), MOST_LETTERS))}</li>" for step in decision.steps]
+    if len(steps) > MOST_STEPS:
+        more = words["more_steps"].format(n=len(steps) - MOST_STEPS + 1)
+        steps = [*steps[: MOST_STEPS - 1], f"<li>{more}</li>"]
+    out = f'<ol lang="en">{"".join(steps)}</ol>' if steps else ""
+    for key, texts in (("assumes", decision.assumes), ("tried", decision.tried)):
+        out += "".join(
+            f'<p><i>{words[key]}</i> <span lang="en">{prose(text)}</span></p>' for text in texts
+        )
+    return out

@@ -1,0 +1,77 @@
+"""Small pieces of the page: formulas, names of fields, verdicts with their marks."""
+
+from __future__ import annotations
+
+import re
+from html import escape
+
+from hfield.errors import NotationError
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL
+from hfield.ledger.matrix import MARKS
+from hfield.proving.statements.mathml import to_mathml
+from hfield.proving.statements.trees import conjuncts
+from hfield.syntax import parse
+
+_LETTERS = {"QQ": "ℚ", "ZZ": "ℤ", "RR": "ℝ", "CC": "ℂ"}
+Words = dict[str, str]
+
+
+def formula(text: str) -> str:
+    """Set a statement of the language as formulas, a line for each that ``and`` joins; words stay words.
+
+    >>> formula("the top has 2002 points")
+    '<p lang="en">the top has 2002 points</p>'
+    """
+    try:
+        parts = conjuncts(parse(text))
+    except NotationError:
+        return f'<p lang="en">{escape(text)}</p>'
+    lines = [f"<p>{to_mathml(part)}</p>" for part in parts]
+    return f'<div class="formula">{"".join(lines)}</div>'
+
+
+def field_html(name: str) -> str:
+    """Set the name of a column: ``GF(9)`` as F with a small 9, ``QQ(sqrt(2))`` as ℚ(√2)."""
+    if name in (UNIVERSAL, NO_FIELD):
+        return "∀" if name == UNIVERSAL else "–"
+    return prose(name)
+
+
+def prose(text: str) -> str:
+    """Set a text, the names of fields in it as mathematics: ``p = i over QQ``."""
+    text = escape(text)
+    text = re.sub(r"\bGF\((\d+)\^(\d+)\)", r"F<sub>\1<sup>\2</sup></sub>", text)
+    text = re.sub(r"\bGF\((\d+)\)", r"F<sub>\1</sub>", text)
+    text = re.sub(r"\bsqrt\((-?\w+)\)", lambda found: "√" + found[1].replace("-", "−"), text)
+    text = text.replace("(I)", "(i)")
+    return re.sub(r"\b(QQ|ZZ|RR|CC)(?!\w)", lambda found: _LETTERS[found[0]], text)
+
+
+def field_text(name: str) -> str:
+    """Write the same without tags, as options of a list want it: ``F9``."""
+    return re.sub("<[^>]*>", "", field_html(name))
+
+
+def verdict_html(verdict: str, words: Words) -> str:
+    """Set a verdict as its mark and its word, in its colour."""
+    mark = f'<b aria-hidden="true">{MARKS[verdict]}</b>'
+    return f'<span class="verdict {verdict}">{mark} {words[verdict]}</span>'
+
+
+def anchor(claim: str) -> str:
+    """Return the id of a claim's place on the page."""
+    return "claim-" + re.sub(r"[^\w.-]", "_", claim)
+
+
+def table(head: list[str], rows: list[list[str]], caption: str, css: str = "") -> str:
+    """Lay out a table whose first column names the rows; cells are HTML."""
+    top = "".join(f'<th scope="col">{cell}</th>' for cell in head)
+    body = "".join(
+        f'<tr><th scope="row">{first}</th>' + "".join(f"<td>{cell}</td>" for cell in rest) + "</tr>"
+        for first, *rest in rows
+    )
+    kind = f' class="{css}"' if css else ""
+    return (
+        f"<table{kind}><caption>{caption}</caption><thead><tr>{top}</tr></thead>"
+        f"<tbody>{body}</tbody></table>"
+    )

@@ -1,0 +1,129 @@
+"""The summary by section, and the claims × fields matrix that the page filters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from hfield.ledger.claim import Claim, Row
+from hfield.ledger.matrix import MARKS, columns_of, tally
+from hfield.ledger.run import contradictions
+from hfield.proving.decision import UNDECIDED, VERDICTS
+from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
+
+
+def summary_html(rows: Sequence[Row], certificates: int, words: Words) -> str:
+    """Set how many claims and decisions there are, by section and verdict, and what is amiss."""
+    claims = list(dict.fromkeys(row.claim for row in rows))
+    counts = tally(rows)
+    figures = [
+        (len(claims), words["of_claims"], ""),
+        (len(rows), words["rows"], ""),
+        *((counts[v], words[v], v) for v in VERDICTS if counts[v]),
+        (certificates, words["certificates"], ""),
+    ]
+    tiles = "".join(
+        f'<li class="{css}"><b>{_thousands(n)}</b> {label}</li>' for n, label, css in figures
+    )
+    sections = list(dict.fromkeys(claim.section for claim in claims))
+    lines = [_counted(escape(s), [row for row in rows if row.claim.section == s]) for s in sections]
+    if len(lines) > 1:
+        lines.append(_counted(words["total"], rows))
+    head = [words["section"], words["of_claims"], *(verdict_html(v, words) for v in VERDICTS)]
+    parts = [f'<ul class="tiles">{tiles}</ul>', f"<p>{words['about']}</p>"]
+    caption = f'<span class="vh">{words["summary"]}</span>'
+    parts.append(f'<div class="scroll">{table(head, lines, caption, "counts")}</div>')
+    undecided = [
+        f"{escape(row.claim.id)}: {field_html(row.field)}"
+        for row in rows
+        if row.as_printed.verdict == UNDECIDED
+    ]
+    clashes = [escape(text) for text in contradictions(rows)]
+    for key, texts in (("undecided_rows", undecided), ("contradictions", clashes)):
+        if texts:
+            parts.append(f"<p><b>{words[key]}</b>: {'; '.join(texts)}</p>")
+    beyond = [f'<a href="#{anchor(c.id)}">{escape(c.id)}</a>' for c in claims if not c.checkable]
+    if beyond:
+        parts.append(f'<p class="beyond">{words["beyond"]}: {", ".join(beyond)}.</p>')
+    return "\n".join(parts)
+
+
+def _counted(label: str, rows: Sequence[Row]) -> list[str]:
+    counts = tally(rows)
+    numbers = [len({row.claim.id for row in rows}), *(counts[v] for v in VERDICTS)]
+    return [label, *(_thousands(n) if n else '<span class="zero">0</span>' for n in numbers)]
+
+
+def _thousands(n: int) -> str:
+    return f"{n:,}".replace(",", "\u202f")
+
+
+def filters_html(rows: Sequence[Row], words: Words) -> str:
+    """Set the controls; a script shows them, as they do nothing without it."""
+    sections = [(s, s) for s in dict.fromkeys(row.claim.section for row in rows)]
+    fields = [(f, field_text(f) + _meaning(f, words)) for f in columns_of(rows)]
+    verdicts = [(v, f"{MARKS[v]} {words[v]}") for v in VERDICTS]
+    choices = [
+        _select("section", words["section"], words["all_sections"], sections),
+        _select("field", words["field"], words["all_fields"], fields),
+        _select("verdict", words["verdict"], words["all_verdicts"], verdicts),
+    ]
+    return (
+        f'<form id="filter" role="search" aria-label="{words["filter"]}" hidden>{"".join(choices)}'
+        f'<label>{words["search"]}<input id="search" type="search"></label>'
+        f'<button type="reset">{words["reset"]}</button>'
+        f'<output id="shown" data-text="{words["shown"]}"></output></form>'
+    )
+
+
+def _meaning(field: str, words: Words) -> str:
+    return f" ({words[field]})" if field in words else ""
+
+
+def _select(name: str, label: str, every: str, options: Sequence[tuple[str, str]]) -> str:
+    listed = "".join(f'<option value="{escape(v)}">{escape(text)}</option>' for v, text in options)
+    return f'<label>{label}<select id="{name}"><option value="">{every}</option>{listed}</select></label>'
+
+
+def matrix_html(rows: Sequence[Row], words: Words) -> str:
+    """Set the matrix: a line a claim, a column a field; a cell has its mark, and its word for readers."""
+    fields = columns_of(rows)
+    verdicts = {(row.claim.id, row.field): row.as_printed.verdict for row in rows}
+    top = "".join(
+        f'<th scope="col" data-f="{escape(f)}">{field_html(f)}'
+        + (f'<span class="vh">{_meaning(f, words)}</span>' if f in words else "")
+        + "</th>"
+        for f in fields
+    )
+    bodies, section = [], ""
+    for claim in dict.fromkeys(row.claim for row in rows):
+        if claim.section != section:
+            bodies += ["</tbody>"] if section else []
+            section = claim.section
+            title = f"{words['section']} {escape(section)}"
+            bodies.append(
+                f'<tbody data-s="{escape(section)}"><tr class="group"><th scope="rowgroup"'
+                f' colspan="{len(fields) + 1}">{title}</th></tr>'
+            )
+        cells = "".join(_cell(verdicts.get((claim.id, field)), words) for field in fields)
+        bodies.append(f"{_line(claim)}{cells}</tr>")
+    legend = " ".join(verdict_html(v, words) for v in VERDICTS)
+    return (
+        f'<p class="legend">{legend}</p><div class="scroll tall" tabindex="0" role="group"'
+        f' aria-labelledby="matrix-caption"><table class="matrix"><caption id="matrix-caption" class="vh">'
+        f'{words["matrix"]}</caption><thead><tr><th scope="col">{words["claim"]}</th>{top}</tr></thead>'
+        f"{''.join(bodies)}</tbody></table></div>"
+    )
+
+
+def _line(claim: Claim) -> str:
+    return (
+        f'<tr data-id="{anchor(claim.id)}"><th scope="row"><a href="#{anchor(claim.id)}">'
+        f'{escape(claim.id)} <span lang="en">{escape(claim.name)}</span></a></th>'
+    )
+
+
+def _cell(verdict: str | None, words: Words) -> str:
+    if verdict is None:
+        return "<td></td>"
+    return f'<td class="{verdict}"><i>{MARKS[verdict]}</i><b>{words[verdict]}</b></td>'

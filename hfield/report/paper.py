@@ -1,0 +1,43 @@
+"""The report as a paper for LaTeX: the table, each claim as it was decided, and the errata."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from hfield.latex import document, words
+from hfield.ledger.claim import Claim, Row
+from hfield.ledger.paper import explanation, marks, slips
+from hfield.ledger.report import totals
+from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS
+from hfield.report.words import LANGUAGES
+
+
+def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) -> str:
+    """Return the report as a document that pdflatex compiles; the page has every field, this the telling one.
+
+    Each claim is told over one field: where it is refuted, else the first in which it is decided.
+    """
+    from hfield import __version__
+
+    said = LANGUAGES[language]
+    title = said["thesis"] if ledger is None else f"{ledger}: {said['title']}"
+    parts = [words(said["made_by"].format(version=__version__)), words(said["about"])]
+    parts += [rf"\section*{{{words(said['matrix'])}}}", marks(rows), words(totals(rows))]
+    by_claim: dict[Claim, list[Row]] = {}
+    for row in rows:
+        by_claim.setdefault(row.claim, []).append(row)
+    parts.append(rf"\section*{{{words(said['claims'])}}}")
+    section = ""
+    for claim, own in by_claim.items():
+        if claim.section != section:
+            section = claim.section
+            parts.append(rf"\subsection*{{{words(said['section'])} {words(section)}}}")
+        parts.append(explanation(_telling(own)))
+    parts += [rf"\section*{{{words(said['errata'])}}}", slips(rows) or words(said["no_errata"])]
+    return document("\n\n".join(parts), title)
+
+
+def _telling(rows: Sequence[Row]) -> Row:
+    """Return the row that says most: the first that is refuted, else the first that is decided."""
+    order = (REFUTED, *(v for v in VERDICTS if v not in (REFUTED, NOT_APPLICABLE)), NOT_APPLICABLE)
+    return min(rows, key=lambda row: order.index(row.as_printed.verdict))

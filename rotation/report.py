@@ -1,0 +1,113 @@
+"""What this package brings to ``hfield report``: the figures of chapter 2 and the benchmark of 3.2."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from base64 import b64encode
+from html import escape
+from typing import Any
+
+from hfield.report import Chapter
+from hfield.report.chapters import ChapterError
+from hfield.report.markup import table
+
+MOST_SECONDS = 300.0
+WIDE = 7.0  # inches, from where a figure takes the whole width
+
+_FIGURES: dict[str, tuple[str, str, dict[str, str]]] = {
+    "en": ("The figures of chapter 2", "Figure {number}. {title}", {}),
+    "pl": (
+        "Rysunki rozdziału 2",
+        "Rysunek {number}. {title}",
+        {
+            "2.1": "Współrzędne biegunowe i kartezjańskie",
+            "2.2": "Obrót wektora wokół początku układu",
+            "2.3": "Litera T",
+            "2.4": "Litera T obrócona",
+            "2.5": "Litera T odbita",
+        },
+    ),
+}
+_BENCHMARK: dict[str, dict[str, Any]] = {
+    "en": {
+        "title": "The benchmark of section 3.2",
+        "head": ("way", "ms a frame, best", "× copy", "× hfield"),
+        "machine": "{points} points of float64, best frame; measured when this page was made, quickly, on"
+        " {processor}, {cores} cores. “hfield bench” measures at leisure.",
+        "printed": "The thesis printed {printed}.",
+    },
+    "pl": {
+        "title": "Test wydajności z rozdziału 3.2",
+        "head": ("sposób", "ms na klatkę, najlepsza", "× kopia", "× hfield"),
+        "machine": "{points} punktów float64, najlepsza klatka; zmierzone przy tworzeniu tej strony, szybko,"
+        " na {processor}, rdzeni: {cores}. „hfield bench” mierzy bez pośpiechu.",
+        "printed": "W pracy: {printed}.",
+    },
+}
+
+
+def figures(language: str) -> Chapter:
+    """Return the chapter of figures 2.1 to 2.5, drawn now, as pictures inside the page."""
+    from rotation.figures import FIGURES
+    from rotation.figures.saving import picture
+
+    title, caption, names = _FIGURES[language]
+    shown = []
+    for number, drawing in FIGURES.items():
+        data = b64encode(picture(drawing.draw, drawing.size, "svg")).decode()
+        text = escape(caption.format(number=number, title=names.get(number, drawing.title)))
+        wide = ' class="wide"' if drawing.size[0] > WIDE else ""
+        shown.append(
+            f'<figure{wide}><img src="data:image/svg+xml;base64,{data}" alt="{text}">'
+            f"<figcaption>{text}</figcaption></figure>"
+        )
+    return Chapter("2.1", title, f'<div class="figures">{"".join(shown)}</div>')
+
+
+def benchmark(language: str) -> Chapter:
+    """Return the chapter of the benchmark, measured now in some fifteen seconds.
+
+    It runs in a process of its own, where no library has yet started threads. Raises
+    :class:`~hfield.report.chapters.ChapterError` where that fails.
+    """
+    command = [sys.executable, "-m", "hfield", "bench", "--quick", "--format", "json"]
+    try:
+        done = subprocess.run(command, capture_output=True, timeout=MOST_SECONDS, check=False)
+        data = json.loads(done.stdout)
+    except (OSError, ValueError, subprocess.TimeoutExpired) as error:
+        raise ChapterError(
+            f"the benchmark could not be run ({error}); leave its chapter out"
+        ) from error
+    return Chapter("3.2", str(_BENCHMARK[language]["title"]), benchmark_html(data, language))
+
+
+def benchmark_html(data: dict[str, Any], language: str) -> str:
+    """Set what ``hfield bench --format json`` writes as tables, the quickest way first."""
+    words = _BENCHMARK[language]
+    facts = {"points": f"{data['settings']['points']:,}".replace(",", "\u202f"), **data["machine"]}
+    parts = [f"<p>{escape(words['machine'].format(**facts))}</p>"]
+    for test in data["tests"]:
+        results = [r for r in data["results"] if r["test"] == test["test"] and r["status"] == "ok"]
+        rows = [
+            [
+                escape(r["way"]),
+                f"{r['best_frame_ms']:.3g}"
+                if r["best_frame_ms"] < 1000
+                else f"{r['best_frame_ms']:.0f}",
+                *(_ratio(r[key]) for key in ("ratio_to_copy", "ratio_to_hfield")),
+            ]
+            for r in sorted(results, key=lambda r: float(r["best_frame_ms"]))
+        ]
+        caption = f'<span lang="en">{escape(test["title"])}</span>'
+        parts.append(
+            f'<div class="scroll">{table(list(words["head"]), rows, caption, "counts")}</div>'
+        )
+        if test["printed"]:
+            parts.append(f"<p>{escape(words['printed'].format(printed=test['printed']))}</p>")
+    return "".join(parts)
+
+
+def _ratio(x: float | None) -> str:
+    return "" if x is None else f"{x:.2f}" if x < 100 else f"{x:.0f}"

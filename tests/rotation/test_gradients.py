@@ -1,0 +1,86 @@
+"""Derivatives at the identity, where lengths are 0, by JAX and torch; both are optional."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rotation import Rotation, integrate, slerp
+
+HALF = np.vstack([np.zeros(3), 0.5 * np.eye(3)])
+E = np.eye(3)
+
+
+def generators() -> np.ndarray:
+    """The derivatives (3, 3, 3) of the matrix by the rotation vector: row, column, coordinate."""
+    return -np.array([[np.cross(a, b) for b in E] for a in E])
+
+
+def half_of_skew() -> np.ndarray:
+    """Of the rotation vector by the entries of the matrix: half their differences across the diagonal."""
+    return 0.5 * generators().transpose(2, 0, 1)
+
+
+# What is derived, at what, and the derivative known on paper.
+CASES: dict[str, tuple[Callable[[Any], Any], Any, Any]] = {
+    "from_rotvec": (lambda v: Rotation.from_rotvec(v).as_quat(), 0 * E[0], HALF),
+    "from_rotvec in degrees": (
+        lambda v: Rotation.from_rotvec(v, degrees=True).as_quat(),
+        0 * E[0],
+        np.radians(HALF),
+    ),
+    "as_matrix": (lambda v: Rotation.from_rotvec(v).as_matrix(), 0 * E[0], generators()),
+    "there and back": (lambda v: Rotation.from_rotvec(v).as_rotvec(), 0 * E[0], E),
+    "from_matrix": (lambda m: Rotation.from_matrix(m).as_rotvec(), E, half_of_skew()),
+    "from_quat": (
+        lambda q: Rotation.from_quat(q).as_rotvec(),
+        np.eye(4)[0],
+        2 * np.eye(4)[1:],
+    ),
+    "from_mrp": (lambda v: Rotation.from_mrp(v).as_rotvec(), 0 * E[0], 4 * E),
+    "from_euler": (lambda a: Rotation.from_euler("xyz", a).as_rotvec(), 0 * E[0], E),
+    "power": (lambda v: (Rotation.from_rotvec(v) ** 0.25).as_rotvec(), 0 * E[0], 0.25 * E),
+    "slerp": (
+        lambda v: slerp(Rotation.from_rotvec(v), Rotation.from_rotvec(0 * v), 0.25).as_rotvec(),
+        0 * E[0],
+        0.75 * E,
+    ),
+    "magnitude": (lambda v: Rotation.from_rotvec(v).magnitude(), 0 * E[0], 0 * E[0]),
+    "integrate": (lambda w: integrate(w, [0.0, 2.0])[1].as_rotvec(), 0 * E[0], 2 * E),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_by_jax(name: str) -> None:
+    jax = pytest.importorskip("jax")
+    function, at, wanted = CASES[name]
+    with jax.enable_x64(True):
+        for derive in (jax.jacfwd, jax.jacrev):
+            found = jax.jit(derive(function))(jax.numpy.asarray(at))
+            np.testing.assert_allclose(found, wanted, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_by_torch(name: str) -> None:
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("array_api_compat")
+    function, at, wanted = CASES[name]
+    found = torch.autograd.functional.jacobian(function, torch.tensor(np.array(at)))
+    np.testing.assert_allclose(found.numpy(), wanted, atol=1e-14)
+
+
+@pytest.mark.parametrize("seq", ["ZXZ", "zyx"])
+def test_angles_have_finite_derivatives_in_gimbal_lock(seq: str) -> None:
+    jax = pytest.importorskip("jax")
+    with jax.enable_x64(True):
+        at = jax.numpy.asarray(0 * E[0])
+        found = jax.jacrev(lambda v: Rotation.from_rotvec(v).as_euler(seq))(at)
+    assert np.isfinite(found).all()
+
+
+def test_a_traced_function_refuses_nothing() -> None:
+    """No value is known while JAX traces: what would raise gives NaN."""
+    jax = pytest.importorskip("jax")
+    made = jax.jit(lambda q: Rotation.from_quat(q).as_matrix())(jax.numpy.zeros((2, 4)))
+    assert np.isnan(made).all()

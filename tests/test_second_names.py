@@ -1,0 +1,29 @@
+"""`rotation` and `anim` answer to `hfield.rotation` and `hfield.anim` too, and cost nothing until used."""
+
+import subprocess
+import sys
+from importlib import import_module
+
+import pytest
+
+
+@pytest.mark.parametrize("package", ["rotation", "anim"])
+def test_the_same_things_by_the_second_name(package: str) -> None:
+    real, second = import_module(package), import_module(f"hfield.{package}")
+    assert dir(second) == dir(real)
+    assert all(getattr(second, name) is getattr(real, name) for name in dir(real))
+    with pytest.raises(AttributeError, match="nonsense"):
+        _ = second.nonsense
+    with pytest.raises(ModuleNotFoundError, match="is not a package"):
+        import_module(f"hfield.{package}.errors")  # no second copy of what is inside
+
+
+def test_nothing_is_imported_before_it_is_used() -> None:
+    code = (
+        "import sys, hfield, hfield.rotation, hfield.anim\n"
+        "assert not {'rotation', 'anim', 'numpy'} & set(sys.modules)\n"
+        "from hfield.rotation import Rotation\n"
+        "from hfield.anim import Top\n"
+        "assert (Rotation.__module__, Top.__module__) == ('rotation.rotation', 'anim.top')\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=120)

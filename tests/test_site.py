@@ -1,0 +1,94 @@
+"""The documentation as a site: nothing from outside, and nothing that keeps a reader out.
+
+Needs the site (``python tasks.py docs``); the second part needs Chromium, and axe-core (``npm install
+axe-core`` in any folder) at the place that ``HFIELD_AXE`` names, a file ``axe.min.js``.
+"""
+
+import os
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from tests.anim.chromium import CHROMIUM, Browser
+
+SITE = Path(os.environ.get("HFIELD_SITE", Path(__file__).parents[1] / "hfield" / "site"))
+AXE = Path(os.environ.get("HFIELD_AXE", "node_modules/axe-core/axe.min.js"))
+PAGES = [
+    *("index.html", "tutorial.html", "gallery.html", "coming-from.html"),
+    *("reference/hfield.html", "reference/rotation.html"),
+]
+WIDTHS = {"phone": 390, "desk": 1280}
+
+pytestmark = pytest.mark.skipif(not SITE.is_dir(), reason="the site is not built")
+
+
+class Resources(HTMLParser):
+    """Collects what a page loads: not the links that a reader may follow."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[str] = []
+
+    def handle_starttag(self, tag, attrs):
+        if tag in ("script", "img", "link", "iframe", "source", "video"):
+            self.found += [value for name, value in attrs if name in ("src", "href") and value]
+
+
+def loaded(page: Path) -> list[str]:
+    parser = Resources()
+    parser.feed(page.read_text(encoding="utf-8"))
+    return parser.found
+
+
+def test_no_page_loads_anything_from_outside():
+    pages = list(SITE.rglob("*.html"))
+    assert pages
+    outside = {
+        (page.relative_to(SITE).as_posix(), address)
+        for page in pages
+        for address in loaded(page)
+        if address.startswith(("http:", "https:", "//"))
+    }
+    assert not outside
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    if CHROMIUM is None or not AXE.is_file():
+        pytest.skip("needs Chromium and axe-core")
+    browser = Browser(tmp_path_factory.mktemp("profile"))
+    yield browser
+    browser.close()
+
+
+def show(browser: Browser, page: str, width: int, scheme: str) -> None:
+    features = [{"name": "prefers-color-scheme", "value": scheme}]
+    browser.send("Emulation.setEmulatedMedia", features=features)
+    browser.send(
+        "Emulation.setDeviceMetricsOverride",
+        width=width,
+        height=900,
+        deviceScaleFactor=1,
+        mobile=False,
+    )
+    browser.requests.clear()
+    browser.complaints.clear()
+    browser.open(SITE / page)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", WIDTHS.values(), ids=WIDTHS)
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_keeps_nobody_out(browser, page, width, scheme):
+    show(browser, page, width, scheme)
+    assert browser.complaints == []
+    assert all(address.startswith(("file:", "data:")) for address in browser.requests)
+    assert browser.evaluate("document.documentElement.scrollWidth") <= width
+    browser.evaluate(AXE.read_text(encoding="utf-8") + ";0")
+    found = browser.evaluate(
+        "axe.run({preload: false}).then(r => r.violations"
+        ".filter(v => ['serious', 'critical'].includes(v.impact))"
+        ".map(v => [v.id, v.nodes.length, v.nodes[0].html.slice(0, 200), v.nodes[0].failureSummary]))"
+    )
+    assert found == []
