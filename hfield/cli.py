@@ -2,7 +2,8 @@
 
 Nothing heavy is imported here, nor for ``--help`` and ``--version``. A command is a module with
 ``HELP``, ``configure(parser)`` and ``run(args) -> int``: one of :mod:`hfield.commands`, or what
-another package names in its entry points, group ``hfield.commands``, with a line ``SUMMARY``.
+another package names in its entry points, group ``hfield.commands``, with a line ``SUMMARY``. What
+it says on a terminal while one waits is ``DOING``, if it may take more than a second.
 """
 
 from __future__ import annotations
@@ -10,11 +11,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import nullcontext
 from shutil import get_terminal_size
 
 from hfield import __version__
 from hfield.commands.catalogue import command, summaries
 from hfield.commands.output import encodable
+from hfield.commands.status import STATUS, Waiting
 from hfield.errors import HFieldError, shorten
 
 TRACEBACK = "HFIELD_TRACEBACK"  # set it to see where an error came from
@@ -64,6 +67,7 @@ def _fail(message: str, status: int) -> int:
         import traceback
 
         traceback.print_exc()
+    STATUS.erase()
     line = " ".join(message.split())
     print(encodable(f"hfield: error: {line}", sys.stderr), file=sys.stderr)
     return status
@@ -79,7 +83,9 @@ def _dispatch(words: list[str]) -> int:
     if words[0] == "help":
         return _dispatch([*words[1:2], "--help"])
     module, parser = command(words[0])
-    status: int = module.run(parser.read(words[1:]))
+    args = parser.read(words[1:])
+    with Waiting(module.DOING) if hasattr(module, "DOING") else nullcontext():
+        status: int = module.run(args)
     return status
 
 

@@ -120,3 +120,20 @@ def test_a_session(tmp_path, without):
     assert "6j" in shown
     assert "NotInvertibleError: cannot invert 0" in shown
     assert "Traceback" not in shown
+
+
+INTERRUPTED = """
+import os, time
+import hfield.proving.prove as proving
+proving.prove = lambda *words: (os.kill(os.getpid(), 2), time.sleep(30))
+"""
+
+
+@pytest.mark.parametrize("without", ["pass", "sys.modules['IPython'] = None"])
+def test_ctrl_c_in_a_proof_returns_to_the_prompt_in_one_line(tmp_path, without):
+    lines = ["prove('q == q')", "print('still', 'here')", "exit()"]
+    shown = talk(tmp_path, lines, INTERRUPTED + SESSION.format(without))
+    assert "interrupted\n" in shown
+    assert "still here" in shown
+    assert "Traceback" not in shown
+    assert "KeyboardInterrupt" not in shown

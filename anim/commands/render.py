@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from anim.commands.arguments import declare
 from anim.output.formats import FORMATS
-from hfield.commands.output import Progress, note, open_output
+from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError
+from hfield.commands.status import Progress
 
 if TYPE_CHECKING:
     from anim.film import Clip

@@ -19,6 +19,7 @@ HELP = (
     "polynomial; or the edges of the graph, which networkx reads. For a prime D and level 1 that is the "
     "supersingular isogeny graph."
 )
+DOING = "enumerating classes"
 EXAMPLES = ("hfield brandt 11 --prime 2",)
 
 

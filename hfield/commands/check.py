@@ -22,6 +22,7 @@ HELP = (
     "one about all fields. Exit status: 0 all accepted, 1 some rejected, 3 some accepted under an "
     "assumption only that --allow-assumptions does not allow, 2 bad usage or a file that cannot be read."
 )
+DOING = "checking"
 EXAMPLES = (
     "hfield check anisotropic.json",
     "hfield check --statement 'norm(q) == 0 => q == 0' --field Q anisotropic.json",

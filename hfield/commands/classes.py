@@ -17,6 +17,7 @@ HELP = (
     "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ, compare with "
     "Eichler's class number formula and with the mass, and tell the types and the units."
 )
+DOING = "enumerating classes"
 EXAMPLES = ("hfield classes '(-1,-11|QQ)' --level 3",)
 SHOWN = 40
 

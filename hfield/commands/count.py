@@ -17,6 +17,7 @@ HELP = (
     "Count the elements of an algebra over a finite ring by norm and by what they are: by closed formulas "
     "over a field and over ZZ/n, confirmed by going through all elements where they are not too many."
 )
+DOING = "counting"
 EXAMPLES = ("hfield count --field GF9",)
 QUICK = 13**4  # elements that the page of `hfield info` goes through
 NORMS = 32  # of so many norms over a ring that is no field the counts are shown

@@ -18,6 +18,7 @@ HELP = (
     "Compute an expression such as '(1+i)*(j-k)**-1': the basis e i j k, the generator of the field, "
     "and conj norm trace inv scalar vector comm."
 )
+DOING = "computing"
 EXAMPLES = (
     "hfield eval '(1+i)*(j-k)**-1' --field GF7",
     "hfield eval 'norm(1+2*i)' 'inv(1+i)' --format jsonl",

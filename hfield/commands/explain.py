@@ -9,8 +9,10 @@ from functools import partial
 from hfield.commands.many import add_inputs, answer_all, check_given, texts
 from hfield.commands.output import Sink
 from hfield.commands.parser import add_output, add_standalone
+from hfield.commands.status import Waiting
 
 HELP = "Show a decision in full: the statement, how it was read, each step or the witness."
+DOING = "deciding"
 EXAMPLES = (
     "hfield explain theorem-3 --field GF9",
     "hfield explain C1.2-a",
@@ -41,6 +43,7 @@ def run(args: Namespace) -> int:
 def _explain(args: Namespace, claim: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
     from hfield.ledger.blackboard import explain
 
+    Waiting.at(f"deciding {claim}")
     explanation = explain(claim, args.field)
     data = explanation.to_json()
 

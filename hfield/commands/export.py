@@ -9,6 +9,7 @@ from pathlib import Path
 
 from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError
+from hfield.commands.status import Progress, Waiting
 from hfield.errors import shorten
 
 HELP = (
@@ -17,6 +18,7 @@ HELP = (
     "evidence proves. Coq itself is not needed; `coqc FILE` checks the file. Exit status: "
     "0 all that was named is in the file, 1 something is not, 2 bad usage."
 )
+DOING = "writing theorems"
 EXAMPLES = ("hfield export --coq theorems.v",)
 
 
@@ -72,7 +74,10 @@ def run(args: Namespace) -> int:
     certificates = _certificates(args.certificate)
     with open_output(args.coq) as out:
         own = export_certificates(certificates) + export_statements(args.statement, args.algebra)
-        ledger = Export(()) if certificates and not chosen else export_ledger(chosen)
+        ledger = Export(())
+        if chosen or not certificates:
+            with Progress("claims") as progress:
+                ledger = export_ledger(chosen, progress)
         whole = ledger + own
         out.write(whole.text)
     named = own.left if not chosen else whole.left
@@ -99,6 +104,7 @@ def _lean(args: Namespace) -> int:
         raise UsageError("--lean FILE takes --certificate CERT or --statement S, and no --coq")
     certificates = _certificates(args.certificate)
     for number, text in enumerate(args.statement, 1):
+        Waiting.at(f"proving {text}")
         certificates[f"statement_{number}"] = prove(text, algebra=args.algebra).certificate
     with open_output(args.lean) as out:
         theorems, left = lean_theorems(certificates)

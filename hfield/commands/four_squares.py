@@ -9,6 +9,7 @@ from hfield.commands.parser import add_format, add_output
 from hfield.errors import TooLargeError
 
 HELP = "Write an integer as a sum of four squares, by a gcd in the Hurwitz order."
+DOING = "factoring"
 EXAMPLES = ("hfield four-squares 1000003",)
 DIGITS = 500
 

@@ -9,12 +9,14 @@ from functools import partial
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink
 from hfield.commands.parser import UsageError, add_output, add_standalone
+from hfield.commands.status import Waiting
 from hfield.errors import shorten
 
 HELP = (
     "Show what is known of an algebra: its table, centre, radical, whether it is a division algebra or "
     "split (with the isomorphism or the reason), where it ramifies, a maximal order, or counts."
 )
+DOING = "describing"
 EXAMPLES = (
     "hfield info '(-1,-3|QQ)'",
     "hfield info 'H(GF(9))' '[1,t|GF(4)(t))'",
@@ -53,6 +55,7 @@ def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Calla
     from hfield.description import info
     from hfield.description.page import page, page_latex
 
+    Waiting.at(f"describing {text}")
     A = QuaternionAlgebra.from_text(text)
     description = info(A)
     counted = counts(A, quick=True) if A.ring.order is not None else None

@@ -16,6 +16,7 @@ HELP = (
     "Show an order over ZZ in an algebra over QQ: its basis, discriminant, units, conductor, class number. "
     "By default a maximal order; --level gives an Eichler order, --generators the ring that they generate."
 )
+DOING = "computing the order"
 EXAMPLES = ("hfield order '(-1,-11|QQ)' --level 3",)
 
 

@@ -11,9 +11,10 @@ import unicodedata
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from hfield.atomic import whole_file
+from hfield.commands.status import STATUS
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
@@ -41,10 +42,12 @@ class Sink:
 
     def write(self, text: str) -> None:
         """Write a text and end its last line."""
+        STATUS.erase()
         print(encodable(text.rstrip("\n"), self.stream), file=self.stream)
 
     def write_json(self, data: Mapping[str, object]) -> None:
         """Write JSON, each entry on a line of its own, in letters where the encoding has them."""
+        STATUS.erase()
         text = _lay_out(data)
         if not _encodes(text, self.stream):
             text = _lay_out(data, ensure_ascii=True)
@@ -145,30 +148,7 @@ def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
     return "{\n" + ",\n".join(f" {dump(key)}: {dump(value)}" for key, value in data.items()) + "\n}"
 
 
-class Progress:
-    """A line on stderr that tells how far the work is; nothing where stderr is no terminal."""
-
-    def __init__(self, noun: str) -> None:
-        self.noun, self.stream, self.shown = noun, sys.stderr, False
-
-    def __call__(self, done: int, total: int, what: str) -> None:
-        """Show that ``done`` of ``total`` are finished, ``what`` being in work."""
-        if self.stream.isatty():
-            bar = "#" * (20 * done // max(total, 1))
-            line = f"[{bar:<20}] {done} of {total} {self.noun}, {what}"
-            self.stream.write(f"\r\x1b[K{line[:79]}")
-            self.stream.flush()
-            self.shown = True
-
-    def __enter__(self) -> Progress:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        if self.shown:
-            self.stream.write("\r\x1b[K")
-            self.stream.flush()
-
-
 def note(text: str) -> None:
     """Tell the reader something on stderr that is no error."""
+    STATUS.erase()
     print(encodable(f"hfield: note: {text}", sys.stderr), file=sys.stderr)

@@ -9,6 +9,7 @@ from functools import partial
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink, note, open_output
 from hfield.commands.parser import UsageError, add_output, add_standalone
+from hfield.commands.status import Waiting
 from hfield.errors import shorten
 
 HELP = (
@@ -16,6 +17,7 @@ HELP = (
     "'norm(q) != 0 => q*inv(q) == e'. Without a field it is about all of them. Exit status: 0 proved "
     "or vacuous, 1 refuted, 3 undecided, 2 bad usage."
 )
+DOING = "proving"
 EXAMPLES = (
     "hfield prove 'p*q == q*p' --field GF4",
     "hfield prove 'norm(q) == 0 => q == 0' --field 'QQ(sqrt(-7))' --certificate anisotropic.json",
@@ -66,6 +68,7 @@ def _decide(
     from hfield.ledger.decision_lines import decision_text
     from hfield.proving.prove import prove
 
+    Waiting.at(f"proving {statement}")
     with open_output(args.certificate) as file:
         answer = prove(statement, args.field, args.given, args.algebra, args.timeout)
         certificate = answer.certificate if args.certificate is not None else None

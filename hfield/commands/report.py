@@ -6,8 +6,9 @@ from argparse import ArgumentParser, Namespace
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import Progress, Sink, open_output
+from hfield.commands.output import Sink, open_output
 from hfield.commands.parser import UsageError, add_output, processes
+from hfield.commands.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from hfield.commands.status import Waiting
+
 ACCEPTED, REJECTED, NOT_COVERED, NOT_JUDGED = "accepted", "rejected", "not covered", "not judged"
 NOT_CONFIRMED = 4  # the exit status where Coq has not seen a certificate that the checker accepts
 FLAG_HELP = (
@@ -35,7 +37,11 @@ def coq_verdicts(files: Sequence[str]) -> dict[str, Verdict]:
         return {}
     try:
         with Coqc() as coq:
-            return {file: _judged(file, coq) for file in files}
+            out = {}
+            for file in files:
+                Waiting.at(f"Coq judges {file}")
+                out[file] = _judged(file, coq)
+            return out
     except CoqMissingError as error:
         return {file: Verdict(NOT_JUDGED, str(error)) for file in files}
 

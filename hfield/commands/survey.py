@@ -7,8 +7,9 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
 
-from hfield.commands.output import OutputError, Progress, open_output
+from hfield.commands.output import OutputError, open_output
 from hfield.commands.parser import UsageError, processes
+from hfield.commands.status import Progress
 from hfield.errors import shorten
 
 HELP = (

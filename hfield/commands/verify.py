@@ -6,8 +6,9 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import OutputError, Progress, note, open_output
+from hfield.commands.output import OutputError, note, open_output
 from hfield.commands.parser import add_format, add_output, add_standalone, processes
+from hfield.commands.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:

@@ -17,6 +17,7 @@ HELP = (
     "Compile the loops over arrays that first use would compile, and keep them. Without a name: those of "
     "Hamilton's and of all other algebras over the usual rings."
 )
+DOING = "compiling"
 EXAMPLES = ("hfield warm", "hfield warm 'H(GF(2^8))' '(-1,-3|QQ)'")
 RINGS = (
     *("GF(2)", "GF(3)", "GF(4)", "GF(5)", "GF(7)", "GF(8)", "GF(9)", "GF(13)", "GF(16)", "GF(25)"),

@@ -1,6 +1,6 @@
 """The universal theorems of the ledger: which propositions of a claim hold for all fields at once."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from hfield.coq.export import Export, Left
 from hfield.coq.terms import NotCoveredError
@@ -26,12 +26,20 @@ BY_HAND = {
 }
 
 
-def export_ledger(chosen: Sequence[Claim] = ()) -> Export:
-    """Export what is proved for all fields among the claims chosen, all of them by default."""
+def export_ledger(
+    chosen: Sequence[Claim] = (), progress: Callable[[int, int, str], None] | None = None
+) -> Export:
+    """Export what is proved for all fields among the claims chosen, all of them by default.
+
+    ``progress`` is told how many claims are done, of how many, and the claim in work.
+    """
     theorems: list[Theorem] = []
     left: list[Left] = []
     by_hand: list[tuple[str, str]] = []
-    for claim in chosen or claims():
+    wanted = chosen or claims()
+    for done, claim in enumerate(wanted):
+        if progress:
+            progress(done, len(wanted), claim.id)
         found = list(_propositions(claim))
         if chosen and not found:
             left.append(Left(claim.id, claim.statement, "nothing in it is proved for all fields"))

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-from flint import fmpz_mat
+from flint import fmpq, fmpz_mat
 
 from hfield.errors import RingError
 from hfield.lattices.hermite import integral
@@ -23,7 +23,7 @@ from hfield.structure.forms import discriminant
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 
-UNITS: list[Any] = [tuple(Fraction(int(m == n)) for n in range(4)) for m in range(4)]
+UNITS: list[Any] = [tuple(fmpq(int(m == n)) for n in range(4)) for m in range(4)]
 
 
 class Regular:
@@ -34,23 +34,24 @@ class Regular:
     """
 
     def __init__(self, constants: Constants) -> None:
-        self.constants = c = constants
+        self.constants = constants
+        c = Constants(*(fmpq(x.numerator, x.denominator) for x in constants))
         left = [[multiply(c, u, v) for v in UNITS] for u in UNITS]
         form = [[trace(c, multiply(c, u, conjugate(c, v))) for v in UNITS] for u in UNITS]
         self.scale = math.lcm(
-            *(x.denominator for row in left for q in row for x in q),
-            *(x.denominator for row in form for x in row),
+            *(int(x.denominator) for row in left for q in row for x in q),
+            *(int(x.denominator) for row in form for x in row),
         )
         s = self.scale
-        self.left = [fmpz_mat([[int(x * s) for x in q] for q in row]) for row in left]
+        self.left = [fmpz_mat([[(x * s).numerator for x in q] for q in row]) for row in left]
         self.right = [
-            fmpz_mat([[int(x * s) for x in left[m][n]] for m in range(4)]) for n in range(4)
+            fmpz_mat([[(x * s).numerator for x in left[m][n]] for m in range(4)]) for n in range(4)
         ]
         # row n: the four products e_m·e_n one after the other
         self._wide = fmpz_mat(
-            [[int(x * s) for m in range(4) for x in left[m][n]] for n in range(4)]
+            [[(x * s).numerator for m in range(4) for x in left[m][n]] for n in range(4)]
         )
-        self.form = fmpz_mat([[int(x * s) for x in row] for row in form])
+        self.form = fmpz_mat([[(x * s).numerator for x in row] for row in form])
         self._squares = [
             (m, n, self.form[m, n] // (2 if m == n else 1))
             for m in range(4)
@@ -58,11 +59,12 @@ class Regular:
             if self.form[m, n]
         ]
         bar = [conjugate(c, u) for u in UNITS]
-        self.conjugate_scale = d = math.lcm(*(x.denominator for q in bar for x in q))
-        self.conjugation = fmpz_mat([[int(x * d) for x in q] for q in bar])
-        self.square = c.a + c.t * c.t / 4
+        self.conjugate_scale = d = math.lcm(*(int(x.denominator) for q in bar for x in q))
+        self.conjugation = fmpz_mat([[(x * d).numerator for x in q] for q in bar])
+        a, t, b = constants
+        self.square = a + t * t / 4
         """The square of i − t/2, which anticommutes with j."""
-        self.definite = self.square < 0 and c.b < 0
+        self.definite = self.square < 0 and b < 0
         self.majorant = self.form if self.definite else self._majorant()
 
     def _majorant(self) -> Any:

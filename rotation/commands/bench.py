@@ -7,8 +7,9 @@ import sys
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
-from hfield.commands.output import Progress, note, open_output
+from hfield.commands.output import note, open_output
 from hfield.commands.parser import add_format, add_output
+from hfield.commands.status import Progress
 from rotation.commands.numbers import whole
 
 SUMMARY = "time rotations as the thesis did, against other libraries"

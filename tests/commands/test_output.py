@@ -6,7 +6,8 @@ import os
 
 import pytest
 
-from hfield.commands.output import OutputError, Progress, encodable, open_output
+from hfield.commands.output import OutputError, encodable, open_output
+from hfield.commands.status import Progress
 
 
 class Stream(io.StringIO):

@@ -1,5 +1,6 @@
 """The residue field ℤ/p of ℚ, with the same names as ``ResidueField``."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -10,19 +11,23 @@ from hfield.factorisation import remove
 
 
 class PrimePlace:
-    """The place of ℚ at a prime p; elements of the residue field are ints modulo p."""
+    """The place of ℚ at a prime p; elements of the residue field are ints modulo p.
+
+    Rational numbers are what ``number(over, under)`` makes, such as Fractions or flint's.
+    """
 
     zero, one = 0, 1
     index = 1  # the valuation of p
 
-    def __init__(self, p: int) -> None:
+    def __init__(self, p: int, number: Callable[..., Any] = Fraction) -> None:
+        self._number = number
         self.below = self.modulus = self.order = p
         self.even = p == 2
-        self.uniformiser, self.inverse_uniformiser = Fraction(p), Fraction(1, p)
+        self.uniformiser, self.inverse_uniformiser = number(p), number(1, p)
 
-    def lift(self, x: int) -> Fraction:
+    def lift(self, x: int) -> Any:
         """Return a residue as a rational number."""
-        return Fraction(x)
+        return self._number(x)
 
     def valuation(self, x: Any) -> int:
         """Return the order of a nonzero rational number at p."""

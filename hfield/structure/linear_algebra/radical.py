@@ -1,5 +1,6 @@
 """Radical, simplicity, derivations and the opposite algebra."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from hfield.errors import UndecidedError, shorten
@@ -70,11 +71,15 @@ def _monomial_roots(ring: PolynomialRing, squares: list[Any]) -> list[Row]:
 def derivations(ring: Ring, c: Constants) -> tuple[tuple[Row, ...], ...]:
     """Return a basis of the derivations, each a 4 × 4 matrix whose columns are the images of e, i, j, k.
 
-    A central simple algebra has only inner ones, ``x ↦ qx − xq``, a space of dimension 3. Over a ring where
-    they are no free module, such as ℤ/n, these are generators. Raises :class:`UndecidedError`.
+    A central simple algebra has only inner ones, ``x ↦ qx − xq`` (Jacobson and Noether), a space of
+    dimension 3; then i, j and k are the q. Over a ring where derivations are no free module, such as ℤ/n,
+    these are generators. Raises :class:`UndecidedError`.
     """
     basis = basis_of(ring)
-    products = [(r, s, multiply(c, basis[r], basis[s])) for r in range(4) for s in range(4)]
+    if is_central_simple(ring, c):
+        return tuple(_inner(c, q, basis) for q in basis[1:])
+    table = [[multiply(c, p, q) for q in basis] for p in basis]
+    products = [(r, s, table[r][s]) for r in range(4) for s in range(4)]
     columns = []
     for row in range(4):
         for column in range(4):  # the map that sends basis[column] to basis[row] and the rest to 0
@@ -82,8 +87,8 @@ def derivations(ring: Ring, c: Constants) -> tuple[tuple[Row, ...], ...]:
             for r, s, product in products:
                 value = [product[column] if n == row else ring.zero for n in range(4)]
                 for hit, term in (
-                    (r == column, multiply(c, basis[row], basis[s])),
-                    (s == column, multiply(c, basis[r], basis[row])),
+                    (r == column, table[row][s]),
+                    (s == column, table[r][row]),
                 ):
                     if hit:
                         value = [x - y for x, y in zip(value, term, strict=True)]
@@ -91,6 +96,14 @@ def derivations(ring: Ring, c: Constants) -> tuple[tuple[Row, ...], ...]:
             columns.append(defect)
     maps = kernel(ring, [list(row) for row in zip(*columns, strict=True)], 16)
     return tuple(tuple(v[4 * n : 4 * n + 4] for n in range(4)) for v in maps)
+
+
+def _inner(c: Constants, q: Coordinates, basis: Sequence[Coordinates]) -> tuple[Row, ...]:
+    """Return the matrix of x ↦ qx − xq."""
+    images = [
+        [x - y for x, y in zip(multiply(c, q, p), multiply(c, p, q), strict=True)] for p in basis
+    ]
+    return tuple(list(row) for row in zip(*images, strict=True))
 
 
 def to_opposite(c: Constants, q: Coordinates) -> Coordinates:

@@ -1,0 +1,116 @@
+"""The line on a terminal's stderr that says what a command is at; nothing is written where it is piped."""
+
+from __future__ import annotations
+
+import sys
+from threading import Event, RLock, Thread
+from types import TracebackType
+from typing import TextIO
+
+WIDTH = 79
+PATIENCE = 0.5  # seconds before a command says what it is at
+_ERASE = "\r\x1b[K"
+
+
+class StatusLine:
+    """One line, written over itself, and erased before anything else is printed."""
+
+    def __init__(self) -> None:
+        self._lock = RLock()
+        self._stream: TextIO | None = None
+
+    def show(self, text: str) -> None:
+        """Show a text in place of the last one, if stderr is a terminal."""
+        stream = sys.stderr
+        if stream is None or not stream.isatty():
+            return
+        text = text.replace("\n", " ")
+        text = text if len(text) <= WIDTH else f"{text[: WIDTH - 1]}…"
+        plain = text.encode(stream.encoding or "ascii", "replace").decode(
+            stream.encoding or "ascii"
+        )
+        with self._lock:
+            stream.write(_ERASE + plain)
+            stream.flush()
+            self._stream = stream
+
+    def erase(self) -> None:
+        """Take the line away, if there is one."""
+        with self._lock:
+            if self._stream is not None:
+                self._stream.write(_ERASE)
+                self._stream.flush()
+                self._stream = None
+
+
+STATUS = StatusLine()
+
+
+class Progress:
+    """A line on stderr that tells how far the work is; nothing where stderr is no terminal."""
+
+    def __init__(self, noun: str) -> None:
+        self.noun = noun
+
+    def __call__(self, done: int, total: int, what: str) -> None:
+        """Show that ``done`` of ``total`` are finished, ``what`` being in work."""
+        bar = "#" * (20 * done // max(total, 1))
+        STATUS.show(f"[{bar:<20}] {done} of {total} {self.noun}, {what}")
+
+    def __enter__(self) -> Progress:
+        Waiting.hush()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        STATUS.erase()
+
+
+class Waiting:
+    """Says from half a second on what is being done and for how many seconds, as long as it is open.
+
+    ``Waiting.at("theorem 3")`` changes what the open one says; a :class:`Progress` silences it.
+    """
+
+    _open: Waiting | None = None
+
+    def __init__(self, what: str) -> None:
+        self._what = what
+        self._over = Event()
+        self._thread: Thread | None = None
+
+    @classmethod
+    def at(cls, what: str) -> None:
+        """Say what is being done now; nothing happens where none is open."""
+        if cls._open is not None:
+            cls._open._what = what
+
+    @classmethod
+    def hush(cls) -> None:
+        """Let the open one say no more."""
+        if cls._open is not None:
+            cls._open._over.set()
+
+    def __enter__(self) -> Waiting:
+        if sys.stderr is not None and sys.stderr.isatty():
+            Waiting._open = self
+            self._thread = Thread(target=self._tell, daemon=True)
+            self._thread.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        Waiting._open = None
+        self._over.set()
+        if self._thread is not None:
+            self._thread.join()
+        STATUS.erase()
+
+    def _tell(self) -> None:
+        seconds, pause = 0, PATIENCE
+        while not self._over.wait(pause):
+            STATUS.show(f"{self._what} …" + (f" {seconds} s" if seconds else ""))
+            seconds, pause = seconds + 1, 1.0 if seconds else 1.0 - PATIENCE
