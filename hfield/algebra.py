@@ -19,7 +19,7 @@ from hfield.errors import (
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
 from hfield.product import Constants
-from hfield.quaternion import Quaternion, held_by, is_array
+from hfield.quaternion import Quaternion, held_by, is_many
 from hfield.rings import ring as read_ring
 from hfield.rings.base import Ring
 from hfield.rings.holding import Batch, Holding
@@ -121,7 +121,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
         )
 
     def _element(self, values: tuple[Any, ...]) -> Quaternion:
-        how: Holding = self.array_holding if any(map(_is_many, values)) else self.holding
+        how: Holding = self.array_holding if any(map(is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
 
     def scalar(self, x: Any) -> Quaternion:
@@ -290,13 +290,6 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
     def __reduce__(self) -> Any:
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
-
-
-def _is_many(value: Any) -> bool:
-    """Tell whether a coordinate stands for many."""
-    if type(value) is int:
-        return False
-    return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

@@ -131,18 +131,25 @@ def _serving(imports: Sequence[str]) -> BaseContext:
     """Start the process that workers are forked from, with ``imports`` read, where there are such."""
     import multiprocessing
     import os
+    import signal
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
         return multiprocessing.get_context("spawn")
+    from multiprocessing import resource_tracker
     from multiprocessing.forkserver import ensure_running
 
+    resource_tracker.ensure_running()  # it would unblock what is blocked below
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(list(imports))
     before = os.environ.get("PYTHONSAFEPATH")
     os.environ["PYTHONSAFEPATH"] = "1"  # else it would read modules from the current directory
+    signals = signal.pthread_sigmask(
+        signal.SIG_BLOCK, {signal.SIGINT}
+    )  # Ctrl-C is for this process
     try:
         ensure_running()
     finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, signals)
         if before is None:
             del os.environ["PYTHONSAFEPATH"]
         else:

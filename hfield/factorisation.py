@@ -7,8 +7,7 @@ number, take out what can be had cheaply; a composite number of at most :data:`S
 the work is bounded by the length of the number, and what is left over is :class:`Unfactored`, no number.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
@@ -148,19 +147,36 @@ _known: ContextVar[frozenset[int]] = ContextVar("known primes", default=frozense
 _asked: ContextVar[str] = ContextVar("how to give them", default="")
 
 
-@contextmanager
-def known_primes(factors: Factors | None, argument: str = "factors=") -> Iterator[None]:
+def known_primes(factors: Factors | None, argument: str = "factors=") -> "_KnownPrimes":
     """Use these primes wherever something is factored inside the ``with``; an error asks for ``argument``.
 
     Raises :class:`RingError` for what is no prime.
     """
-    given = checked_primes(factors) if factors is not None else frozenset()
-    tokens = _known.set(_known.get() | given), _asked.set(_asked.get() or argument)
-    try:
-        yield
-    finally:
-        _known.reset(tokens[0])
-        _asked.reset(tokens[1])
+    return _KnownPrimes(checked_primes(factors) if factors is not None else _NONE, argument)
+
+
+_NONE: frozenset[int] = frozenset()
+
+
+class _KnownPrimes:
+    """A context of known primes; a class, since whoever asks for one symbol would wait for a generator."""
+
+    __slots__ = ("argument", "given", "tokens")
+
+    def __init__(self, given: frozenset[int], argument: str) -> None:
+        self.given, self.argument = given, argument
+
+    def __enter__(self) -> None:
+        self.tokens = (
+            _known.set(_known.get() | self.given) if self.given else None,
+            _asked.set(_asked.get() or self.argument),
+        )
+
+    def __exit__(self, *_: object) -> None:
+        known, asked = self.tokens
+        if known is not None:
+            _known.reset(known)
+        _asked.reset(asked)
 
 
 def checked_primes(factors: Factors) -> frozenset[int]:

@@ -91,6 +91,10 @@ def words(text: str) -> str:
     order = [*range(len(tokens)), *reversed(range(len(tokens)))]
     for n in order:  # a number or an article's letter belongs to the mathematics beside it
         near = [m for m in (n - 1, n + 1) if 0 <= m < len(tokens) and kinds[m]]
+        if (
+            n and tokens[n - 1].endswith(",") and _depth(tokens[:n]) == 0
+        ):  # "≠ 0, 1 would be" goes on
+            near = [m for m in near if m > n]
         if _parted(tokens[n])[0] in _ARTICLES:
             near = [m for m in near if _leads(tokens[m]) or tokens[min(n, m)].endswith(",")]
         if kinds[n] is None and any(_joins(tokens[min(n, m)]) for m in near):
@@ -180,6 +184,11 @@ def _barred(char: str) -> bool:
 
 def _greek(run: str) -> bool:
     return any(char in _GREEK for char in run) and len(run) <= 4
+
+
+def _depth(tokens: Sequence[str]) -> int:
+    text = "".join(tokens)
+    return text.count("(") - text.count(")")
 
 
 def _leads(token: str) -> bool:

@@ -195,10 +195,15 @@ class Quaternion(ElementFacts, BatchMethods):
             return result
         if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
             return NotImplemented
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
         how, p, q = self._join(other, "multiply")
         return held_by(self._algebra, how, how.product(p, q))
 
     def __rmul__(self, other: Any) -> Quaternion:
+        how = self._how
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
         how, p, q = self._join(other, "multiply")
         return held_by(self._algebra, how, how.product(q, p))
 
@@ -395,3 +400,10 @@ def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], .
 def is_array(x: object) -> bool:
     """Tell whether a coordinate is an array; a 0-dimensional one counts."""
     return hasattr(x, "dtype") and hasattr(x, "ndim")
+
+
+def is_many(value: Any) -> bool:
+    """Tell whether a coordinate stands for many."""
+    if type(value) is int:
+        return False
+    return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)

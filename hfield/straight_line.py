@@ -174,13 +174,14 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     "product": product.multiply,
     "sum": lambda _, p, q: tuple(x + y for x, y in zip(p, q, strict=True)),
     "difference": lambda _, p, q: tuple(x - y for x, y in zip(p, q, strict=True)),
+    "multiple": lambda _, p, q: tuple(x * q[0] for x in p),  # by the scalar part of q
     "negative": lambda _, p: tuple(-x for x in p),
     "conjugate": product.conjugate,
     "norm": product.norm,
     "trace": product.trace,
     "adjoint": _adjoint,
 }
-BINARY = {"product", "sum", "difference"}
+BINARY = {"product", "sum", "difference", "multiple"}
 
 
 @lru_cache(maxsize=1024)

@@ -3,7 +3,7 @@
 from typing import Any
 
 from rotation.errors import RotationError
-from rotation.namespaces import Array, namespace, refuse_rows
+from rotation.namespaces import Array, certainly, namespace, refuse_rows
 from rotation.rotation import Rotation
 from rotation.wahba import checked, fitted
 
@@ -63,7 +63,7 @@ def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotatio
     """
     a, b, w = checked(target, source, weights)
     xp = namespace(a)
-    if bool(xp.any(xp.isinf(w))):
+    if certainly(xp.any(xp.isinf(w))):
         raise RotationError("an infinite weight would fix a point of the motion; give a finite one")
     heaviest = xp.max(w, axis=-1, keepdims=True)
     refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")

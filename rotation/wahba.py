@@ -13,6 +13,7 @@ from rotation.errors import RotationError
 from rotation.matrices import from_matrix, to_matrix
 from rotation.namespaces import (
     Array,
+    certainly,
     expect_last,
     floats,
     is_numpy,
@@ -54,7 +55,7 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
         vector that is zero.
     """
     if not is_numpy(namespace(w)) or not np.isinf(w).any():
-        if not is_numpy(namespace(w)) and bool(namespace(w).any(namespace(w).isinf(w))):
+        if not is_numpy(namespace(w)) and certainly(namespace(w).any(namespace(w).isinf(w))):
             raise RotationError("infinite weights are taken with numpy arrays only")
         return None
     if w.ndim > 1 or np.isinf(w).sum() > 1:

@@ -21,7 +21,7 @@ try() { # NAME PYTHON [CONSTRAINTS]: an environment of its own, the quick tests 
 "$uv" pip compile --quiet --resolution lowest-direct --python-version 3.11 pyproject.toml -o "$folder/oldest.txt"
 try oldest "$(command -v python3)" "$folder/oldest.txt"
 for minor in 12 13 14; do
-    if python=$(command -v "python3.$minor"); then
+    if python=$("python3.$minor" -c "import sys; print(sys.executable)" 2>/dev/null); then
         try "3.$minor" "$python"
     else
         echo "python3.$minor is not installed here: not tried"

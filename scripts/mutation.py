@@ -86,9 +86,12 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     ),
     "rings": (
         ("hfield/rings/*.py",),
-        (
-            *("tests/rings", "tests/test_elements.py", "tests/structure/test_global_field.py"),
-            *("tests/structure/test_functions.py", "tests/structure/test_quadratic.py"),
+        tuple(
+            f"tests/rings/test_{name}.py"
+            for name in (
+                *("operations", "numbers", "finite", "functions", "floats", "names"),
+                *("number_fields", "local", "equal_numbers"),
+            )
         ),
     ),
 }
@@ -120,7 +123,9 @@ def copied(target: Path, sources: tuple[str, ...], tests: tuple[str, ...]) -> No
         out.write(FORGETTING)
     lines = {
         "source_paths": ["hfield"],
-        "only_mutate": list(sources),
+        "only_mutate": [
+            str(file.relative_to(ROOT)) for source in sources for file in ROOT.glob(source)
+        ],
         "pytest_add_cli_args_test_selection": list(tests),
         "pytest_add_cli_args": [
             "-p",

@@ -68,9 +68,9 @@ def check(*words):
 @settings(deadline=None, max_examples=300)
 @given(st.lists(st.sampled_from(TOKENS), max_size=12).map("".join), st.sampled_from(FIELDS))
 def test_eval_of_anything(text, field):
-    status, out = check("eval", text, "--field", field)
+    status, out = check("eval", "--field", field, "--", text)
     if status == 0 and field != "RDF":
-        assert check("eval", out.strip(), "--field", field) == (0, out)
+        assert check("eval", "--field", field, "--", out.strip()) == (0, out)
 
 
 @settings(deadline=None, max_examples=300)
@@ -108,4 +108,17 @@ def test_prove_anything(first, link, second, field):
 @settings(deadline=None, max_examples=100)
 @given(st.lists(st.text(max_size=8), max_size=4))
 def test_any_words(words):
-    check("eval", *(word for word in words if not word.startswith(("-o", "--out"))))
+    given = [word for word in words if not word.startswith(("-o", "--out"))]
+    if len(given) < 2:
+        check("eval", *given)
+        return
+    status, out, err = answer(
+        "eval", *given
+    )  # each text has an answer, or a line that says why not
+    assert status in (0, 2), err
+    lines = err.splitlines()
+    assert (status == 2) == bool(lines)
+    assert len(lines) + out.count("\n") <= len(given)
+    for line in lines:
+        assert line.startswith("hfield: error: ")
+        assert len(line) < 1000

@@ -54,6 +54,25 @@ def test_processes():
         assert dict(unordered(executor, abs, [-1, 2, -3])) == {0: 1, 1: 2, 2: 3}
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="workers are spawned there")
+def test_workers_have_the_modules_asked_for_and_none_of_the_current_directory(tmp_path):
+    (tmp_path / "colorsys.py").write_text("raise SystemExit('not this one')")
+    code = (
+        "from hfield.executors import open_executor\n"
+        "if __name__ == '__main__':\n"
+        "    with open_executor(2, imports=['colorsys']) as executor:\n"
+        "        there = executor.submit(eval, \"__import__('sys').modules['colorsys'].__file__\")\n"
+        "        print(there.result())\n"
+    )
+    script = tmp_path / "elsewhere" / "script.py"
+    script.parent.mkdir()
+    script.write_text(code)
+    done = subprocess.run(
+        [sys.executable, str(script)], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert Path(done.stdout.strip()).parent == Path(os.__file__).parent
+
+
 def test_a_worker_that_dies_is_told():
     with pytest.raises(ExecutorError, match="ended abruptly"), open_executor(jobs=2) as executor:
         list(unordered(executor, os._exit, [1, 1, 1]))

@@ -87,7 +87,7 @@ def _answer_many(
 
 
 def _complain(text: str, message: str) -> Callable[[Sink], None]:
-    line = f"hfield: error: {shorten(text)}: {message}"
+    line = f"hfield: error: {shorten(' '.join(text.split()))}: {message}"
     return lambda out: print(encodable(line, sys.stderr), file=sys.stderr)
 
 

@@ -65,7 +65,7 @@ def run(args: Namespace) -> int:
 def _decide(
     args: Namespace, statement: str
 ) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
-    from hfield.ledger.blackboard import decision_text
+    from hfield.ledger.decision_lines import decision_text
     from hfield.proving.prove import prove
 
     Waiting.at(f"proving {statement}")

@@ -2,31 +2,23 @@
 
 from __future__ import annotations
 
-import re
-import textwrap
-from collections.abc import Iterator
 from dataclasses import dataclass
 
-from hfield.errors import NotationError, shorten
+from hfield.errors import NotationError
 from hfield.latex import words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.ledger.columns import split_columns
-from hfield.ledger.evaluated import evaluated
+from hfield.ledger.decision_lines import decision_lines, wrapped
 from hfield.ledger.matrix import Style
 from hfield.ledger.registry import find
 from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import over, pretty, witness_text
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts
 from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
-
-_MOST = (
-    600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
-)
-_LABEL = 12
 
 
 @dataclass(frozen=True)
@@ -44,18 +36,18 @@ class Explanation:
             style.bold(title),
             f"thesis {claim.section}, {claim.kind}; {over(row.field)}",
             "",
-            *_wrap("statement", claim.statement, style),
-            *_wrap("printed", claim.printed, style),
+            *wrapped("statement", claim.statement, style),
+            *wrapped("printed", claim.printed, style),
         ]
         if claim.as_printed:
-            lines += _wrap("read as", pretty(claim.as_printed.text), style)
+            lines += wrapped("read as", pretty(claim.as_printed.text), style)
         if claim.note:
-            lines += _wrap("note", claim.note, style)
+            lines += wrapped("note", claim.note, style)
         text = claim.as_printed.text if claim.as_printed else ""
-        lines += ["", *_decision(text, row.as_printed, row.field, style)]
+        lines += ["", *decision_lines(text, row.as_printed, row.field, style)]
         if row.as_corrected is not None and claim.corrected:
-            lines += ["", *_wrap("corrected", pretty(claim.corrected.text), style)]
-            lines += ["", *_decision(claim.corrected.text, row.as_corrected, row.field, style)]
+            lines += ["", *wrapped("corrected", pretty(claim.corrected.text), style)]
+            lines += ["", *decision_lines(claim.corrected.text, row.as_corrected, row.field, style)]
         return "\n".join(lines)
 
     def latex(self) -> str:
@@ -108,62 +100,6 @@ def explain(claim: str, field: str | None = None) -> Explanation:
         )
     ((_, name),) = rows_to_decide([found], column, strict=True)
     return Explanation(decide_row(found, name))
-
-
-def decision_text(
-    statement: str, decision: Decision, algebra: str, field: str | None, style: Style
-) -> str:
-    """Write a statement of the language in ``algebra`` and its decision; no field means all."""
-    where = "for every F" if field is None else over(field)
-    lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
-    told = _decision(statement, decision, field or UNIVERSAL, style, algebra)
-    return "\n".join([*lines, *told])
-
-
-def _decision(
-    text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
-) -> Iterator[str]:
-    verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
-    method = ""
-    if decision.verdict != NOT_APPLICABLE:
-        method = f"  (by {decision.method}{scope_text(decision)})"
-    yield from _wrap("verdict", verdict + method, style, plain=False)
-    for n, step in enumerate(decision.steps, 1):
-        indent = len(step) - len(step.lstrip())
-        told = shorten(step.strip(), _MOST)
-        yield from _wrap(f"{n}. ".rjust(_LABEL), told, style, indent=indent)
-    witness = witness_text(decision.witness, field)
-    if witness:
-        yield from _wrap("witness", witness, style)
-    if decision.verdict == REFUTED:
-        for n, line in enumerate(evaluated(text, decision.witness, field, algebra)):
-            yield from _wrap("" if n else "there", line, style)
-    for theorem in decision.assumes:
-        yield from _wrap("assumes", theorem, style)
-    for attempt in decision.tried:
-        yield from _wrap("tried", attempt, style)
-
-
-def scope_text(decision: Decision) -> str:
-    """Say where the statement holds, beyond the field it was decided over."""
-    if decision.scope in (None, FIELD):
-        return ""
-    primes = re.fullmatch(r"characteristics \[(.+)\]", decision.scope or "")
-    if primes is None:
-        return f", over all {decision.scope}"
-    plural = "s" if "," in primes[1] else ""
-    return f"; it holds exactly in characteristic{plural} {primes[1]}"
-
-
-def _wrap(
-    label: str, text: str, style: Style, indent: int = 0, plain: bool = True
-) -> Iterator[str]:
-    """Yield the label and the text beside it, wrapped to the width of the terminal."""
-    head = f"  {label:<{_LABEL}}" + " " * indent
-    room = max(style.width - len(head), 30)
-    lines = textwrap.wrap(text, room, break_on_hyphens=False) if plain else [text]
-    for n, line in enumerate(lines):
-        yield (head if n == 0 else " " * len(head)) + line
 
 
 def _formula(text: str, decision: Decision, field: str) -> str:

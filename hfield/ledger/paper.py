@@ -10,8 +10,8 @@ from collections.abc import Iterable, Sequence
 
 from hfield.errors import NotationError, shorten
 from hfield.latex import enumeration, long_table, words
-from hfield.ledger.blackboard import scope_text
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
+from hfield.ledger.decision_lines import scope_text
 from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.evaluated import evaluated
 from hfield.ledger.matrix import LATEX_MARKS, columns_of

@@ -74,11 +74,11 @@ def find(name: str, ledger: Sequence[Claim] | None = None) -> Claim:
     Raises :class:`UnknownClaimError`.
     """
     wanted = name.strip().lower()
-    spellings = {wanted, _in_english(name)}
     among = claims() if ledger is None else ledger
-    for claim in among:
-        if spellings & {claim.id.lower(), claim.name.lower()}:
-            return claim
+    known_by = _spellings() if ledger is None else _by_spelling(ledger)
+    places = [known_by[word] for word in (wanted, _in_english(name)) if word in known_by]
+    if places:
+        return among[min(places)]
     from difflib import get_close_matches
 
     known = [text for claim in among for text in (claim.id, claim.name)]
@@ -88,6 +88,20 @@ def find(name: str, ledger: Sequence[Claim] | None = None) -> Claim:
     )
     hint = f"did you mean {' or '.join(close)}?" if close else listed
     raise UnknownClaimError(f"there is no claim {name!r}: {hint}")
+
+
+@lru_cache(maxsize=1)
+def _spellings() -> dict[str, int]:
+    return _by_spelling(claims())
+
+
+def _by_spelling(ledger: Sequence[Claim]) -> dict[str, int]:
+    """Return the place of the first claim with each id or name, in small letters."""
+    out: dict[str, int] = {}
+    for n, claim in enumerate(ledger):
+        out.setdefault(claim.id.lower(), n)
+        out.setdefault(claim.name.lower(), n)
+    return out
 
 
 class UnknownClaimError(HFieldError, LookupError):

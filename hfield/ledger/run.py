@@ -29,7 +29,9 @@ def decide_rows(
     how many, and the claim in work.
     """
     chunks = _chunks(pieces)
-    tasks = [tuple((_sent(pieces[n][0]), pieces[n][1]) for n in indices) for indices in chunks]
+    known = set(map(id, claims()))  # every process has these: their ids suffice
+    sent = [(claim.id if id(claim) in known else claim, field) for claim, field in pieces]
+    tasks = [tuple(sent[n] for n in indices) for indices in chunks]
     decided: dict[int, Verdicts] = {}
     for number, verdicts in unordered(executor, _decide_chunk, tasks):
         indices = chunks[number]
@@ -47,11 +49,6 @@ def _chunks(pieces: Sequence[Piece]) -> list[range]:
     size = max(LEAST, -(-len(pieces) // TASKS))
     runs = [range(m, min(m + size, len(pieces))) for m in range(0, len(pieces), size)]
     return sorted(runs, key=lambda run: all(pieces[n][1] != NO_FIELD for n in run))
-
-
-def _sent(claim: Claim) -> str | Claim:
-    """Return what is sent for a claim: its id where every process knows it, which is short."""
-    return claim.id if any(claim is known for known in claims()) else claim
 
 
 def _decide_chunk(task: Sequence[tuple[str | Claim, str]]) -> list[Verdicts]:

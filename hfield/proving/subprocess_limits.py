@@ -13,7 +13,6 @@ from hfield.proving.problem import Problem
 from hfield.proving.question import Question
 from hfield.rings import ring
 from hfield.rings.base import Ring
-from hfield.syntax import weight
 
 MEMORY = 1 << 30
 GRACE = 1.0  # seconds beyond the time limit for starting and answering
@@ -26,13 +25,12 @@ MAX_NAME = 24
 def is_risky(problem: Problem) -> bool:
     """Tell whether deciding may take long in a single step, which no time limit could end."""
     statement, field = problem.statement, problem.field
-    heaviest = max(weight(n) for n in (*statement.hypotheses, statement.conclusion))
     digits = sum(c.isdigit() for text in problem.setting.constants for c in text)
-    if digits > MAX_DIGITS or heaviest > MAX_WEIGHT:
+    if digits > MAX_DIGITS or statement.weight > MAX_WEIGHT:
         return True
     if field is None:
         return False
-    slow = field.closure is not None and heaviest > SLOW_WEIGHT
+    slow = field.closure is not None and statement.weight > SLOW_WEIGHT
     return slow or len(field.name) > MAX_NAME
 
 

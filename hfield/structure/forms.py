@@ -41,7 +41,7 @@ def normal_form(ring: Ring, c: Constants) -> NormalForm:
     """
     a, t, b = c
     if ring.is_zero(t):
-        return NormalForm("symbol", a, b, lambda q: q, lambda q: q)
+        return NormalForm("symbol", a, b, _same, _same)
     if ring.characteristic == 2:
         s = ring.inverse(t)
         return NormalForm(
@@ -59,6 +59,10 @@ def normal_form(ring: Ring, c: Constants) -> NormalForm:
         lambda q: (q[0] - h * q[1], q[1], q[2] - h * q[3], q[3]),
         lambda q: (q[0] + h * q[1], q[1], q[2] + h * q[3], q[3]),
     )
+
+
+def _same(q: Coordinates) -> Coordinates:
+    return q
 
 
 def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Any]) -> Coordinates:

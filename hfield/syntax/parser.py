@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import lru_cache
 from typing import NoReturn
 
 from hfield.errors import NotationError
@@ -47,6 +48,7 @@ _MENDS = {
 }
 
 
+@lru_cache(maxsize=1024)
 def parse(text: str) -> Node:
     """Read a statement or a term. Raises :class:`NotationError` with the position of the fault."""
     if len(text) > MAX_LENGTH:

@@ -225,3 +225,35 @@ def test_a_certificate_rests_on_its_reason() -> None:
         with pytest.raises(Rejected) as caught:
             check(data)
         assert said in str(caught.value)
+
+
+def test_sums_of_squares_need_an_ordering_or_a_level() -> None:
+    squares = {"form": "squares", "by": "ordering", "most": None, "positive": True}
+
+    def about(field: str, **changes: Any) -> Any:
+        evidence = {"kind": "implication", "facts": [{**squares, **changes}], "items": []}
+        return certified("s == s", field, "implication", evidence)
+
+    level = {"by": "level", "positive": False}
+    for data in (
+        about("QQ"),
+        about("QQ(sqrt(2))", most=7),
+        about("QQ(x)", positive=False),
+        about("GF(7)", **level, most=2),
+        about("QQ(sqrt(-7))", **level, most=4),
+    ):
+        assert check(data)
+    for data, said in (
+        (about("GF(7)"), "GF(7) is not known to have an ordering"),
+        (about("QQ(I)"), "QQ(I) is not known to have an ordering"),
+        (about("GF(7)", **level, most=3), "sums of squares in GF(7) may be 0"),
+        (about("GF(5)", **level, most=2), "sums of squares in GF(5) may be 0"),
+        (about("GF(7)", **level, most=None), "sums of squares in GF(7) may be 0"),
+        (about("GF(7)", by="level", most=2), "sums of squares in GF(7) may be 0"),
+        (about("GF(7)", by="magic", most=2), "sums of squares in GF(7) may be 0"),
+        (about("GF(7)", **level, most=0), "most must be at least 1"),
+        (about("QQ", positive=1), "'positive' must be true or false"),
+    ):
+        with pytest.raises(Rejected) as caught:
+            check(data)
+        assert said in str(caught.value)

@@ -13,6 +13,7 @@ import pytest
 from flint import fmpz_mat
 
 from hfield import QuaternionAlgebra
+from hfield.certificates import work
 from hfield.certificates.check import Established, Pin, check_text
 from hfield.certificates.orders import local_types
 from hfield.certificates.orders.algebra import Algebra
@@ -20,7 +21,7 @@ from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Lattice, hermite, inverse, rational_rows
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.statement import read_setting
-from hfield.certificates.work import bounded
+from hfield.certificates.work import MAX_WORK, bounded
 from tests.certificates.cases import Certificate
 
 ALGEBRAS = ((-1, -11, 0), (-1, -1, 0), ("-1/2", "-5/3", 0), (-1, -3, 1), (2, 3, 0), (-7, -1, 0))
@@ -448,3 +449,65 @@ def test_what_is_too_large_to_factor_is_rejected() -> None:
 
 def test_rows_of_fractions() -> None:
     assert rational_rows([[Fraction(1, 2), Fraction(2, 3)]]) == (6, ((3, 4),))
+
+
+LIPSCHITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
+TWICE = "2,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
+
+
+def about(statement: str, evidence: Any, **changes: Any) -> Certificate:
+    kind = statement.partition("{")[0]
+    data = {
+        "schema": "hfield-cert/1",
+        "statement": statement,
+        "algebra": "(-1,-1|QQ)",
+        "field": "QQ",
+    }
+    data |= {"verdict": "proved", "method": kind, "assumes": []}  # type: ignore[dict-item]
+    return {**data, "evidence": {"kind": kind, **evidence}, **changes}
+
+
+def test_lattices_whose_volumes_are_not_like_those_of_ideals() -> None:
+    refuted = {"verdict": "refuted", "method": "norm"}
+    for side in ("left", "right"):
+        statement = f"equivalent{{{side}; {LIPSCHITZ}; {TWICE}}}"
+        assert established(about(statement, {}, **refuted)).scope == "field"
+        basis = {
+            "between": {"den": 1, "rows": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]]}
+        }
+        rejects(about(statement, basis, **refuted), "there is nothing to run through")
+    rejects(
+        about(f"equivalent{{up; {LIPSCHITZ}; {TWICE}}}", {}, **refuted), "must be left or right"
+    )
+    same = f"equivalent{{left; {LIPSCHITZ}; {LIPSCHITZ}}}"
+    rejects(about(same, {}, **refuted), "need a basis")
+
+
+def test_statements_that_are_not_well_made() -> None:
+    assert established(about(f"order{{{LIPSCHITZ}; 4}}", {}))
+    for statement, said in (
+        (f"order{{{LIPSCHITZ}; 4; maximal}}", "not shown that this order is maximal at 2"),
+        (f"order{{{LIPSCHITZ}; 4; best}}", "maximal, or nothing more"),
+        (f"order{{{LIPSCHITZ}; 9/2}}", "a discriminant must be an integer"),
+        (f"order{{{LIPSCHITZ}; 2}}", "another reduced discriminant"),
+        (f"order{{{LIPSCHITZ}; -4}}", "another reduced discriminant"),
+        (f"order{{{TWICE}; 8}}", "1 is not in it"),
+        (f"order{{{LIPSCHITZ.replace('1', '1/2', 1)}; 2}}", "a product of two rows is not in it"),
+        (f"order{{{LIPSCHITZ.replace('1', '0', 1)}; 4}}", "of rank below 4"),
+        (f"order{{{LIPSCHITZ[:-2]}; 4}}", "is no rational number|four rows"),
+        (f"order{{{LIPSCHITZ}}}", "has not 1 parts"),
+        (f"order{{{LIPSCHITZ.replace('1', '1/0', 1)}; 4}}", "divides by 0"),
+    ):
+        rejects(about(statement, {}), said)
+
+
+def test_long_numbers_are_paid_for() -> None:
+    """Running through vectors costs as much more as the numbers are longer."""
+
+    def spent(scale: int) -> int:
+        gram = tuple(tuple(scale * (m == n) for n in range(4)) for m in range(4))
+        with bounded():
+            assert len(list(short_vectors(gram, 4 * scale))) == 44
+            return MAX_WORK - work._current.get().left
+
+    assert spent(10**4000) > 50 * spent(1)

@@ -219,3 +219,50 @@ def grown(name: str, text: str) -> None:
 def test_numbers_do_not_grow_without_end(name: str, text: str) -> None:
     with pytest.raises(Rejected):
         grown(name, text)
+
+
+@pytest.mark.parametrize(
+    ("field", "text", "why"),
+    [
+        ("GF(2^2)", None, "there is no ring"),
+        ("GF(5,x)", None, "GF.5. takes no modulus"),
+        (f"GF({2**65})", None, "has the degree 65; at most 64"),
+        (f"GF({2**600})", None, "is too large; at most 512"),
+        (f"ZZ/{'9' * 3990}{'9' * 20}", None, "the name of a ring has|is too large"),
+        (f"GF({'9' * 3995})", None, "is too large"),
+        ("GF(4,(x+1)*x^4*x)", None, "too high a degree"),
+        ("GF(4,x^9)", None, "of a fitting degree"),
+        ("GF(4,x/2)", None, "of a fitting degree"),
+        ("GF(4,x-x)", None, "must have the degree 2"),
+        (f"QQ{' ' * 4000}", None, "at most 4000 are read"),
+        (f"GF({3**40})", "x", "what x is in GF.* is not known here"),
+        ("QQ(x)", "1/(x^2001 + x + 1) + x", "a degree above 2000"),
+        ("RR", "sqrt(1000000007)", "is not taken apart here"),
+        ("RR", "*".join(f"(1+sqrt({p}))" for p in (2, 3, 5, 7, 11, 13)), "too many square roots"),
+        ("RDF", "1/2", "."),
+        ("RDF", "9007199254740992", "below 2.53"),
+    ],
+)
+def test_what_is_too_large_or_unknown(field: str, text: str | None, why: str) -> None:
+    def reads() -> None:
+        with bounded():
+            read_field(field).read(text or "0")
+
+    with pytest.raises(Rejected, match=why):
+        reads()
+
+
+def test_bounds_of_single_rings() -> None:
+    floats, real, rationals = read_field("RDF"), read_field("RR"), read_field("QQ")
+    assert floats.number(5) == 5
+    assert real.sign(real.read("99/70 - sqrt(2)")) == 1
+    # √2 = 1.41421356237309504880168872420969807…: these differ in the 33rd digit
+    assert real.sign(real.read("1414213562373095048801688724209698/10**33 - sqrt(2)")) == -1
+    assert real.sign(real.read("1414213562373095048801688724209699/10**33 - sqrt(2)")) == 1
+    with pytest.raises(Rejected, match="infinitely many elements"):
+        rationals.elements()
+    functions = read_field("QQ(x)")
+    with pytest.raises(Rejected, match="above the degree 2000"):
+        functions.is_square(functions.read("x^2002"))
+    with pytest.raises(Rejected, match="neither divides 15 nor is prime to it"):
+        read_field("QQ(sqrt(15))").place("9")

@@ -339,3 +339,39 @@ def test_rows_and_columns_are_named() -> None:
             wrong = {**MINOR, key: [value, *MINOR[key][1:]]}  # type: ignore[index]
             with pytest.raises(Rejected, match=f"^a row or column {said}"):
                 check(certificate(row, evidence=wrong))
+
+
+def test_vacuous_parts_are_said() -> None:
+    empty = {"verdict": "vacuous", "evidence": {"kind": "unsatisfiable", "proof": IDENTITY}}
+    first, second = "1 == 2 => q == p", "q == q"
+    row = (f"every{{{second}; {first}}}", "QQ", "proved", "identity", None, {}, "field")
+    found = check(certificate(row, evidence={**PARTS, "parts": [proved(IDENTITY), empty]}))
+    assert found.vacuous == (first,)
+    assert f"vacuous part: {first}" in found.lines()
+    nothing = {**PARTS, "parts": [empty, empty]}
+    with pytest.raises(Rejected, match="all parts are vacuous"):
+        check(certificate(row, statement=f"every{{{first}; {first}}}", evidence=nothing))
+    with pytest.raises(Rejected, match="braces of the statement do not match"):
+        check(certificate(row, statement="every{q == q; every{q == q}"))
+    everywhere = check(certificate(row_of("basis{2; 1,2; 3,7}", None)))
+    assert everywhere.where == "over all commutative rings"
+    assert check(certificate(row_of("centre{2}", None))).where == "over all fields"
+    assert check(certificate(row_of("division", "QQ"))).where == "over QQ"
+
+
+def test_the_evidence_is_named() -> None:
+    for statement, field in (
+        ("basis{2; 1,2; 3,4}", "GF(3)"),
+        ("modulus-exists", "QQ"),
+        ("division", "QQ(I)"),
+    ):
+        row = row_of(statement, field)
+        with pytest.raises(Rejected, match=r"^the evidence has an unknown key 'more'"):
+            check(certificate(row, evidence={**row[5], "more": 1}))
+    row = row_of("division", "QQ(I)")
+    for value, said in (
+        (["I", "1", "0"], "coordinates has 3 entries"),
+        (["I"] * 5, "four coordinates"),
+    ):
+        with pytest.raises(Rejected, match=said):
+            check(certificate(row, evidence={**row[5], "value": value}))

@@ -93,11 +93,14 @@ def test_a_certificate_is_written(capsys, tmp_path):
     assert certificate["schema"] == "hfield-cert/1"
 
 
+def test_equality_may_be_written_as_it_is_printed(capsys):
+    assert run(capsys, "p*q = q*p") == run(capsys, "p*q == q*p")
+
+
 @pytest.mark.parametrize(
     ("words", "hint"),
     [
         ([], "STATEMENT"),
-        (["p*q = q*p"], "=="),
         (["p*q"], "statement"),
         (["p == q", "--field", "GF(6)"], "GF(6)"),
         (["p == q", "--algebra", "nonsense"], "not an algebra"),

@@ -33,6 +33,7 @@ SIGNS = "pqλθψ²³⁻¹₀₁·−√≠⇒∈‖°…“”—żółćę{}$&
         ("(where p ∈ RR)", r"(where $p \in \mathbb{R}$)"),
         ("basis e, i, j, k and ij = k", "basis $e, i, j, k$ and $ij = k$"),
         ("obroty i animacje z roku", "obroty i animacje z roku"),
+        ("if q ≠ 0, 1 lies there", r"if $q \neq 0$, 1 lies there"),
         ("x → ∞.", r"$x \to \infty$."),
     ],
 )

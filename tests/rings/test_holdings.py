@@ -2,6 +2,7 @@
 
 import pickle
 from itertools import product as tuples
+from random import Random
 
 import flint
 import numpy as np
@@ -280,3 +281,17 @@ def test_explain_product(capsys) -> None:
     out = capsys.readouterr().out
     assert "a = -2" in out
     assert "b*" not in out
+
+
+@pytest.mark.parametrize(
+    "name", ["QQ", "QQ(sqrt(-7))", "QQ(I)", "QQ[s]/(s^3-2)", "QQ[s]/(s^3+s^2-4*s-1/2)"]
+)
+def test_multiples_and_inverses_are_held_as_products_are(name) -> None:
+    F, rng = ring(name), Random(5)
+    A = QuaternionAlgebra(F, -1, F.random(rng) + F(7))
+    for _ in range(5):
+        p, s = A(*(F.random(rng) for _ in range(4))), F.random(rng)
+        assert (s * p)._held == (p * s)._held == (A.scalar(s) * p)._held
+        if p.is_unit():
+            assert p * p.inverse() == A.one
+            assert p.inverse()._held == (p.conjugate() * A.scalar(F.inverse(p.norm())))._held

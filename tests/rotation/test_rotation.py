@@ -293,6 +293,7 @@ def rounded(q: Fixed) -> np.ndarray:
     return np.array([float(n / reference.length(v)) for n in v])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["random", "one repeated"])
 def test_a_million_compositions(kind: str) -> None:
     n = 10**6

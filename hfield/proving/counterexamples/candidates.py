@@ -5,6 +5,7 @@ prime field on Python's numbers, then small elements of the field, zero divisors
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
 from typing import Any
@@ -17,8 +18,9 @@ from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
-from hfield.syntax import weight
 
+HEAVIEST = 12  # the weight of a place
+MANY_STATEMENTS_TRY = 150  # places, before they are left alone or proved
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
 
 
@@ -65,11 +67,10 @@ def vectors(length: int, total: int, largest: int) -> Iterator[list[int]]:
                 yield [*[0] * zeros, first, *rest]
 
 
-def prime_scalars(p: int) -> list[int]:
+def prime_scalars(p: int) -> tuple[int, ...]:
     """Return 0 and then small numbers of the prime field, each once."""
-    if not p:
-        return [0, 1, -1, 2, -2, 3]
-    return list(dict.fromkeys(n % p for n in (0, 1, -1, 2, -2, 3)))
+    numbers = (0, 1, -1, 2, -2, 3)
+    return tuple(dict.fromkeys(n % p for n in numbers)) if p else numbers
 
 
 @lru_cache(maxsize=64)
@@ -159,29 +160,73 @@ def from_pool(
 def prime_search(problem: Problem, p: int, limit: int, wanted: bool = False) -> Assignment | None:
     """Search the prime field of characteristic p; a witness there is one over every extension.
 
-    Fields of one characteristic share the answer.
+    Fields of one characteristic share the answer, and a search that goes further goes on from there.
     """
-    return None if problem.statement.constants else _prime_search(problem, p, limit, wanted)
+    if problem.statement.constants:
+        return None
+    return _search_begun(problem, p, wanted).further(problem, limit)
 
 
 @remembered
-def _prime_search(problem: Problem, p: int, limit: int, wanted: bool) -> Assignment | None:
-    scalars = prime_scalars(p)
-    if not p and too_heavy(problem.statement, MAX_FAST):
-        scalars = scalars[:3]
-    seeker = Searcher(problem, PrimeScalars(p), wanted)
-    places = by_weight(problem.statement.unknowns, scalars, 12, problem.letters)
-    return seeker.first(islice(places, limit))
+def _search_begun(problem: Problem, p: int, wanted: bool) -> "_PrimeSearch":
+    return _PrimeSearch(p, wanted)
+
+
+@dataclass
+class _PrimeSearch:
+    """A search for one truth value of one statement: how many places were tried, and what was found."""
+
+    p: int
+    wanted: bool
+    tried: int = 0
+    found: Assignment | None = None  # at the last place tried
+
+    def further(self, problem: Problem, limit: int) -> Assignment | None:
+        """Return the first hit among ``limit`` places, of which only those not tried yet are visited."""
+        if self.found is None and self.tried < limit:
+            self._try(problem, limit)
+        return None if self.found is None or self.tried > limit else dict(self.found)
+
+    def _try(self, problem: Problem, limit: int) -> None:
+        statement, scalars = problem.statement, prime_scalars(self.p)
+        if not self.p and statement.weight > MAX_FAST:
+            scalars = scalars[:3]
+        seeker = Searcher(problem, PrimeScalars(self.p), self.wanted)
+        if seeker.is_constant:
+            limit = 1
+        for place in islice(_places(statement, scalars, problem.letters), self.tried, limit):
+            if problem.is_late:
+                return
+            self.tried += 1
+            if seeker.test(place):
+                self.found = place
+                return
+
+
+def _places(
+    statement: Statement, scalars: tuple[int, ...], letters: frozenset[str]
+) -> Iterator[Assignment]:
+    """Run through assignments by weight: the first of them are made once for all statements."""
+    first = _first_places(statement.unknowns, scalars, letters)
+    yield from first
+    yield from islice(by_weight(statement.unknowns, scalars, HEAVIEST, letters), len(first), None)
+
+
+@lru_cache(maxsize=32)
+def _first_places(
+    unknowns: tuple[tuple[str, Sort], ...], scalars: tuple[int, ...], letters: frozenset[str]
+) -> tuple[Assignment, ...]:
+    return tuple(islice(by_weight(unknowns, scalars, HEAVIEST, letters), MANY_STATEMENTS_TRY))
 
 
 def ring_search(problem: Problem, limit: int, wanted: bool = False) -> Assignment | None:
     """Search small elements of the ring, and its zero divisors."""
     field, statement = problem.ring, problem.statement
-    if field.order is None and too_heavy(statement, MAX_SLOW if field.gen_name else MAX_FAST):
+    if field.order is None and statement.weight > (MAX_SLOW if field.gen_name else MAX_FAST):
         return None
     seeker = Searcher(problem, RingScalars(field), wanted)
     scalars = small_scalars(field)
-    places = by_weight(statement.unknowns, scalars, 12, problem.letters)
+    places = by_weight(statement.unknowns, scalars, HEAVIEST, problem.letters)
     if problem.letters:
         return seeker.first(islice(places, 2 * limit))
     found = seeker.first(islice(from_pool(statement.unknowns, pool(problem), scalars), limit))
@@ -197,16 +242,6 @@ def true_place(problem: Problem, limit: int) -> Assignment | None:
         if found is not None:
             return found
     return None if field is None else ring_search(problem, limit, True)
-
-
-def too_heavy(statement: Statement, limit: int) -> bool:
-    """Tell whether evaluating at elements above 1 could grow without bound."""
-    return _heaviest(statement) > limit
-
-
-@lru_cache(maxsize=4096)
-def _heaviest(statement: Statement) -> int:
-    return max(weight(n) for n in (*statement.hypotheses, statement.conclusion))
 
 
 def witness_texts(field: Ring | None, assignment: Mapping[str, Any]) -> dict[str, list[str]]:

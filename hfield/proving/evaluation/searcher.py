@@ -1,12 +1,15 @@
 """The truth of a statement at one place after the other."""
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 from hfield.errors import UndecidedError
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.proving.problem import Problem
+from hfield.proving.statements.trees import walk
+from hfield.syntax import Name
 
 Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
 
@@ -27,6 +30,8 @@ class Searcher:
         self.holds = self.evaluator.function(problem.matrix)
         self.moving = bool(problem.letters)  # the structure constants, with the place
         self.exists = self.moving or bool(self.evaluator.bind({}))
+        names = (node.name for node in walk(problem.matrix) if isinstance(node, Name))
+        self.is_constant = not self.moving and sorts.keys().isdisjoint(names)
 
     def test(self, assignment: Assignment) -> bool:
         """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
@@ -38,6 +43,8 @@ class Searcher:
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
         """Return the first assignment with the wanted truth value, before the deadline."""
+        if self.is_constant:
+            assignments = islice(assignments, 1)
         for assignment in assignments:
             if self.problem.is_late:
                 return None

@@ -20,7 +20,6 @@ from hfield.proving.evaluation.scalars import Scalars, Value
 from hfield.proving.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort
-from hfield.syntax import weight
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
@@ -59,7 +58,7 @@ def expand(problem: Problem) -> Expanded:
     :class:`TooLargeError` rather than begin what would not end.
     """
     statement = problem.statement
-    if any(weight(node) > MAX_WEIGHT for node in (*statement.hypotheses, statement.conclusion)):
+    if statement.weight > MAX_WEIGHT:
         raise TooLargeError("the degree or the numbers are too large to expand")
     world = Symbolic(problem)
     hypotheses, conditions = TRUE, tuple(world.conditions)

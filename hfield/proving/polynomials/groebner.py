@@ -176,11 +176,13 @@ class Basis:
             self.has_one = True
         self._cut(lead)
         fresh: dict[int, int] = {}
+        coprime: set[int] = set()
         for _, i in self.active:
-            fresh.setdefault(mon.lcm(self.leads[i], lead), i)
-        minimal = self._minimal(fresh)
-        coprime = {mon.lcm(self.leads[i], lead) for _, i in self.active if self._coprime(i, lead)}
-        for lcm, i in minimal:
+            lcm = mon.lcm(self.leads[i], lead)
+            fresh.setdefault(lcm, i)
+            if lcm == self.leads[i] + lead:
+                coprime.add(lcm)
+        for lcm, i in self._minimal(fresh):
             if lcm not in coprime:
                 heapq.heappush(self.pairs, (mon.degree(lcm), lcm, i, new))
         self.active = [x for x in self.active if not mon.divides(lead, self.leads[x[1]])]
@@ -199,9 +201,6 @@ class Basis:
             else:
                 out.append(pair)
         return out
-
-    def _coprime(self, i: int, lead: int) -> bool:
-        return self.monomials.lcm(self.leads[i], lead) == self.leads[i] + lead
 
     def _cut(self, lead: int) -> None:
         """Drop the old pairs that the new element makes superfluous (Buchberger's chain)."""

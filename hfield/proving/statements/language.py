@@ -8,7 +8,7 @@ docs/language.md.
 
 from dataclasses import dataclass
 from enum import Enum
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError
 from hfield.proving.statements.printing import to_text
@@ -28,6 +28,7 @@ from hfield.syntax import (
     Number,
     Power,
     parse,
+    weight,
 )
 from hfield.syntax.spelling import elsewhere
 
@@ -81,6 +82,11 @@ class Statement:
 
     def __hash__(self) -> int:
         return hash(self.text)  # trees are long, and memories ask often
+
+    @cached_property
+    def weight(self) -> int:
+        """The greatest weight of a hypothesis or of the conclusion (:func:`hfield.syntax.weight`)."""
+        return max(map(weight, (*self.hypotheses, self.conclusion)))
 
     @property
     def sorts(self) -> dict[str, Sort]:

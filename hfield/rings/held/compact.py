@@ -20,6 +20,7 @@ MADE = (
     "conjugate",
     "difference",
     "inverse",
+    "multiple",
     "negative",
     "norm",
     "product",
@@ -40,6 +41,7 @@ class Compact(Holding):
     conjugate: Callable[[Any], Any]
     difference: Callable[[Any, Any], Any]
     inverse: Callable[[Any], Any]
+    multiple: Callable[[Any, Any], Any]
     negative: Callable[[Any], Any]
     norm: Callable[[Any], Any]
     product: Callable[[Any, Any], Any]

@@ -10,9 +10,9 @@ import flint
 
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
-from hfield.rings.held.compact import LARGE
+from hfield.rings.held.compact import LARGE, function, statements
 from hfield.rings.held.numerators import Held, Numerators
-from hfield.straight_line import named, parts
+from hfield.straight_line import FIRST, named, parts, specialise_extension
 
 Vector = tuple[Any, ...]  # of rational numbers
 
@@ -54,7 +54,7 @@ class Fractions(Numerators):
             self._named(name, [int(c.p) for c in values])
             for name, values in zip("atb", scaled, strict=True)
         )
-        self.relation = self._named("m", list(relation))
+        self.relation, self.whole_relation = self._named("m", list(relation)), relation
 
     def _named(self, letter: str, values: list[int]) -> tuple[str, ...]:
         """Return integers as the specialiser takes them, and remember those that it names."""
@@ -101,12 +101,58 @@ class Fractions(Numerators):
     def names(self) -> dict[str, Any]:
         """Return the constants, and what puts fractions in lowest terms."""
         tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
+        tools["reciprocal"] = self._reciprocal
         return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
 
     def value(self, names: list[str], denominator: str) -> list[str]:
         """Write how to return ints over a denominator; whole numbers are made quicker."""
         whole = f"    return element({', '.join(names)})"
         return ["if d1 == 1:", whole, *super().value(names, denominator)]
+
+    def source(self, operation: str) -> str:
+        """Return the text of an operation; the inverse over ℚ(s) is a multiple of the conjugate."""
+        if operation != "inverse" or self.degree == 1:
+            return super().source(operation)
+        n = self.degree
+        first, conjugate, norm, inverse = (
+            [part for name in side for part in parts(name, n)]
+            for side in (FIRST, "wxyz", "s", ("w2",))
+        )
+        adjoint = specialise_extension("adjoint", self.pattern, self.relation)
+        multiple = specialise_extension("multiple", self.pattern, self.relation)
+        body = [
+            *statements(adjoint, (*conjugate, *norm)),
+            f"{', '.join(inverse)}, d = reciprocal({', '.join(norm)})",
+            *self.inverted[:4],
+            f"{', '.join(first)} = {', '.join(conjugate)}",
+            f"{', '.join(inverse)} = {', '.join(f'{u}*d1' for u in inverse)}",
+            *statements(multiple, tuple(conjugate)),
+            *self.settle(conjugate),
+        ]
+        return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
+
+    def scaled(self, p: Held, s: Any) -> Held:
+        """Return s·p for an element s of the ring."""
+        vector = self._vector(s)
+        d = _denominator(vector)
+        held: Held = self.multiple(p, (*(int(c.p) * (d // int(c.q)) for c in vector), d))
+        return held
+
+    def _reciprocal(self, *s: Any) -> tuple[Any, ...]:
+        """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 2 or 3.
+
+        The matrix of multiplication by the first sum has the second, up to d, for its inverse's first column.
+        """
+        if len(s) == 2:
+            (x, y), (m0, m1) = s, self.whole_relation
+            u = x + m1 * y
+            return u, -y, x * u - m0 * y * y
+        x, y, z = s
+        m0, m1, m2 = self.whole_relation
+        x1, y1, z1 = m0 * z, x + m1 * z, y + m2 * z
+        x2, y2, z2 = m0 * z1, x1 + m1 * z1, y1 + m2 * z1
+        u, v, w = y1 * z2 - y2 * z1, y2 * z - y * z2, y * z1 - y1 * z
+        return u, v, w, x * u + x1 * v + x2 * w
 
     def settle(self, names: list[str]) -> list[str]:
         """Write how to return ints over d in lowest terms; one look tells whether they are large."""

@@ -56,6 +56,10 @@ class Numerators(Compact):
         if operation in ("sum", "difference"):
             body = _added("+" if operation == "sum" else "-", results, first, second)
             return function(operation, both, [*body, *self.settle(results)])
+        if operation == "multiple":
+            scalar = parts("w2", degree)
+            body = [*formula("multiple", results), "d = d1*d2", *self.settle(results)]
+            return function(operation, p | {"s": f"{', '.join(scalar)}, d2"}, body)
         if operation == "inverse" and (degree > 1 or not self.ring.is_field):
             return "def inverse(p):\n    return by_norm(p)"
         if operation == "inverse":

@@ -28,7 +28,7 @@ class LocalField(Ring):
     >>> from hfield import ring
     >>> F = ring("Qp(5)")
     >>> F("3/10"), F("2 + 3*5 + O(5^2)"), F.sqrt(F(-1))
-    (3/10, 17+O(5^2), 65139588161682+O(5^20))
+    (3/10, 17+O(5^2), 79753541295807+O(5^20))
     """
 
     is_field = True

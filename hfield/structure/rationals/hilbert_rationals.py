@@ -13,7 +13,7 @@ from typing import Any
 import flint
 
 from hfield.errors import RingError
-from hfield.factorisation import Factors, factorise, is_prime, known_primes, remove
+from hfield.factorisation import WORD, Factors, factorise, is_prime, known_primes, remove
 from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.structure.rationals.whole_numbers import crt, square_class
 
@@ -55,27 +55,38 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     :class:`UnfactoredError`.
     """
     m, n = square_class(a), square_class(b)
-    with known_primes(factors, ""):
-        in_m, in_n = factorise(m), factorise(n)
-    whole_m, whole_n = flint.fmpz(m), flint.fmpz(n)
+    if factors is None:
+        in_m, in_n = _odd_prime_powers(m), _odd_prime_powers(n)
+    else:
+        with known_primes(factors, ""):
+            in_m, in_n = _odd_prime_powers(m), _odd_prime_powers(n)
+    symbol_of_m, symbol_of_n = flint.fmpz(m).jacobi, flint.fmpz(n).jacobi
     primes = []
-    for p, alpha in in_m.items():
-        if p != 2:
-            beta = in_n.get(p)
-            if beta:
-                sign = _symbol(p, alpha, m // p**alpha, beta, n // p**beta)
-            else:
-                sign = whole_n.jacobi(p) if alpha & 1 else 1
-            if sign < 0:
-                primes.append(p)
-    for p, beta in in_n.items():
-        if p != 2 and beta & 1 and p not in in_m and whole_m.jacobi(p) < 0:
-            primes.append(p)
+    for p, alpha in in_m:
+        sign = symbol_of_n(p)
+        if not sign:  # p divides both
+            prime = int(p)
+            sign = _symbol(prime, *remove(m, prime), *remove(n, prime))
+        elif not alpha & 1:
+            continue
+        if sign < 0:
+            primes.append(int(p))
+    primes += [int(p) for p, beta in in_n if beta & 1 and symbol_of_m(p) < 0]
     infinite = m < 0 and n < 0
     if (len(primes) + infinite) & 1:  # the number of ramified places is even: reciprocity
         primes.append(2)
     primes.sort()
     return (*primes, INFINITE) if infinite else tuple(primes)
+
+
+def _odd_prime_powers(n: int) -> list[tuple[Any, int]]:
+    """Return the odd primes of n, as FLINT's integers, with their exponents, ascending."""
+    powers: list[tuple[Any, int]]
+    if -WORD < n < WORD:
+        powers = flint.fmpz(n).factor()
+    else:
+        powers = [(flint.fmpz(p), e) for p, e in sorted(factorise(n).items())]
+    return powers if n & 1 else powers[1:]
 
 
 def discriminant_q(places: Iterable[Place]) -> int:

@@ -1,0 +1,77 @@
+"""One decision in lines of text: verdict, steps, witness, what is assumed; without the ledger's claims."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterator
+
+from hfield.errors import shorten
+from hfield.ledger.claim import UNIVERSAL
+from hfield.ledger.matrix import Style
+from hfield.ledger.wording import over, pretty, witness_text
+from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+
+_MOST = (
+    600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
+)
+_LABEL = 12
+
+
+def decision_text(
+    statement: str, decision: Decision, algebra: str, field: str | None, style: Style
+) -> str:
+    """Write a statement of the language in ``algebra`` and its decision; no field means all."""
+    where = "for every F" if field is None else over(field)
+    lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
+    told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
+    return "\n".join([*lines, *told])
+
+
+def decision_lines(
+    text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
+) -> Iterator[str]:
+    """Yield verdict, steps, witness and what was assumed or tried, each wrapped beside its label."""
+    verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
+    method = ""
+    if decision.verdict != NOT_APPLICABLE:
+        method = f"  (by {decision.method}{scope_text(decision)})"
+    yield from wrapped("verdict", verdict + method, style, plain=False)
+    for n, step in enumerate(decision.steps, 1):
+        indent = len(step) - len(step.lstrip())
+        told = shorten(step.strip(), _MOST)
+        yield from wrapped(f"{n}. ".rjust(_LABEL), told, style, indent=indent)
+    witness = witness_text(decision.witness, field)
+    if witness:
+        yield from wrapped("witness", witness, style)
+    if decision.verdict == REFUTED:
+        from hfield.ledger.evaluated import evaluated
+
+        for n, line in enumerate(evaluated(text, decision.witness, field, algebra)):
+            yield from wrapped("" if n else "there", line, style)
+    for theorem in decision.assumes:
+        yield from wrapped("assumes", theorem, style)
+    for attempt in decision.tried:
+        yield from wrapped("tried", attempt, style)
+
+
+def scope_text(decision: Decision) -> str:
+    """Say where the statement holds, beyond the field it was decided over."""
+    if decision.scope in (None, FIELD):
+        return ""
+    primes = re.fullmatch(r"characteristics \[(.+)\]", decision.scope or "")
+    if primes is None:
+        return f", over all {decision.scope}"
+    plural = "s" if "," in primes[1] else ""
+    return f"; it holds exactly in characteristic{plural} {primes[1]}"
+
+
+def wrapped(
+    label: str, text: str, style: Style, indent: int = 0, plain: bool = True
+) -> Iterator[str]:
+    """Yield the label and the text beside it, wrapped to the width of the terminal."""
+    head = f"  {label:<{_LABEL}}" + " " * indent
+    room = max(style.width - len(head), 30)
+    lines = textwrap.wrap(text, room, break_on_hyphens=False) if plain else [text]
+    for n, line in enumerate(lines):
+        yield (head if n == 0 else " " * len(head)) + line

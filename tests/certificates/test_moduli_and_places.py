@@ -1,0 +1,326 @@
+"""ℚ[s]/(f) in the checker: no reducible modulus, all real places, prime ideals and nothing like them."""
+
+import random
+from collections.abc import Sequence
+from fractions import Fraction
+from math import prod
+
+import pytest
+from flint import fmpz_poly
+
+from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.irreducible import check_irreducible
+from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
+from hfield.certificates.scalars.real_roots import real_roots
+from hfield.certificates.scalars.root_discs import BITS, root_discs
+from hfield.certificates.work import bounded
+from tests.steps import steps
+
+
+def refused(name: str) -> str:
+    try:
+        with bounded():
+            read_field(name)
+    except Rejected as error:
+        return str(error)
+    pytest.fail(f"{name} is read")
+
+
+def written(f: Sequence[int]) -> str:
+    """Write a monic polynomial, low degree first, as the name of its field."""
+    terms = [f"{c:+}*s^{n}" if n else f"{c:+}" for n, c in enumerate(f[:-1])]
+    return f"QQ[s]/(s^{len(f) - 1}{''.join(reversed(terms))})"
+
+
+def is_irreducible(f: Sequence[int]) -> bool:
+    _, factors = fmpz_poly(list(f)).factor()
+    return len(factors) == 1 and factors[0][1] == 1
+
+
+def test_what_is_reducible_is_no_field() -> None:
+    """Small polynomials of degree 2 to 6, and products that no prime tells from irreducible ones."""
+    rng = random.Random(5)
+    both = {True: 0, False: 0}
+    for _ in range(150):
+        f = [rng.randint(-3, 3) for _ in range(rng.randint(2, 6))] + [1]
+        if rng.random() < 0.3:
+            f = [
+                int(c)
+                for c in fmpz_poly(f) * fmpz_poly([rng.randint(-3, 3), rng.randint(-2, 2), 1])
+            ]
+        right = is_irreducible(f)
+        both[right] += 1
+        try:
+            check_irreducible(f, "it")
+        except Rejected:
+            assert not right, f
+        else:
+            assert right, f
+    assert min(both.values()) > 20
+
+
+@pytest.mark.parametrize(
+    ("f", "right"),
+    [
+        ([1, 0, 0, 0, 1], True),  # modulo every prime it is a product of two
+        ([1, 0, -10, 0, 1], True),
+        ([576, 0, -960, 0, 352, 0, -40, 0, 1], True),  # √2 + √3 + √5
+        ([4, 0, 0, 0, 1], False),
+        ([-4, 0, 0, 0, 1], False),
+        ([1, 0, 0, 0, 0, 0, 1], False),
+        ([1, 0, 1, 0, 1], False),
+    ],
+)
+def test_where_no_prime_helps(f: list[int], right: bool) -> None:
+    assert is_irreducible(f) == right
+    if right:
+        check_irreducible(f, "it")
+    else:
+        with pytest.raises(Rejected, match="may be reducible"):
+            check_irreducible(f, "it")
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("QQ[s]/(s^4+4)", "may be reducible"),
+        ("QQ[s]/(s^2-1/4)", "may be reducible"),
+        ("QQ[s]/(s^2-2*s+1)", "are not parted here"),
+        ("QQ[s]/(s^4)", "are not parted here"),
+        ("QQ(root(4,4))", "may be reducible"),
+        ("QQ(root(-4,4))", "may be reducible"),
+        ("QQ(root(8,3))", "may be reducible"),
+        ("QQ(root(2,2))", "expected a root of order 3 to 40"),
+        ("QQ(root(2,41))", "expected a root of order 3 to 40"),
+        ("QQ(root(1/0,3))", "is no element of QQ"),
+        ("QQ(zeta401)", "of too large an order"),
+        *((f"QQ(zeta{n}){plus}", "the degree is from 2") for n in (0, 1, 2) for plus in ("", "+")),
+        *((f"QQ(zeta{n})+", "the degree is from 2") for n in (3, 4, 6)),
+        ("QQ(zeta43)", "the degree is from 2 to 40"),
+        ("QQ[s]/(s-2)", "the degree is from 2 to 40"),
+        ("QQ[s]/(2*s^2-1)", "does not begin with 1"),
+        ("QQ[s]/(0)", "does not begin with 1"),
+        ("QQ[s]/(7)", "does not begin with 1"),
+        ("QQ[e]/(e^2+1)", "cannot name a variable"),
+        ("QQ[zeta5]/(zeta5^2+1)", "cannot name a variable"),
+        ("QQ[s]/(s^2-4^1000)", "are too large"),
+        ("QQ[s]/(s^2-4^90)", "may be reducible"),
+        ("QQ[s]/(s^16+1)", "is irreducible is shown up to the degree 14"),
+        # Names of completions that name no number.
+        *((f"{base}_{place}", "expected a number") for base in ("QQ", "QQ(I)") for place in ("inf", "(x)")),
+        ("QQ[s]/(s^3-2)_inf", "is no prime ideal"),
+    ],
+)  # fmt: skip
+def test_names_of_no_field(name: str, why: str) -> None:
+    said = refused(name)
+    assert why in said
+
+
+def test_roots_lie_in_their_discs() -> None:
+    for f in ([-2, 0, 0, 1], [1, 0, 0, 0, 1], [-6, 11, -6, 1], [5, -3, 0, 0, 0, 1]):
+        roots = [(float(z.real), float(z.imag)) for z, _ in fmpz_poly(f).complex_roots()]
+        discs = [tuple(x / 2**BITS for x in disc) for disc in root_discs(f)]
+        for x, y in roots:
+            near = [d for d in discs if abs(d[0] - x) + abs(d[1] - y) < 1e-9 + d[2]]
+            assert len(near) == 1
+            assert near[0][2] < 1e-30
+    for f, said in (
+        ([0, 0, 1], "not parted"),
+        ([1, 2, 1], "not parted|not found"),
+        ([2**201, 0, 1], "too large"),
+    ):
+        with pytest.raises(Rejected) as caught:
+            root_discs(f)
+        assert any(part in str(caught.value) for part in said.split("|"))
+
+
+def test_real_roots_are_those_of_flint() -> None:
+    rng, seen = random.Random(3), 0
+    while seen < 60:
+        f = [rng.randint(-9, 9) for _ in range(rng.randint(2, 8))] + [1]
+        scale = rng.choice((1, 2, 3))
+        monic = [Fraction(c, scale ** (len(f) - 1 - n)) for n, c in enumerate(f)]
+        if not is_irreducible(f):
+            continue
+        seen += 1
+        right = sorted(
+            float(z.real) for z, _ in fmpz_poly(f).complex_roots() if abs(float(z.imag)) < 1e-12
+        )
+        found = real_roots(monic)
+        assert len(found) == len(right)
+        for root, x in zip(found, right, strict=True):
+            for y in (-1, 2):
+                q = Fraction(int(x / scale * 1000) + y, 1000)
+                assert root.sign([-q, Fraction(1)]) == (1 if x / scale > q else -1)
+            assert root.sign([Fraction(0)] * 2) == 0
+            assert root.sign([Fraction(-3)]) == -1
+            assert root.sign(monic[:-1]) == (-1 if (x / scale) ** (len(f) - 1) > 0 else 1)
+    with pytest.raises(Rejected, match="double root"):
+        real_roots([Fraction(1), Fraction(2), Fraction(1)])
+
+
+def test_signs_that_are_too_close_are_given_up() -> None:
+    root = real_roots([Fraction(-2), Fraction(0), Fraction(0), Fraction(1)])[0]
+    close = Fraction(2)
+    for _ in range(13):  # Newton's steps: 2^13 bits are right
+        close = (2 * close + 2 / close**2) / 3
+        close = Fraction(int(close * 2**9000), 2**9000)
+    with pytest.raises(Rejected, match=r"more work|too many halvings"), bounded():
+        root.sign([-close, Fraction(1)])
+
+
+def test_sturms_sequence_stays_small() -> None:
+    """Of degree 40, with coefficients of eight digits: without taking out contents it took an hour."""
+    rng = random.Random(5)
+    f = [2 * rng.randrange(-(10**8), 10**8) + (n in (0, 3, 4, 5)) for n in range(40)] + [1]
+    name = written(f)
+    assert steps(lambda: read_field(name)) < 10**6
+    count = steps(lambda: real_roots([Fraction(c) for c in f]))
+    assert count < 10**6
+    with bounded():
+        assert is_certified(f"(-1,-1|{name})", name, {"by": "ordering"})
+
+
+@pytest.mark.parametrize("n", [3, 4, 5, 7, 8, 9, 12, 15, 16, 20, 21, 30, 60, 105])
+def test_roots_of_unity(n: int) -> None:
+    assert cyclotomic(n) == [int(c) for c in fmpz_poly.cyclotomic(n)]
+    # with z + 1/z for s, times z^half, it is the cyclotomic polynomial
+    f = twice_cosine(n)
+    half, z = len(f) - 1, fmpz_poly([0, 1])
+    total = sum((c * (z * z + 1) ** k * z ** (half - k) for k, c in enumerate(f)), fmpz_poly())
+    assert total == fmpz_poly.cyclotomic(n)
+
+
+def test_arithmetic() -> None:
+    field, rng = read_field("QQ[s]/(s^4-s/3+5/2)"), random.Random(1)
+    s = field.read("s")
+    assert field.read("s^4") == field.read("s/3 - 5/2")
+    assert field.inverse(field.zero) is None
+    for _ in range(20):
+        x = tuple(Fraction(rng.randint(-5, 5), rng.randint(1, 4)) for _ in range(4))
+        y = tuple(Fraction(rng.randint(-5, 5)) for _ in range(4))
+        assert field.mul(x, field.add(y, s)) == field.add(field.mul(x, y), field.mul(s, x))
+        if any(x):
+            assert field.mul(x, field.inverse(x)) == field.one
+    assert field.constant(("name", "t")) is None
+    assert field.signs(s) == (None,)  # there is no real root
+    assert not field.is_ordered
+
+
+def test_squares_and_levels() -> None:
+    field = read_field("QQ[s]/(s^3-2)")
+    for text, right in (("4", True), ("9/4", True), ("0", True), ("-1", False), ("s - 2", False)):
+        assert field.is_square(field.read(text)) == right
+    for text in ("5", "3", "s"):  # by a residue
+        assert not field.is_square(field.read(text))
+    with pytest.raises(Rejected, match="is not decided here"):
+        field.is_square(field.read("(s + 3)^2"))
+    for name, levels in (
+        ("QQ[s]/(s^3-2)", (1, 2, 3, 100)),  # it is real
+        ("QQ(zeta5)", (1,)),  # 2 has the even degree 4
+        ("QQ(zeta7)", (1, 2, 3)),  # 2 has the degree 3
+        ("QQ(zeta8)", ()),
+        ("QQ[s]/(s^2+s+2)", (1, 2, 3)),  # 2 splits
+        ("QQ[s]/(s^2+7)", (1,)),  # the same field, but 2 divides the index of ℤ[s]
+        ("QQ[s]/(s^2+1/4)", ()),
+        ("QQ[s]/(s^4+s^2+2)", (1,)),
+    ):
+        found = tuple(n for n in (1, 2, 3, 100) if read_field(name).level_above(n))
+        assert found == levels, name
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "why"),
+    [
+        ("QQ[s]/(s^3-2)", "(2,s)", ""),
+        ("QQ[s]/(s^3-2)", "(5,s-3)", ""),
+        ("QQ[s]/(s^3-2)", "(5,s^2+3*s+4)", ""),
+        ("QQ[s]/(s^3-2)", "7", ""),
+        ("QQ[s]/(s^3-2)", "(3,s+1)", ""),
+        ("QQ[s]/(s^2-s/3-1)", "2", ""),
+        ("QQ[s]/(s^3-2)", "5", "reducible"),
+        ("QQ[s]/(s^3-2)", "2", "reducible"),
+        ("QQ[s]/(s^3-2)", "(5,s-2)", "is no prime ideal"),
+        ("QQ[s]/(s^3-2)", "(5,s^2+1)", "reducible"),
+        ("QQ[s]/(s^3-2)", "(5,s^2+2)", "is no prime ideal"),
+        ("QQ[s]/(s^3-2)", "(5,3)", "a prime ideal needs a polynomial"),
+        ("QQ[s]/(s^3-2)", "(5,5*s)", "a prime ideal needs a polynomial"),
+        ("QQ[s]/(s^3-2)", "(5,s/5)", "a number is not integral at 5"),
+        ("QQ[s]/(s^3-2)", "(6,s)", "6 is no prime"),
+        ("QQ[s]/(s^3-2)", "(0,s)", "is not integral at 0"),
+        ("QQ[s]/(s^3-2)", "(1,s)", "is not integral at 1"),
+        ("QQ[s]/(s^3-2)", "5,s-3", "is no prime ideal"),
+        ("QQ[s]/(s^2-s/3-1)", "(3,s)", "is not integral at 3"),
+        ("QQ[s]/(s^2-45)", "(3,s)", "is no valuation ring"),
+        ("QQ[s]/(s^2-5)", "(2,s+1)", "is no valuation ring"),
+        ("QQ[s]/(s^2-12)", "(2,s)", "is no valuation ring"),
+    ],
+)
+def test_prime_ideals(name: str, place: str, why: str) -> None:
+    field = read_field(name)
+    if why:
+        with pytest.raises(Rejected, match=why):
+            field.place(place)
+        return
+    found, p = field.place(place), int(place.strip("(").split(",")[0].strip(")"))
+    assert found.residue(field.number(p)) == found.residue(field.zero)
+    assert found.is_unit(found.residue(field.one))
+    assert not found.is_unit(found.residue(found.odd))
+    assert found.residue(field.inverse(found.odd)) is None
+    assert found.residue(field.mul(field.inverse(found.odd), found.odd)) == found.residue(field.one)
+
+
+def test_residues_with_denominators() -> None:
+    """s³ − 2 is 25 at 3, so that s − 3 has the valuation 2 at the one ideal above 5, and 0 at the other."""
+    field = read_field("QQ[s]/(s^3-2)")
+    first, second = field.place("(5,s-3)"), field.place("(5,s^2+3*s+4)")
+    x = field.read("5/(s-3)")
+    assert first.residue(x) is None
+    assert second.residue(x) == second.residue(field.zero)
+    y = field.read("(s-3)/5")
+    assert first.residue(y) == first.residue(field.zero)
+    assert second.residue(y) is None
+    rng = random.Random(7)
+    for place in (first, second):
+        for _ in range(10):
+            u, v = (
+                tuple(Fraction(rng.randint(-9, 9), rng.choice((1, 2, 3, 5, 25))) for _ in range(3))
+                for _ in "uv"
+            )
+            ru, rv = place.residue(u), place.residue(v)
+            if ru is not None and rv is not None:
+                k = place.residues  # type: ignore[attr-defined]
+                assert place.residue(field.add(u, v)) == k.add(ru, rv)
+                assert place.residue(field.mul(u, v)) == k.mul(ru, rv)
+                if place.is_unit(ru):
+                    assert place.residue(field.inverse(u)) == k.inverse(ru)
+            elif ru is None and any(u):
+                assert place.residue(field.inverse(u)) == place.residue(field.zero)
+
+
+def test_several_square_roots() -> None:
+    field = read_field("QQ(sqrt(2),sqrt(3))")
+    assert field.signs(field.read("sqrt(2) - sqrt(3)")) == (-1, 1, -1, 1)
+    assert sorted(field.signs(field.read("sqrt(6)"))) == [-1, -1, 1, 1]
+    assert prod(s for s in field.signs(field.read("1 + sqrt(2) + sqrt(3)")) if s) in (1, -1)
+    for text, right in (
+        ("2", True),
+        ("6", True),
+        ("1/3", True),
+        ("5", False),
+        ("0", True),
+        ("-2", False),
+    ):
+        assert field.is_square(field.read(text)) == right
+    assert not field.is_square(field.read("1 - sqrt(2)"))
+    with pytest.raises(Rejected, match="is not decided here"):
+        field.is_square(field.read("5 + 2*sqrt(6)"))
+    complex_one = read_field("QQ(I,sqrt(2),sqrt(-2),sqrt(8))")
+    assert complex_one.signs(complex_one.one) == (None,)
+    assert complex_one.is_square(complex_one.read("-2"))
+    assert not complex_one.is_ordered
+    assert "has more than 5 roots" in refused(
+        "QQ(" + ",".join(f"sqrt({n})" for n in range(2, 8)) + ")"
+    )
