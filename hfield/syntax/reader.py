@@ -7,6 +7,7 @@ from typing import Any
 
 from hfield.errors import NotationError, TooLargeError, shorten
 from hfield.syntax.parser import parse
+from hfield.syntax.spelling import elsewhere
 from hfield.syntax.tree import (
     Binary,
     Call,
@@ -86,7 +87,7 @@ class Reader:
                 if function not in self.functions or not function.isidentifier():
                     known = ", ".join(sorted(f for f in self.functions if f.isidentifier()))
                     raise NotationError(
-                        f"there is no function {function!r} in {self.what}; "
+                        f"there is no function {function!r} in {self.what}{elsewhere(function)}; "
                         f"known functions: {known or 'none'}",
                         text,
                         node.position,

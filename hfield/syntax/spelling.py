@@ -67,3 +67,23 @@ def _commutators(text: str) -> str:
             last = char[-1]
         spaced = char.isspace()
     return "".join(letters)
+
+
+ELSEWHERE = {
+    **dict.fromkeys(("reduced_norm", "nrd", "N"), "norm"),
+    **dict.fromkeys(("reduced_trace", "trd", "tr"), "trace"),
+    **dict.fromkeys(("conjugate", "bar"), "conj"),
+    **dict.fromkeys(("inverse", "inverse_of"), "inv"),
+    **dict.fromkeys(("commutator", "bracket"), "comm"),
+    **dict.fromkeys(("real", "Re", "scalar_part"), "scalar"),
+    **dict.fromkeys(("imag", "Im", "vector_part"), "vector"),
+}
+
+
+def elsewhere(function: str) -> str:
+    """Return how a function of the library, or of another system, is called in the language.
+
+    >>> elsewhere("reduced_norm"), elsewhere("det")
+    (', write norm', '')
+    """
+    return f", write {ELSEWHERE[function]}" if function in ELSEWHERE else ""

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from hfield.algebra import H
 from hfield.errors import HFieldError, NotationError, RingError, UndecidedError
 from hfield.proving.decide import decide
 from hfield.proving.prove import prove
@@ -166,3 +167,19 @@ def test_cases_that_go_alike_are_one_line():
 )
 def test_proofs_agree_in_number(text, field, line):
     assert line in decide(text, field).steps
+
+
+def test_the_hypotheses_are_named_once():
+    """What h1, h2 … are stands in the first line of a proof, and nothing of it in the others."""
+    first, *others = decide("q*i == i*q and q*j == j*q => q*p == p*q").steps
+    assert first.startswith("suppose that h1 = ")
+    assert others
+    assert all("·h" in step and "suppose" not in step for step in others)
+
+
+@pytest.mark.parametrize(("name", "ours"), [("reduced_norm", "norm"), ("inverse", "inv")])
+def test_names_of_other_systems_are_answered_with_ours(name, ours):
+    with pytest.raises(NotationError, match=f"no function '{name}', write {ours};"):
+        decide(f"{name}(q) == 1")
+    with pytest.raises(NotationError, match=f"no function '{name}' in .*, write {ours};"):
+        H("QQ")(f"{name}(1 + i)")

@@ -1,11 +1,12 @@
 """Proving clauses: from polynomials that are 0 to one that is, over all fields of a characteristic."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby, product
 from typing import Any
 
+from hfield.errors import shorten
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -95,8 +96,19 @@ class Proof:
         lines: dict[str, None] = {}
         for zero, items in groupby(self.items, key=lambda item: item.by_contradiction):
             alike = list(items)
-            lines.update(dict.fromkeys([_excluded(alike)] if zero else map(_member, alike)))
+            if zero:
+                lines[_excluded(alike)] = None
+                continue
+            for zeros, members in groupby(alike, key=lambda item: tuple(item.evidence["zero"])):
+                lines.update(dict.fromkeys((*_zeros(zeros), *map(_member, members))))
         return tuple(lines)
+
+
+def _zeros(zeros: Sequence[str]) -> Iterator[str]:
+    """Write what is 0 by the hypotheses and by denying a conclusion that is no equation, with its names."""
+    if zeros:
+        named = ", ".join(f"h{n} = {shorten(text, 120)}" for n, text in enumerate(zeros, 1))
+        yield f"suppose that {named} {'is' if len(zeros) == 1 else 'are'} 0"
 
 
 def _member(item: Item) -> str:
@@ -104,7 +116,7 @@ def _member(item: Item) -> str:
     e = item.evidence
     shown = " + ".join(f"({c})·h{n}" for n, c in enumerate(e["cofactors"], 1) if c != "0")
     scale = "" if e["denominator"] == 1 else f"{e['denominator']}·"
-    return f"{scale}({e['member']}) = {shown or 0}, with hₙ = 0 the hypotheses"
+    return f"{scale}({e['member']}) = {shown or 0}"
 
 
 def _excluded(items: Sequence[Item]) -> str:
@@ -113,7 +125,8 @@ def _excluded(items: Sequence[Item]) -> str:
     counts = [sum(s["step"] != "contradiction" for s in item.evidence["steps"]) for item in items]
     few, many = min(counts), max(counts)
     after = f", after {few if few == many else f'{few} to {many}'} " if many else ""
-    after += counted("conclusion", many, number=False) + " from these facts" if many else ""
+    plural = many if few == many else 2
+    after += counted("conclusion", plural, number=False) + " from these facts" if many else ""
     end = f"1 would lie in the ideal of the hypotheses{after}"
     if len(cases) == 1:
         return f"if {cases[0]}, {end}" if cases[0] else end

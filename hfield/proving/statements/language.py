@@ -30,6 +30,7 @@ from hfield.syntax import (
     parse,
     weight,
 )
+from hfield.syntax.spelling import elsewhere
 
 QUATERNIONS = frozenset("pqruvw")
 SCALARS = frozenset("styxz")
@@ -282,7 +283,8 @@ class _Analysis:
                 return Sort.SCALAR
             where = "" if self.field is None else f", nor does {self.field.name} read {text!r}"
             self.fail(
-                f"there is no function {function!r}{where}; known are {', '.join(sorted(RESULT))}",
+                f"there is no function {function!r}{where}{elsewhere(function)}; known are "
+                f"{', '.join(sorted(RESULT))}",
                 node,
             )
         wanted = 2 if function == "comm" else 1
