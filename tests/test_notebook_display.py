@@ -68,7 +68,8 @@ def test_names_of_rings(name, latex):
     assert latex_name(name) == latex
 
 
-def test_info_shows_the_page_of_the_command(capsys):
+def test_info_shows_the_page_of_the_command(capsys, monkeypatch):
+    monkeypatch.delenv("COLUMNS", raising=False)  # pytest's workers say how wide they are
     from hfield.cli import main
 
     about = info("(-1,-3|QQ)")

@@ -109,3 +109,9 @@ def test_a_missing_sign_in_an_element_is_named():
         H(GF(3))("ij")
     with pytest.raises(NotationError, match=r"write 2\*q"):
         H(GF(3))("2q")
+
+
+@pytest.mark.parametrize("text", ["p = q", "p < q", "p % q"])
+def test_the_language_itself_says_what_to_write(text):
+    with pytest.raises(NotationError, match=r"write == for equality|there is no"):
+        parse(text)
