@@ -239,6 +239,12 @@ def test_multilinear_maps() -> None:
     rejects(
         {**data, "statement": f"{wide} == q", "evidence": {**evidence, "unknowns": ["p", "q"]}}, "."
     )
+    letters = ["p", "q", "r", "u", "v"]
+    degrees = "*".join([f"({'*'.join(['(p + q + r + u + v)'] * 4)})"] * 2)  # 70 times 70
+    rejects(
+        {**data, "statement": f"{degrees} == p", "evidence": {**evidence, "unknowns": letters}},
+        "too many degrees",
+    )
     commutator = {**evidence, "tuples": [[x, [0, 0, 0, 0]] for x in "eijk"]}
     assert check(
         {**data, "statement": "comm(q, e) == conj(q)*0 + trace(q)*0", "evidence": commutator}
