@@ -117,8 +117,8 @@ def test_sheet(scene: Scene, raw: np.ndarray) -> None:
     assert shown(500) == [0, 49, 99, 149, 199, 249, 299, 349, 399, 449]
     assert shown(1) == [0]
     assert shown(3) == [0, 1, 2]
-    picture = contact_sheet(scene)
     numbers = shown(FRAMES)
+    picture = contact_sheet(scene, numbers)
     assert len(numbers) == 10
     height, width = raw.shape[1:3]
     assert picture.shape == (2 * height + 3 * 6, 5 * width + 6 * 6, 3)

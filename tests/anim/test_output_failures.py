@@ -23,7 +23,7 @@ from tests.anim.films import FILM, FRAMES, SIZE, decoded
     ("name", "film", "message"),
     [
         ("top.avi", FILM, r"as '.avi'; expected \.apng, \.gif"),
-        ("top.png", FILM, "--sheet makes one .png"),
+        ("top.png", FILM, "--frame N makes a .png of one frame, --sheet of ten"),
         ("top.mp4", Film((161, 120), 5, 25), "try --size 162x120"),
         ("top.mp4", Film((160, 121), 5, 25), "try --size 160x122"),
         ("top.gif", Film(SIZE, 5, 60), "at most 50 frames a second"),

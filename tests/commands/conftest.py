@@ -63,6 +63,7 @@ def run(monkeypatch, capsys):
 
     yield call
     registry.claims.cache_clear()
+    registry._spellings.cache_clear()
 
 
 @pytest.fixture
@@ -76,3 +77,4 @@ def fake_ledger(monkeypatch, claims):
     monkeypatch.setattr(registry, "CLAIMS", claims)
     monkeypatch.setattr(registry, "_foreign", lambda: ())
     registry.claims.cache_clear()
+    registry._spellings.cache_clear()

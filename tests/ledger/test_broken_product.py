@@ -51,5 +51,6 @@ def forget() -> None:
     for name, module in list(sys.modules.items()):
         if name.startswith("hfield"):
             for value in vars(module).values():
-                if hasattr(value, "cache_clear") and value is not claims:
+                is_cache = hasattr(value, "cache_clear") and not isinstance(value, type)
+                if is_cache and value is not claims:
                     value.cache_clear()
