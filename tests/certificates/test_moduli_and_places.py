@@ -172,7 +172,7 @@ def test_signs_that_are_too_close_are_given_up() -> None:
 
 
 def test_sturms_sequence_stays_small() -> None:
-    """Of degree 40, with coefficients of eight digits: without taking out contents it did not end in a minute."""
+    """Of degree 40, coefficients of eight digits: where contents stay in, it did not end in a minute."""
     rng = random.Random(5)
     f = [2 * rng.randrange(-(10**8), 10**8) + (n in (0, 3, 4, 5)) for n in range(40)] + [1]
     name = written(f)
