@@ -20,7 +20,8 @@ WORDS = (
     ("every{s == s; p*q == q*p}", "GF(3)", False), ("implies{1 == 2; s == 0}", "QQ", True),
     ("iff{1 == 1; 1 == 2}", "GF(5)", False), ("centre{2}", "GF(2)", True),
     ("over{GF(3); p*q == q*p}", None, False), ("over{GF(2); p*q == q*p}", None, True),
-    ("modulus-law{*}", "GF(5)", False), ("basis{2; 1,0; 0,2}", "QQ", True), ("basis{2; 1,1; 1,1}", "QQ", False),
+    ("modulus-law{*}", "GF(5)", False), ("basis{2; 1,0; 0,2}", "QQ", True),
+    ("basis{2; 1,1; 1,1}", "QQ", False),
 )  # fmt: skip
 # What the judge cannot see: for which s there is no y, no sample of y says.
 UNSEEN = {"exists y: not (s*y == 1) and s*y == 1", "implies{x != 0; 2 == 0}"}
