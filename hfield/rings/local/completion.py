@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError
 from hfield.rings.base import Ring
-from hfield.rings.local.element import LocalElement
+from hfield.rings.operators import Element
 from hfield.rings.rational import rational, unwrap
 
 
 class Completion(Ring):
-    """The completion of a global field at a place; elements are :class:`LocalElement`.
+    """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
 
-    ``global_field`` and ``place`` say of what and where. Texts mean what they mean in the global field.
+    Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
+    what they mean there.
     """
 
     is_field = True
@@ -37,7 +39,7 @@ class Completion(Ring):
         Raises :class:`CoercionError`.
         """
         x = unwrap(x)
-        if isinstance(x, LocalElement):
+        if isinstance(x, Element) and isinstance(x.field, Completion):
             if x.field == self:
                 return x
             raise self.refuse(x)
@@ -45,32 +47,22 @@ class Completion(Ring):
             return self.parse(x)
         number = rational(x)
         try:
-            return LocalElement(self, self.global_field(x if number is None else number))
+            return self.exact(self.global_field(x if number is None else number))
         except CoercionError:
             raise self.refuse(x) from None
 
-    def truncated(self, x: Any, n: int) -> Any:
-        """Return the standard element of the global field that is x up to the n-th digit."""
-        raise CoercionError(f"the elements of {self.name} are exact: none is known up to O(…)")
-
-    def order_of(self, x: Any) -> int:
-        """Return the valuation of a nonzero element of the global field."""
-        raise CoercionError(
-            f"{self.place} is no prime: the elements of {self.name} have no valuation"
-        )
-
-    def inverse_of(self, x: Any, precision: int | None) -> Any:
-        """Return 1/x for a nonzero element of the global field."""
-        return self.global_field.inverse(x)
+    @abstractmethod
+    def exact(self, value: Any) -> Any:
+        """Return an element of the global field as one of this field."""
 
     @property
     def gen(self) -> Any:
         """The generator of the global field."""
-        return LocalElement(self, self.global_field.gen) if self.gen_name else super().gen
+        return self.exact(self.global_field.gen) if self.gen_name else super().gen
 
     def names(self) -> dict[str, Any]:
         """What names mean in the global field."""
-        return {name: LocalElement(self, x) for name, x in self.global_field.names().items()}
+        return {name: self.exact(x) for name, x in self.global_field.names().items()}
 
     def functions(self) -> dict[str, Callable[..., Any]]:
         """What functions mean in the global field."""
@@ -80,14 +72,10 @@ class Completion(Ring):
         """Return a function of the global field as one of exact elements."""
         return lambda *xs: self(f(*(x.value for x in xs)))
 
-    def inverse(self, x: Any) -> Any:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0, and for what may be 0."""
-        return x.inverse()
-
     def places(self) -> Iterator[Any]:
         """Run through the places: there is one."""
         yield self.place
 
     def random(self, rng: Random) -> Any:
         """Return a small random exact element; the same for the same seed."""
-        return LocalElement(self, self.global_field.random(rng))
+        return self.exact(self.global_field.random(rng))

@@ -68,6 +68,10 @@ class LocalField(Completion):
         """An element of valuation 1."""
         return LocalElement(self, self.pi)
 
+    def exact(self, value: Any) -> LocalElement:
+        """Return an element of the global field."""
+        return LocalElement(self, value)
+
     # --- elements --------------------------------------------------------------------------------
 
     def up_to(self, x: Any, n: int) -> LocalElement:
@@ -102,6 +106,10 @@ class LocalField(Completion):
     def vanishes(self, x: Any) -> bool:
         """Tell whether x is 0 as far as its digits are known."""
         return not x.has_value
+
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0 and for O(πⁿ)."""
+        return x.inverse()
 
     def is_square(self, x: Any) -> bool:
         """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""

@@ -8,7 +8,35 @@ from typing import Any
 from hfield.errors import UndecidedError, shorten
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.local.completion import Completion
-from hfield.rings.local.element import LocalElement
+from hfield.rings.operators import Element
+
+
+class EmbeddedElement(Element):
+    """An element ``value`` of a number field, as a real or complex number. Immutable."""
+
+    __slots__ = ("value",)
+
+    field: InfiniteCompletion
+    value: Any
+
+    def __init__(self, field: InfiniteCompletion, value: Any) -> None:
+        object.__setattr__(self, "field", field)
+        object.__setattr__(self, "value", value)
+
+    def plus(self, other: EmbeddedElement) -> EmbeddedElement:
+        """Return the sum."""
+        return EmbeddedElement(self.field, self.value + other.value)
+
+    def __neg__(self) -> EmbeddedElement:
+        return EmbeddedElement(self.field, -self.value)
+
+    def times(self, other: EmbeddedElement) -> EmbeddedElement:
+        """Return the product."""
+        return EmbeddedElement(self.field, self.value * other.value)
+
+    def same(self, other: EmbeddedElement) -> bool:
+        """Tell whether both are the same number."""
+        return bool(self.value == other.value)
 
 
 class InfiniteCompletion(Completion):
@@ -19,13 +47,17 @@ class InfiniteCompletion(Completion):
 
     arithmetic = "local_fields.arithmetic_infinite.InfiniteArithmetic"
 
+    def exact(self, value: Any) -> EmbeddedElement:
+        """Return an element of the number field."""
+        return EmbeddedElement(self, value)
+
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""
-        return not x.has_value
+        return self.global_field.is_zero(x.value)
 
-    def equal(self, x: Any, y: Any) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
+    def inverse(self, x: Any) -> Any:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        return self.exact(self.global_field.inverse(x.value))
 
     def key(self, x: Any) -> Any:
         """Return the key of x in the number field."""
@@ -48,13 +80,13 @@ class InfiniteCompletion(Completion):
                 f"{shorten(self.text(x))} is a square in {shorten(self.name)}, but of no element of "
                 f"{shorten(self.global_field.name)}, and others have no names here"
             )
-        return self.principal(LocalElement(self, root))
+        return self.principal(self.exact(root))
 
     def is_square(self, x: Any) -> bool:
         """Tell whether x is a square."""
         return True
 
-    def principal(self, y: LocalElement) -> LocalElement:
+    def principal(self, y: EmbeddedElement) -> EmbeddedElement:
         """Return y or −y."""
         return y
 
@@ -81,13 +113,13 @@ class RealCompletion(InfiniteCompletion):
     def sign(self, x: Any, ordering: int = 0) -> int:
         """Return the sign of x at the place."""
         self.check_ordering(ordering)
-        return int(self.place.sign(x.value)) if x.has_value else 0
+        return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
 
     def is_square(self, x: Any) -> bool:
         """Tell whether x is not negative."""
         return self.sign(x) >= 0
 
-    def principal(self, y: LocalElement) -> LocalElement:
+    def principal(self, y: EmbeddedElement) -> EmbeddedElement:
         """Return the positive one of y and −y."""
         return -y if self.sign(y) < 0 else y
 
@@ -103,7 +135,7 @@ class ComplexCompletion(InfiniteCompletion):
     def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return a square root of −1 if the number field has one."""
         root = self.global_field.sqrt(self.global_field(-1))
-        return () if root is None else (LocalElement(self, root),)
+        return () if root is None else (self.exact(root),)
 
 
 def infinite_completion(field: Ring, place: Any, is_real: bool) -> InfiniteCompletion:
