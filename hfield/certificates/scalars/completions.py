@@ -94,11 +94,11 @@ class AtRealRoot(Completion):
         super().__init__(name, base)
         self.number_of_signs = number
 
-    def sign(self, x: Any) -> int | None:
+    def sign(self, x: Hashable) -> int | None:
         """Return the sign at the place."""
         return self.base.signs(x)[self.number_of_signs]
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: Hashable) -> bool:
         """Tell whether x is not negative."""
         return self.is_zero(x) or self.sign(x) == 1
 
