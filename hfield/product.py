@@ -15,7 +15,7 @@ Coordinates = tuple[Any, Any, Any, Any]
 
 
 class Scalar(Protocol):
-    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with what the coordinate's library takes."""
+    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with what its library takes."""
 
     def __add__(self, other: Any, /) -> Scalar:
         """Return self + other."""

@@ -130,7 +130,8 @@ def _squares(F: LocalField) -> tuple[LocalElement, ...]:
     if root is not None:
         return (root,)
     if F.doubling and F.doubling * (F.residues.order.bit_length() - 1) % 2:
-        root = F.sqrt(F(-7))  # 1 modulo 8
+        root = F.sqrt(F(-7))
+        assert root is not None  # −7 is 1 modulo 8
         return F.one, F.one, F(2), root
     rng = Random(1)
     for n in itertools.islice(itertools.count(), TRIES):
