@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError
 from hfield.rings.rational import rational
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial, SparsePolynomial
 
 
 class Quotient:
@@ -17,7 +20,9 @@ class Quotient:
     num: Any
     den: Any
 
-    def __init__(self, field: Any, num: Any, den: Any) -> None:
+    def __init__(
+        self, field: Any, num: Polynomial | SparsePolynomial, den: Polynomial | SparsePolynomial
+    ) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "num", num)
         object.__setattr__(self, "den", den)
@@ -25,7 +30,7 @@ class Quotient:
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("rational functions are immutable")
 
-    def _other(self, other: Any) -> Any:
+    def _other(self, other: object) -> Quotient | None:
         """Return ``other`` as a quotient of the same field, or None if it cannot mix in."""
         if type(other) is Quotient:
             if other.field is self.field or other.field == self.field:
@@ -36,7 +41,7 @@ class Quotient:
         number = rational(other)
         return None if number is None else self.field(number)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         o = self._other(other)
         if o is None:
             return NotImplemented
@@ -54,14 +59,14 @@ class Quotient:
     def __pos__(self) -> Quotient:
         return self
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Quotient:
         o = self._other(other)
         return NotImplemented if o is None else self + -o
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> Any:
         return -self + other
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         o = self._other(other)
         if o is None:
             return NotImplemented
@@ -71,11 +76,11 @@ class Quotient:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Quotient:
         o = self._other(other)
         return NotImplemented if o is None else self * self.field.inverse(o)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         return self.field.inverse(self) * other
 
     def __pow__(self, n: int) -> Quotient:
@@ -96,5 +101,5 @@ class Quotient:
     def __repr__(self) -> str:
         return str(self.field.text(self))
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return self.field, (self.field.text(self),)

@@ -38,13 +38,13 @@ def p_adic_numbers(p: str) -> LocalField:
     return LocalField(f"Qp({place})", words, QQ, place, PrimePlace(number))
 
 
-def completion_of_rationals(place: Any) -> Ring:
+def completion_of_rationals(place: object) -> Ring:
     """Return ℚ_p, or RR: the real algebraic numbers satisfy what all real numbers satisfy."""
     v = place_of_q(place)
     return RR if v == INFINITE else p_adic_numbers(str(v))
 
 
-def completion_of_functions(field: FunctionField, place: Any) -> Ring:
+def completion_of_functions(field: FunctionField, place: object) -> Ring:
     """Return the completion of GF(q)(t): Laurent series over the residue field."""
     v = place_of_functions(field, place)
     if field.base.order is None:
@@ -64,7 +64,7 @@ def completion_of_functions(field: FunctionField, place: Any) -> Ring:
     return LocalField(name, words, field, v, residues)
 
 
-def completion_of_quadratic(field: QuadraticField, place: Any) -> Ring:
+def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
     """Return the completion of ℚ(√d): an extension of ℚ_p, RR, or CC.
 
     Raises :class:`RingError` at the real place where √d is negative, for RR reads √d as the positive root.
@@ -80,7 +80,7 @@ def completion_of_quadratic(field: QuadraticField, place: Any) -> Ring:
     return _at_prime_ideal(field, v, prime_at(field, v))
 
 
-def completion_of_number_field(field: NumberField, place: Any) -> Ring:
+def completion_of_number_field(field: NumberField, place: object) -> Ring:
     """Return the completion of a number field: an extension of ℚ_p, RR, or CC.
 
     RR and CC do not read the elements of the field, which do not say where its generator goes.

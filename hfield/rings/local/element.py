@@ -69,7 +69,7 @@ class LocalElement:
         """Return how many digits are known from the first that is not 0; None for all of them."""
         return None if self.precision is None else self.precision - (self.least_valuation() or 0)
 
-    def _other(self, other: Any) -> LocalElement | None:
+    def _other(self, other: object) -> LocalElement | None:
         """Return ``other`` as an element of the same field, or None if it cannot mix in."""
         if type(other) is LocalElement:
             if other.field is self.field or other.field == self.field:
@@ -80,7 +80,7 @@ class LocalElement:
         number = rational(other)
         return None if number is None else self.field(number)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> LocalElement:
         o = self._other(other)
         if o is None:
             return NotImplemented
@@ -96,14 +96,14 @@ class LocalElement:
     def __pos__(self) -> LocalElement:
         return self
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> LocalElement:
         o = self._other(other)
         return NotImplemented if o is None else self + -o
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> LocalElement:
         return -self + other
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> LocalElement:
         o = self._other(other)
         if o is None:
             return NotImplemented
@@ -116,11 +116,11 @@ class LocalElement:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> LocalElement:
         o = self._other(other)
         return NotImplemented if o is None else self * o.inverse()
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> LocalElement:
         return self.inverse() * other
 
     def inverse(self) -> LocalElement:
@@ -152,7 +152,7 @@ class LocalElement:
     def __repr__(self) -> str:
         return self.field.text(self)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return self.field, (self.field.text(self),)
 
 
