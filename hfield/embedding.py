@@ -15,6 +15,7 @@ from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.functions import FunctionField
+from hfield.rings.local.completion import Completion
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_sums import evaluate, roots_in
 
@@ -34,6 +35,8 @@ def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
         raise CoercionError(
             f"{source} does not map into {target}: its characteristic is {p}, the other's {q}"
         )
+    if isinstance(target, Completion) and source == target.global_field:
+        return target
     if isinstance(source, NumberField) and isinstance(target, NumberField):
         return _from_number_field(source, target)
     names = {**target.names(), **_generators(source, target)}

@@ -117,15 +117,8 @@ class Ideal(Lattice):
         return self._known_order("right")
 
     def _known_order(self, side: str) -> Order:
-        if not self.is_invertible():
-            return self._order_of(side)
-        if self.side in (side, "two-sided"):
-            return self.order
-        # I·conj(I) is the norm times the left order
-        bar = self.conjugate()
-        square = bar._product(self) if side == "right" else self._product(bar)
-        found = square._scaled(1 / self._norm)
-        return Order(found.algebra, found._den, found._matrix)
+        known = self.side in (side, "two-sided") and self.is_invertible()
+        return self.order if known else self._order_of(side)
 
     def is_invertible(self) -> bool:
         """Tell whether the ideal is locally principal."""

@@ -254,8 +254,17 @@ class Lattice(NormedLattice):
     def _order_of(self, side: str) -> Order:
         from hfield.lattices.order import Order
 
-        found = self.colon(self, side)
-        return Order(found.algebra, found._den, found._matrix)
+        # norms and traces generate N(L)·ℤ in L·conj(L), which is N(L) times the left order if L is invertible
+        r, content = self._regular, self._content[0]
+        den = r.conjugate_scale * int(content)
+        rows = r.norm_products(self._matrix, side).entries()
+        found = hermite.hermite(den, fmpz_mat(7, 4, [den, 0, 0, 0, *rows]))
+        if found is not None:
+            order = Order(self.algebra, *found)
+            if order._fits(self):
+                return order
+        colon = self.colon(self, side)
+        return Order(colon.algebra, colon._den, colon._matrix)
 
     def is_invertible(self) -> bool:
         """Tell whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""

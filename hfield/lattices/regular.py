@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpz_mat
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 
 UNITS: list[Any] = [tuple(fmpq(int(m == n)) for n in range(4)) for m in range(4)]
+PAIRS = list(combinations(range(4), 2))
 
 
 class Regular:
@@ -53,10 +55,11 @@ class Regular:
         self.right = [
             fmpz_mat([[(x * s).numerator for x in left[m][n]] for m in range(4)]) for n in range(4)
         ]
-        # row n: the four products e_m·e_n one after the other
-        self._wide = fmpz_mat(
-            [[(x * s).numerator for m in range(4) for x in left[m][n]] for n in range(4)]
-        )
+        # the coordinates of a product, one after the other, as bilinear forms
+        self._coordinates = [
+            fmpz_mat([[(left[m][n][c] * s).numerator for n in range(4)] for m in range(4)])
+            for c in range(4)
+        ]
         self.form = fmpz_mat([[(x * s).numerator for x in row] for row in form])
         self._squares = [
             (m, n, self.form[m, n] // (2 if m == n else 1))
@@ -67,6 +70,10 @@ class Regular:
         bar = [conjugate(c, u) for u in UNITS]
         self.conjugate_scale = d = math.lcm(*(int(x.denominator) for q in bar for x in q))
         self.conjugation = fmpz_mat([[(x * d).numerator for x in q] for q in bar])
+        self._norms = {
+            "left": [form * self.conjugation.transpose() for form in self._coordinates],
+            "right": [self.conjugation * form for form in self._coordinates],
+        }
         a, t, b = constants
         self.square = a + t * t / 4
         """The square of i − t/2, which anticommutes with j."""
@@ -86,12 +93,18 @@ class Regular:
 
     def products(self, rows: flint.fmpz_mat, others: flint.fmpz_mat) -> flint.fmpz_mat:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""
-        n = others.nrows()
-        wide = (others * self._wide).entries()
-        tall = [
-            x for m in range(4) for r in range(n) for x in wide[16 * r + 4 * m : 16 * r + 4 * m + 4]
-        ]
-        return fmpz_mat(rows.nrows() * n, 4, (rows * fmpz_mat(4, 4 * n, tall)).entries())
+        columns = others.transpose()
+        found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
+        return fmpz_mat(rows.nrows() * others.nrows(), 4, [x for row in found for x in row])
+
+    def norm_products(self, rows: Any, side: str) -> Any:
+        """Return the products ``x·conj(y)`` of the six pairs of four rows, ``conj(x)·y`` on the right.
+
+        They are ``scale·conjugate_scale`` times too large.
+        """
+        columns = rows.transpose()
+        found = [rows * form * columns for form in self._norms[side]]
+        return fmpz_mat(6, 4, [m[pair] for pair in PAIRS for m in found])
 
     def left_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""

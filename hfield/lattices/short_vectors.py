@@ -57,18 +57,18 @@ class NormedLattice:
         return Fraction(int(self._content[0]), self._regular.scale * self._den * self._den)
 
     @cached_property
-    def _content(self) -> tuple[Any, list[Any]]:
-        """The gcd of all values of the norm, and the entries of its Gram matrix, both scaled."""
-        entries = (self._regular.gram(self._matrix)).entries()
-        a, b, c, d, _, e, f, g, _, _, h, i, _, _, _, j = entries
-        form = [a // 2, b, c, d, e // 2, f, g, h // 2, i, j // 2]
-        return fmpz_poly(form).content(), entries  # the gcd of a list, as flint has it
+    def _content(self) -> tuple[Any, Any]:
+        """The gcd of all values of the norm, and the Gram matrix, both scaled."""
+        g = self._regular.gram(self._matrix)
+        squares = [g[0, 0] // 2, g[1, 1] // 2, g[2, 2] // 2, g[3, 3] // 2]
+        mixed = [g[0, 1], g[0, 2], g[0, 3], g[1, 2], g[1, 3], g[2, 3]]
+        return fmpz_poly(squares + mixed).content(), g  # the gcd of a list, as flint has it
 
     @cached_property
     def _even(self) -> flint.fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
-        content, entries = self._content
-        return fmpz_mat(4, 4, [x // content for x in entries] if content != 1 else entries)
+        content, gram = self._content
+        return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
 
     def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""

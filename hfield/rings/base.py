@@ -133,6 +133,10 @@ class Ring(ABC):
         """Return some y with y² = x, or None when there is none; undecided if not known."""
         raise UndecidedError(f"square roots in {self.name} cannot be decided")
 
+    def is_square(self, x: Any) -> bool:
+        """Tell whether x is a square, also where its roots cannot be written down."""
+        return self.sqrt(x) is not None
+
     def roots(self, coefficients: Sequence[Any]) -> list[Any]:
         """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
 
@@ -216,9 +220,10 @@ class Ring(ABC):
     def completion(self, place: object) -> Ring:
         """Return the completion of a global field at a place, or at its text.
 
-        A local field at a finite place; RR or CC at an infinite one, for what is said of all real numbers
-        holds if it does for the algebraic ones (Tarski). Raises :class:`RingError` for a place of another
-        field, :class:`UndecidedError` where there are no places.
+        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
+        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
+        elements of the field in it. Raises :class:`RingError` for a place of another field,
+        :class:`UndecidedError` where there are no places.
 
         >>> from hfield import ring
         >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")

@@ -18,6 +18,7 @@ from hfield.errors import (
 from hfield.rings.base import Known, Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.functions import FunctionField
+from hfield.rings.operators import Element
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
 from hfield.rings.rational import rational, unwrap
@@ -30,10 +31,10 @@ if TYPE_CHECKING:
 MAX_DEGREE = 20
 
 
-class ExtensionElement:
+class ExtensionElement(Element):
     """An element Σ cₙ·uⁿ of F[u]/(f): as many coefficients in F as the degree of f. Immutable."""
 
-    __slots__ = ("coefficients", "field")
+    __slots__ = ("coefficients",)
 
     field: SimpleExtension
     coefficients: tuple[Any, ...]
@@ -42,74 +43,22 @@ class ExtensionElement:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError("elements of extensions are immutable")
-
-    def _other(self, other: object) -> Any:
-        if type(other) is ExtensionElement:
-            if other.field is self.field or other.field == self.field:
-                return other
-            raise CoercionError(
-                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
-            )
-        number = rational(other)
-        return None if number is None else self.field(number)
-
-    def __add__(self, other: object) -> ExtensionElement:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        pairs = zip(self.coefficients, o.coefficients, strict=True)
+    def plus(self, other: ExtensionElement) -> ExtensionElement:
+        """Return the sum."""
+        pairs = zip(self.coefficients, other.coefficients, strict=True)
         return ExtensionElement(self.field, [x + y for x, y in pairs])
-
-    __radd__ = __add__
 
     def __neg__(self) -> ExtensionElement:
         return ExtensionElement(self.field, [-x for x in self.coefficients])
 
-    def __pos__(self) -> ExtensionElement:
-        return self
+    def times(self, other: ExtensionElement) -> ExtensionElement:
+        """Return the product."""
+        product = _product(self.coefficients, other.coefficients, self.field.base.zero)
+        return self.field.reduced(product)
 
-    def __sub__(self, other: object) -> ExtensionElement:
-        o = self._other(other)
-        return NotImplemented if o is None else self + -o
-
-    def __rsub__(self, other: object) -> ExtensionElement:
-        return -self + other
-
-    def __mul__(self, other: object) -> ExtensionElement:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        return self.field.reduced(_product(self.coefficients, o.coefficients, self.field.base.zero))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: object) -> ExtensionElement:
-        o = self._other(other)
-        return NotImplemented if o is None else self * self.field.inverse(o)
-
-    def __rtruediv__(self, other: object) -> ExtensionElement:
-        return self.field.inverse(self) * other
-
-    def __pow__(self, n: int) -> ExtensionElement:
-        result: ExtensionElement = self.field.power(self, n)
-        return result
-
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, ExtensionElement) and other.field != self.field:
-            return False
-        o = self._other(other)
-        return NotImplemented if o is None else bool(self.coefficients == o.coefficients)
-
-    def __hash__(self) -> int:
-        return hash(self.field.key(self))
-
-    def __repr__(self) -> str:
-        return self.field.text(self)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return self.field, (self.field.text(self),)
+    def same(self, other: ExtensionElement) -> bool:
+        """Tell whether both are the same element."""
+        return self.coefficients == other.coefficients
 
 
 class SimpleExtension(Ring):

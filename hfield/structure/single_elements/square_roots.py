@@ -149,7 +149,7 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Scalar) -> Coordinates
         if ring.sign(s) > 0:
             return None
         return form.back((o, ring.sqrt(ring.divide(s, form.a)), o, o))
-    if ring.sqrt(s) is not None:
+    if ring.is_square(s):
         return None  # its roots commute with everything that commutes with it: only scalars
     field = global_field(ring)
     if field is not None:
