@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
@@ -15,6 +15,10 @@ from hfield.lattices import enumeration, hermite
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    import flint
+
 
 MANY = 10**6
 """More vectors than this are not listed."""
@@ -25,7 +29,7 @@ MOST_STEPS = 2 * 10**7
 class NormedLattice:
     """Four rows of integers over a denominator, and the norm of their combinations."""
 
-    def __init__(self, algebra: Parent, den: int, matrix: Any) -> None:
+    def __init__(self, algebra: Parent, den: int, matrix: flint.fmpz_mat) -> None:
         self.algebra, self._den, self._matrix = algebra, den, matrix
 
     @property
@@ -44,7 +48,7 @@ class NormedLattice:
         d = self._den if den is None else den
         return self.algebra(*(Fraction(x, d) for x in row))
 
-    def norm(self) -> Any:
+    def norm(self) -> flint.fmpq:
         """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
         return fmpq(self._content[0], self._regular.scale * self._den * self._den)
 
@@ -61,7 +65,7 @@ class NormedLattice:
         return fmpz_poly(squares + mixed).content(), g  # the gcd of a list, as flint has it
 
     @cached_property
-    def _even(self) -> Any:
+    def _even(self) -> flint.fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
         content, gram = self._content
         return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
@@ -191,7 +195,7 @@ def _combine(x: Sequence[int], rows: Any) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
 
 
-def natural(n: Any) -> None:
+def natural(n: object) -> None:
     """Raise :class:`LatticeError` unless n is an integer ≥ 0."""
     if not isinstance(n, int) or n < 0:
         raise LatticeError(

@@ -1,9 +1,11 @@
-"""Names for what flint's values are: coefficients, polynomials in one variable, polynomials in several."""
+"""Names for what flint's values are: rational numbers, coefficients, polynomials in one variable, in several."""
 
+from fractions import Fraction
 from typing import TypeAlias
 
 import flint
 
+Rational: TypeAlias = int | Fraction | flint.fmpz | flint.fmpq
 Coefficient: TypeAlias = flint.fmpz | flint.fmpq | flint.nmod | flint.fmpz_mod | flint.fq_default
 Polynomial: TypeAlias = (
     flint.fmpz_poly

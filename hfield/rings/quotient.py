@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.rings.operators import Element
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial, SparsePolynomial
 
 
 class Quotient(Element):
@@ -15,7 +18,9 @@ class Quotient(Element):
     num: Any
     den: Any
 
-    def __init__(self, field: Any, num: Any, den: Any) -> None:
+    def __init__(
+        self, field: Any, num: Polynomial | SparsePolynomial, den: Polynomial | SparsePolynomial
+    ) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "num", num)
         object.__setattr__(self, "den", den)
