@@ -10,7 +10,7 @@ from typing import Any
 from flint import fmpq
 
 from hfield import H, QuaternionAlgebra
-from hfield.errors import LatticeError
+from hfield.errors import LatticeError, UndecidedError
 from tests.lattices import random_lattices as rand
 from tests.lattices.recomputed import plainly
 from tests.lattices.recomputed.of_lattices import skewed
@@ -311,7 +311,11 @@ def represent_integer(rng: Random) -> None:
     if rng.random() < 0.5 and O.is_eichler():
         n = rng.randrange(10**6, 10**12)
         n += math.gcd(n, O.discriminant()) > 1
-    q = O.represent_integer(n, rng.randrange(100))
+    try:
+        q = O.represent_integer(n, rng.randrange(100))
+    except UndecidedError:  # large n in an order without small quadratic orders
+        assert n > 30
+        return
     if q is not None:
         assert plain.norm(vector(q)) == n
         assert plainly.holds(rows(O), vector(q))
