@@ -200,11 +200,7 @@ def rotate_euler(
     if result.size <= 3 * FEW:
         write(by_euler(turns, intrinsic), target, a, p)
         return result
-    if len(turns) < 3:  # the rest are no turns at all
-        a = a[..., ::-1] if intrinsic else a
-        a = np.concatenate([a, np.zeros((*angles_batch, 3 - len(turns)), a.dtype)], axis=-1)
-        turns, intrinsic = (*turns, 0, 0), False
-    kernels.euler(p, a, (turns[0], turns[1], turns[2]), intrinsic, target)
+    kernels.euler(p, a, turns, intrinsic, target)
     return result
 
 

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from rotation.kernels.pool import share, threads
 from rotation.namespaces import Array, quiet
 from rotation.native import assembling
+from rotation.pool import share, threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
 _MUCH = 200_000  # numbers that are worth a second thread

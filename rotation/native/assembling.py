@@ -62,7 +62,7 @@ def available() -> bool:
 
 
 @cache
-def _introduce() -> None:
+def introduce() -> None:
     """Make the functions of the system and of Python known to LLVM."""
     import llvmlite.binding as llvm
 
@@ -88,7 +88,7 @@ def assembled(
     shapes : tuple of shapes
         Of one row of each array.
     """
-    _introduce()
+    introduce()
     text, row = _module(formula, shapes, parameters)
     address = compiling.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
@@ -130,7 +130,7 @@ def _module(
     answer = formula(*arguments, *parameters)
     results = _flat(answer)
     width = len(results)
-    names = [r.name if isinstance(r, Lanes) else tracing.constant(float(r)) for r in results]
+    names = [program.name_of(r) for r in results]
     _store(program, names)
     said = "i1 false"
     if program.told:
@@ -138,8 +138,7 @@ def _module(
         some = program.told[0]
         for other in program.told[1:]:
             some = program.value(bits, f"or {bits} {some}, {other}")
-        mask = program.value("", f"bitcast {bits} {some} to i{WIDTH}")
-        said = "i1 " + program.value("i1", f"icmp ne i{WIDTH} {mask}, 0")
+        said = "i1 " + program.some(some)
     inner = "\n".join(program.lines)
     declared = [
         f"declare double @rotation_{name}({', '.join(['double'] * n)})"
