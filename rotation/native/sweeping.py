@@ -16,7 +16,9 @@ from rotation.native.tracing import WIDTH, Condition, Lanes, Program, Rows
 
 BLOCK = 512  # rows at a time; what is copied for a block stays in the nearest cache
 TAKE = 16  # blocks a thread takes at a time
+LINE = 64  # bytes that a processor fetches at once
 AHEAD = 8 * WIDTH  # rows; so many columns at once are more than a processor foresees
+WRITTEN_AHEAD = 4 * WIDTH  # rows; memory asked for to be written is not fetched twice
 
 Fast = Callable[..., tuple[tuple[Lanes, ...], Condition | None]]
 Careful = Callable[..., tuple[Lanes, ...]]
@@ -323,22 +325,30 @@ def _read(program: Program, operand: Operand, columns: list[str], i: str = "%i")
     elif operand.way is Way.SIDE_BY_SIDE:
         numbers = _parted(program, operand, columns[0], i)
     else:
+        if i != "0":
+            _ahead(program, operand, columns, AHEAD, 0)
         numbers = []
         for column in columns:
-            if i != "0":
-                ahead = program.value("i64", f"add i64 {i}, {AHEAD}")
-                soon = program.value(
-                    "", f"getelementptr {operand.number}, ptr {column}, i64 {ahead}"
-                )
-                program.lines.append(
-                    f"call void @llvm.prefetch.p0(ptr {soon}, i32 0, i32 3, i32 1)"
-                )
             here = program.value("", f"getelementptr {operand.number}, ptr {column}, i64 {i}")
             numbers.append(program.value("", f"load {kind}, ptr {here}, align {operand.size}"))
     lanes = [
         Lanes(program, _converted(program, x, operand.number, program.number)) for x in numbers
     ]
     return Rows((operand.width,), lanes)
+
+
+def _ahead(program: Program, operand: Operand, columns: list[str], rows: int, writing: int) -> None:
+    """Ask for the memory of eight rows to come; it need not be ours."""
+    step = operand.size if operand.way is not Way.SIDE_BY_SIDE else operand.width * operand.size
+    row = program.value("i64", f"add i64 %i, {rows}")
+    first = program.value("i64", f"mul i64 {row}, {step}")
+    for column in columns:
+        for line in range(0, WIDTH * step, LINE):
+            offset = program.value("i64", f"add i64 {first}, {line}")
+            place = program.value("ptr", f"getelementptr i8, ptr {column}, i64 {offset}")
+            program.lines.append(
+                f"call void @llvm.prefetch.p0(ptr {place}, i32 {writing}, i32 3, i32 1)"
+            )
 
 
 def _parted(program: Program, operand: Operand, base: str, i: str) -> list[str]:
@@ -374,6 +384,8 @@ def _write(
     number = operand.number
     numbers = [_converted(program, x.name, program.number, number) for x in image]
     kind = f"<{WIDTH} x {number}>"
+    if i != "0":
+        _ahead(program, operand, columns, WRITTEN_AHEAD, 1)
     if operand.way is not Way.SIDE_BY_SIDE:
         for x, column in zip(numbers, columns, strict=True):
             here = program.value("", f"getelementptr {number}, ptr {column}, i64 {i}")
