@@ -170,7 +170,39 @@ def _shape(values: Any) -> tuple[int, ...]:
 
 
 def _store(program: Program, names: list[str]) -> None:
-    """Write the columns as rows, one after the other."""
+    """Write the columns as rows, one after the other: eights of them by themselves, then the rest."""
+    width = len(names)
+    whole = width - width % WIDTH if width >= WIDTH else 0
+    for first in range(0, whole, WIDTH):
+        for row, name in enumerate(_transposed(program, names[first : first + WIDTH])):
+            at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + first}")
+            program.lines.append(f"store {program.kind} {name}, ptr {at}, align 8")
+    if not whole:
+        _store_few(program, names)
+        return
+    for k in range(whole, width):
+        for row in range(WIDTH):
+            at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + k}")
+            one = program.value("", f"extractelement {program.kind} {names[k]}, i32 {row}")
+            program.lines.append(f"store double {one}, ptr {at}, align 8")
+
+
+def _transposed(program: Program, columns: list[str]) -> list[str]:
+    """Return eight rows of eight columns, by exchanging halves, quarters and eighths."""
+    v, kind = list(columns), program.kind
+    for d in (1, 2, 4):
+        for i in range(WIDTH):
+            if i & d:
+                continue
+            pair = f"shufflevector {kind} {v[i]}, {kind} {v[i + d]}, "
+            upper = _mask(n + WIDTH - d if n & d else n for n in range(WIDTH))
+            lower = _mask(n + WIDTH if n & d else n + d for n in range(WIDTH))
+            v[i], v[i + d] = program.value("", pair + upper), program.value("", pair + lower)
+    return v
+
+
+def _store_few(program: Program, names: list[str]) -> None:
+    """Write fewer than eight columns in one piece."""
     width = len(names)
     parts = [(f"<{WIDTH} x double>", n, WIDTH) for n in names]
     while len(parts) > 1:  # joined in pairs; the last one may stay over
