@@ -22,7 +22,9 @@ from rotation.matrices import matrix_entries
 from rotation.namespaces import Array, namespace
 from rotation.rowwise import Formula, rarely, tell
 
-FEW = 50_000  # points, up to which one rotation, ten and a thousand have the same bits
+# Up to so many points the formulas are faster than the kernels, which take longer to begin; with sines, which
+# here are the system's, up to fewer.
+FEW, FEW_SINES = 25_000, 600
 
 
 def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> Coordinates:
@@ -98,7 +100,7 @@ def by_angles(angles: Array, points: Array, axes: tuple[int, ...], backward: boo
     return join(xp, tuple(x + spoilt for x in image))
 
 
-BY_MATRIX = Formula(_by_matrix, (3, 3), (3,))
+BY_MATRIX = Formula(_by_matrix, (3, 3), (3,), single=(0,))
 BY_QUATERNION = Formula(_by_quaternion, (4,), (3,), parameters=(False,))
 BY_INVERSE = Formula(_by_quaternion, (4,), (3,), parameters=(True,))
 ABOUT_AXIS = Formula(about_axis, (3,), (), (3,))

@@ -77,7 +77,10 @@ def introduce() -> None:
 
 
 def assembled(
-    formula: Callable[..., Any], shapes: tuple[tuple[int, ...], ...], parameters: tuple[Any, ...]
+    formula: Callable[..., Any],
+    shapes: tuple[tuple[int, ...], ...],
+    parameters: tuple[Any, ...],
+    single: tuple[int, ...] = (),
 ) -> tuple[Function, tuple[int, ...]]:
     """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
 
@@ -87,9 +90,11 @@ def assembled(
     ----------
     shapes : tuple of shapes
         Of one row of each array.
+    single : tuple of int
+        Which of the arrays have but one row, the same for all rows of the others.
     """
     introduce()
-    text, row = _module(formula, shapes, parameters)
+    text, row = _module(formula, shapes, parameters, single)
     address = compiling.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
@@ -109,13 +114,20 @@ def _mask(numbers: Any) -> str:
 
 
 def _module(
-    formula: Any, shapes: tuple[tuple[int, ...], ...], parameters: tuple[Any, ...]
+    formula: Any,
+    shapes: tuple[tuple[int, ...], ...],
+    parameters: tuple[Any, ...],
+    single: tuple[int, ...],
 ) -> tuple[str, tuple[int, ...]]:
     """Write the whole program, the loop over blocks of eight rows with the formula in it; and its shape."""
     sizes = [int(np.prod(shape)) for shape in shapes]
     program = Program()
     arguments = []
     for number, (shape, size) in enumerate(zip(shapes, sizes, strict=True)):
+        if number in single:
+            columns = [_spread(program, f"%in{number}", n) for n in range(size)]
+            arguments.append(Rows(shape, [Lanes(program, name) for name in columns]))
+            continue
         kind = f"<{size * WIDTH} x double>"
         whole = program.value(kind, f"load {kind}, ptr %in{number}, align 8")
         columns = [
@@ -159,10 +171,21 @@ def _module(
             inner,
             f"ret {said}",
             "}",
-            loop(sizes, width),
+            loop(sizes, width, single),
         ]
     )
     return text, _shape(answer)
+
+
+def _spread(program: Program, pointer: str, n: int) -> str:
+    """Add the reading of one number into every row."""
+    at = program.value("ptr", f"getelementptr double, ptr {pointer}, i64 {n}")
+    one = program.value("", f"load double, ptr {at}, align 8")
+    first = program.value("", f"insertelement {program.kind} poison, double {one}, i32 0")
+    zeros = f"<{WIDTH} x i32> zeroinitializer"
+    return program.value(
+        "", f"shufflevector {program.kind} {first}, {program.kind} poison, {zeros}"
+    )
 
 
 def _shape(values: Any) -> tuple[int, ...]:
