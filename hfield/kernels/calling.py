@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from ctypes import addressof, c_int64
 from functools import reduce
+from itertools import pairwise
 from math import prod
 from operator import or_
 from threading import Lock
@@ -21,8 +22,9 @@ from hfield.straight_line import Program
 Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
-PIECE = 1 << 16  # elements that a thread takes at a time
+PIECE = 1 << 18  # elements that a thread takes at a time
 MANY = 500_000  # from so many elements on a second thread is woken
+SHORTEST = 1 << 16  # elements for which one more thread is woken
 _lock = Lock()
 # The compiled loops of each program in each arithmetic, by which operands are single elements.
 _loops: dict[Any, dict[tuple[bool, ...], compiling.Function]] = {}
@@ -116,17 +118,24 @@ def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> i
     if n < MANY or threads() == 1:
         whole = table(*places)
         return loop(n, addressof(whole))
-    starts = iter(range(0, n, PIECE))
+    # Each thread begins in a stretch of its own, and helps in the others' when it is done. Of a page of
+    # new memory that two touch at once both would clear all of its 2 MiB.
+    length = max(SHORTEST, -(-n // threads()))
+    cuts = [*range(0, n, length), n]
+    stretches = [(iter(range(start, end, PIECE)), end) for start, end in pairwise(cuts)]
+    turns = iter(range(len(stretches)))
     told: list[int] = []
 
     def work(_: int) -> bool:
-        for start in starts:
-            moved = [place + start * step for place, step in zip(places, steps, strict=True)]
-            here = table(*moved)
-            told.append(loop(min(PIECE, n - start), addressof(here)))
+        own = next(turns)
+        for starts, end in stretches[own:] + stretches[:own]:
+            for start in starts:
+                moved = [place + start * step for place, step in zip(places, steps, strict=True)]
+                here = table(*moved)
+                told.append(loop(min(PIECE, end - start), addressof(here)))
         return False
 
-    share(work, n // PIECE, rows)
+    share(work, len(stretches), rows)
     return reduce(or_, told)
 
 

@@ -14,9 +14,11 @@ from hypothesis import strategies as st
 
 from hfield import H, QuaternionAlgebra, ring
 from hfield.errors import CoercionError, NotInvertibleError
+from hfield.kernels import calling
 from hfield.kernels.extension_fields import ExtensionField
 from hfield.kernels.logarithms import LogarithmicField
 from hfield.native import compiling
+from hfield.native.pool import threads
 from hfield.product import conjugate, multiply, norm, trace
 from hfield.rings.array_held.labels import LabelArrays
 from hfield.rings.array_held.rows import RowArrays
@@ -234,21 +236,22 @@ def test_every_shape_and_stride(name, shapes, steps, seed):
         assert found[index] == left * right
 
 
-def test_threads_share_long_arrays():
-    from hfield.native.pool import threads
-
-    A = H("GF(7)")
-    rng = np.random.default_rng(1)
-    p, q = (A.from_array(rng.integers(0, 7, (4, 600_001), dtype=np.uint8)) for _ in range(2))
+@pytest.mark.parametrize("number", [2, 3, 7])
+@pytest.mark.parametrize("count", [1, 500, 501, 699, 700, 701, 1001, 2048])
+def test_threads_share_long_arrays(number, count, monkeypatch):
+    """Stretches that divide the length or not, in pieces that divide a stretch or not."""
+    A, rng = H("GF(7)"), np.random.default_rng(1)
+    p, q = (A.from_array(rng.integers(0, 7, (4, count), dtype=np.uint8)) for _ in range(2))
+    alone = p * q, p * q[0]
+    for name, size in (("MANY", 500), ("SHORTEST", 100), ("PIECE", 64)):
+        monkeypatch.setattr(calling, name, size)
     before = threads()
     try:
-        found = []
-        for number in (1, 3):
-            threads(number)
-            found.append((p * q, p * q[3]))
+        threads(number)
+        shared = p * q, p * q[0]
     finally:
         threads(before)
-    assert all((x == y).all() for x, y in zip(*found, strict=True))
+    assert all((x == y).all() for x, y in zip(alone, shared, strict=True))
 
 
 # --- what is asked of arrays alone ----------------------------------------------------------
