@@ -80,7 +80,7 @@ class SpelledField(NumberField):
         return [*(evaluate(larger, image, alpha).poly for image in images), beta.poly]
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> FieldElement:
         """The number in the name, or the sum θ of multiples of them that generates the field."""
         return FieldElement(self, flint.fmpq_poly([0, 1]))
 
@@ -266,14 +266,14 @@ def _split(inner: str) -> list[str]:
 
 
 def _precise(value: Value) -> Value:
-    def at(bits: int) -> Any:
+    def at(bits: int) -> flint.acb:
         with flint.ctx.workprec(bits + 16):
             return value(bits)
 
     return at
 
 
-def _rational_root(x: Any, n: int) -> Any:
+def _rational_root(x: flint.fmpq, n: int) -> flint.fmpq:
     """Return the positive rational n-th root of x, or None."""
     if x <= 0:
         return None
