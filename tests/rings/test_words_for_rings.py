@@ -265,7 +265,8 @@ def test_elements_and_what_is_no_number(name: str, text: str) -> None:
     x = R(text)
     for other in ("1", None, [1], object()):
         for work in (
-            lambda y: x + y, lambda y: y + x, lambda y: x - y, lambda y: y - x, lambda y: x / y, lambda y: y / x,
+            lambda y: x + y, lambda y: y + x, lambda y: x - y, lambda y: y - x, lambda y: x / y,
+            lambda y: y / x,
             lambda y: x * (y if y != [1] else object()),
         ):  # fmt: skip
             with pytest.raises(TypeError):
