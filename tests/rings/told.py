@@ -18,7 +18,7 @@ import sympy
 from hfield.errors import HFieldError
 from hfield.rings import ring
 
-FILE = Path(__file__).parents[1] / "vectors" / "told.json"
+FILE = Path(__file__).with_name("told.json")
 RINGS = (
     *("ZZ", "QQ", "RR", "CC", "RDF", "ZZ/6", "ZZ/7", "ZZ/2", "ZZ/100003", "GF(2)", "GF(7)", "GF(9)"),
     *("GF(9, x^2+1)", "GF(13)", "QQ(sqrt(2))", "QQ(sqrt(-7))", "QQ(sqrt(-3))", "QQ(sqrt(-5))", "QQ(I)"),
