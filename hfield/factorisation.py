@@ -22,8 +22,7 @@ SIEVED_BITS = 190
 """Composite numbers up to this length are always factored (a second or two for the worst of them)."""
 
 NORM_BITS = 210
-"""The same for norms from number fields, which are as many times longer than what was typed as the degree says:
-up to ten seconds."""
+"""The same for norms from number fields, which are longer than what was typed by the degree: ten seconds."""
 
 PROVED_BITS = 1024
 """The longest numbers whose primality is proved (seconds); longer composite ones are still recognised."""

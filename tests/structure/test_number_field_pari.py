@@ -21,7 +21,12 @@ DEGREES = range(3, 11)
 KINDS = ("any", "wild at 2", "totally real", "totally complex", "cyclotomic", "pure")
 FIELDS = [(n, kind) for n in DEGREES for kind in KINDS if (n % 2 == 0) or kind not in KINDS[3:5]]
 ALGEBRAS = 50
-CYCLOTOMIC = {4: "x^4+1", 6: "x^6+x^3+1", 8: "x^8-x^4+1", 10: "x^10+x^9+x^8+x^7+x^6+x^5+x^4+x^3+x^2+x+1"}
+CYCLOTOMIC = {
+    4: "x^4+1",
+    6: "x^6+x^3+1",
+    8: "x^8-x^4+1",
+    10: "x^10+x^9+x^8+x^7+x^6+x^5+x^4+x^3+x^2+x+1",
+}
 
 
 @cache
@@ -77,7 +82,7 @@ def drawn(rng: Random, degree: int, n: int) -> str:
     """A number with small or large coefficients, integral or not; often a small rational one."""
     if n % 7 == 0:
         return str(rng.choice((-1, 2, -2, 3, -3, 5, -7)))
-    size = (2, 5, 30, 10**4 if degree < 6 else 100)[n % 4]
+    size = (2, 5, 30, 10**4)[n % 4]
     terms = [f"({rng.randint(-size, size)})*x^{k}" for k in range(degree)]
     return f"({'+'.join(terms)})/{rng.randint(2, 12) if n % 5 == 0 else 1}"
 
