@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hfield.errors import CoercionError
+from hfield.rings.base import polynomial_power
 from hfield.rings.rational import rational
 
 
@@ -80,7 +81,9 @@ class Quotient:
 
     def __pow__(self, n: int) -> Quotient:
         base = self if n >= 0 else self.field.inverse(self)
-        return Quotient(self.field, base.num ** abs(n), base.den ** abs(n))
+        one = self.field.one.num
+        num, den = (polynomial_power(one, x, abs(n)) for x in (base.num, base.den))
+        return Quotient(self.field, num, den)
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Quotient) and other.field != self.field:
