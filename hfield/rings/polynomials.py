@@ -18,7 +18,7 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import INFINITY, Known, Ring, polynomial_power
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.modular import WORD
@@ -166,7 +166,7 @@ class PolynomialRing(Ring):
 
     def power(self, x: SparsePolynomial, n: int) -> SparsePolynomial:
         """Return xⁿ; n < 0 inverts first."""
-        return (x if n >= 0 else self.inverse(x)) ** abs(n)
+        return polynomial_power(self.one, x if n >= 0 else self.inverse(x), abs(n))
 
     def sqrt(self, x: SparsePolynomial) -> SparsePolynomial | None:
         """Return some y with y² = x, or None."""
