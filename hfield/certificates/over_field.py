@@ -1,5 +1,6 @@
 """When an integer polynomial is 0 over a field: its constants put in, exponents reduced by x^q = x."""
 
+from collections.abc import Hashable
 from math import gcd
 from typing import Any
 
@@ -30,7 +31,7 @@ class Place:
             trees = enumerate(expansion.names.trees)
             self._values = {n: ring.constant(tree) for n, tree in trees if n >= expansion.unknowns}
 
-    def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Any]:
+    def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Hashable]:
         """Return the coefficients that are not 0, by the monomials in the unknowns.
 
         The constants of the field are put in; with ``functions`` exponents are reduced by x^q = x.

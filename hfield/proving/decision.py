@@ -85,7 +85,9 @@ class Decision:
         if self.verdict not in VERDICTS:
             raise ValueError(f"{self.verdict!r} is not a verdict; expected one of {VERDICTS}")
 
-    def certificate(self, statement: str, algebra: str, field: str | None) -> dict[str, Any] | None:
+    def certificate(
+        self, statement: str, algebra: str, field: str | None
+    ) -> dict[str, object] | None:
         """Return this as a certificate ``hfield-cert/1``, unchecked; None without verdict or evidence."""
         if self.evidence is None or self.verdict not in CERTIFIED:
             return None

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from hfield.proving.decide import answer
 from hfield.proving.decision import (
@@ -51,7 +50,7 @@ class Answer:
         return EXIT_STATUS[self.verdict]
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none for what is not decided, and none where the checker cannot follow, since it does not
@@ -81,7 +80,7 @@ class Answer:
         return None
 
     @property
-    def _evidence(self) -> dict[str, Any] | None:
+    def _evidence(self) -> dict[str, object] | None:
         """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
         if not has_evidence(d.evidence):
@@ -98,7 +97,7 @@ class Answer:
         """The name of the field, None for all fields."""
         return None if self.setting.field is None else self.setting.field.name
 
-    def to_json(self, certificate: str | None = None) -> dict[str, Any]:
+    def to_json(self, certificate: str | None = None) -> dict[str, object]:
         """Return the answer in the form ``hfield-prove/1``; ``certificate`` names a file written."""
         d = self.decision
         return {

@@ -149,7 +149,7 @@ def _hermite(rows: list[list[Any]], ring: Ring) -> list[Any] | None:
     return solution
 
 
-def _assigned(statement: Statement, values: Sequence[Any]) -> dict[str, Any]:
+def _assigned(statement: Statement, values: Sequence[Any]) -> dict[str, object]:
     """Give the unknowns their values, the coordinates of a quaternion together."""
     rest = iter(values)
     return {
