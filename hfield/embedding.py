@@ -11,6 +11,7 @@ import flint
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
+from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.functions import FunctionField
@@ -42,7 +43,7 @@ def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
     functions = {"/": target.divide, "**": target.power, **target.functions()}
     reader = syntax.Reader(target, names, functions, target.name, target.parse_limit)
 
-    def embed(x: Any) -> Any:
+    def embed(x: Scalar) -> Any:
         text = source.text(x)
         try:
             return reader.read(text)

@@ -37,7 +37,7 @@ class Element:
     def same(self, other: Self) -> bool:
         """Tell whether an element of the same field is equal to this one."""
 
-    def coerced(self, other: Any) -> Self | None:
+    def coerced(self, other: object) -> Self | None:
         """Return ``other`` as an element of the same field, None if it cannot mix in.
 
         Raises :class:`CoercionError` for an element of another field.
@@ -51,7 +51,7 @@ class Element:
         number = rational(other)
         return None if number is None else self.field(number)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         o = self.coerced(other)
         return NotImplemented if o is None else self.plus(o)
 
@@ -60,24 +60,24 @@ class Element:
     def __pos__(self) -> Self:
         return self
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         o = self.coerced(other)
         return NotImplemented if o is None else self.plus(-o)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> Any:
         return -self + other
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         o = self.coerced(other)
         return NotImplemented if o is None else self.times(o)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         o = self.coerced(other)
         return NotImplemented if o is None else self.times(self.field.inverse(o))
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         return self.field.inverse(self) * other
 
     def __pow__(self, n: int) -> Self:
@@ -96,5 +96,5 @@ class Element:
     def __repr__(self) -> str:
         return str(self.field.text(self))
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return self.field, (self.field.text(self),)

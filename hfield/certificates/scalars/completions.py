@@ -7,7 +7,7 @@ the one ordering of the completion at a real place.
 """
 
 import re
-from typing import Any
+from collections.abc import Hashable
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
@@ -32,31 +32,31 @@ class Completion(Ring):
         self.characteristic = base.characteristic
         self.zero, self.one = base.zero, base.one
 
-    def number(self, n: int) -> Any:
+    def number(self, n: int) -> Hashable:
         """Return n·1."""
         return self.base.number(n)
 
-    def add(self, x: Any, y: Any) -> Any:
+    def add(self, x: Hashable, y: Hashable) -> Hashable:
         """Return x + y."""
         return self.base.add(x, y)
 
-    def neg(self, x: Any) -> Any:
+    def neg(self, x: Hashable) -> Hashable:
         """Return −x."""
         return self.base.neg(x)
 
-    def mul(self, x: Any, y: Any) -> Any:
+    def mul(self, x: Hashable, y: Hashable) -> Hashable:
         """Return x·y."""
         return self.base.mul(x, y)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Hashable) -> Hashable | None:
         """Return 1/x, None for 0."""
         return self.base.inverse(x)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Hashable) -> bool:
         """Tell whether x is 0."""
         return self.base.is_zero(x)
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Hashable | None:
         """Return what the name or call means in the global field; O(…) means nothing."""
         return self.base.constant(tree)
 
@@ -74,7 +74,7 @@ class AtPrime(Completion):
             reject(f"{self.name} has one place, and {shown(text)} is not it")
         return self.only
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: Hashable) -> bool:
         """Tell that x is none: its valuation is odd, or it is a unit and no square among the residues."""
         over = self.only.residue(self.mul(x, self.base.inverse(self.only.odd)))
         if over is not None and self.only.is_unit(over):
@@ -94,11 +94,11 @@ class AtRealRoot(Completion):
         super().__init__(name, base)
         self.number_of_signs = number
 
-    def sign(self, x: Any) -> int | None:
+    def sign(self, x: Hashable) -> int | None:
         """Return the sign at the place."""
         return self.base.signs(x)[self.number_of_signs]
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: Hashable) -> bool:
         """Tell whether x is not negative."""
         return self.is_zero(x) or self.sign(x) == 1
 

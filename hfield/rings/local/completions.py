@@ -39,13 +39,13 @@ def p_adic_numbers(p: str) -> LocalField:
     return LocalField(f"Qp({place})", words, QQ, place, PrimePlace(number))
 
 
-def completion_of_rationals(place: Any) -> Ring:
+def completion_of_rationals(place: object) -> Ring:
     """Return ℚ_p, or RR: the real algebraic numbers satisfy what all real numbers satisfy."""
     v = place_of_q(place)
     return RR if v == INFINITE else p_adic_numbers(str(v))
 
 
-def completion_of_functions(field: FunctionField, place: Any) -> Ring:
+def completion_of_functions(field: FunctionField, place: object) -> Ring:
     """Return the completion of GF(q)(t): Laurent series over the residue field."""
     v = place_of_functions(field, place)
     if field.base.order is None:
@@ -65,7 +65,7 @@ def completion_of_functions(field: FunctionField, place: Any) -> Ring:
     return LocalField(name, words, field, v, residues)
 
 
-def completion_of_quadratic(field: QuadraticField, place: Any) -> Ring:
+def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
     """Return the completion of ℚ(√d): an extension of ℚ_p, RR or CC; ℝ with a negative √d at ``inf-``."""
     v = place_of_quadratic(field.d, place)
     if v.root == -1 and not v.prime:  # RR reads √d as the positive root
@@ -75,7 +75,7 @@ def completion_of_quadratic(field: QuadraticField, place: Any) -> Ring:
     return _at_prime_ideal(field, v, prime_at(field, v))
 
 
-def completion_of_number_field(field: NumberField, place: Any) -> Ring:
+def completion_of_number_field(field: NumberField, place: object) -> Ring:
     """Return the completion of a number field: an extension of ℚ_p, ℝ or ℂ."""
     v = place_of_number_field(field, place)
     if isinstance(v, PrimeIdeal):

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from hfield.errors import CoercionError, UndecidedError
+from hfield.product import Scalar
 from hfield.rings.base import Known, Ring
 from hfield.rings.local.completion import Completion
 from hfield.rings.local.element import LocalElement
@@ -53,7 +54,7 @@ class LocalField(Completion):
         """How many digits of a nonzero element tell its square class, where the characteristic is not 2."""
         return 2 * self.doubling + 1
 
-    def order_of(self, x: Any) -> int:
+    def order_of(self, x: Scalar) -> int:
         """Return the valuation of a nonzero element of the global field."""
         return int(self.residues.valuation(x))
 
@@ -74,7 +75,7 @@ class LocalField(Completion):
 
     # --- elements --------------------------------------------------------------------------------
 
-    def up_to(self, x: Any, n: int) -> LocalElement:
+    def up_to(self, x: Scalar, n: int) -> LocalElement:
         """Return ``x + O(πⁿ)``."""
         return LocalElement(self, self(x).value, n)
 
@@ -86,7 +87,7 @@ class LocalField(Completion):
         precision = x.least_valuation()
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
 
-    def _sqrt_here(self, x: Any) -> Any:
+    def _sqrt_here(self, x: LocalElement) -> LocalElement | None:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(f"{self.text(x)} has no square root in {self.name}")
@@ -103,26 +104,26 @@ class LocalField(Completion):
             f"{self.big_o(x.precision + 1)} at least"
         )
 
-    def vanishes(self, x: Any) -> bool:
+    def vanishes(self, x: LocalElement) -> bool:
         """Tell whether x is 0 as far as its digits are known."""
         return not x.has_value
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: LocalElement) -> LocalElement:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and for O(πⁿ)."""
         return x.inverse()
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: LocalElement) -> bool:
         """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""
         return square_root(self, x, 1) is not None
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Any) -> LocalElement | None:
         """Return a square root, exact where the global field has it, else to some digits (Hensel's lemma).
 
         None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
         """
         return square_root(self, x, DIGITS)
 
-    def check_digits(self, x: Any, needed: int, what: str) -> None:
+    def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
         """Raise :class:`UndecidedError`, naming the digits, where fewer than ``needed`` are known of x."""
         known = x.digits()
         if known is None or (known >= needed and x.has_value):
@@ -138,11 +139,11 @@ class LocalField(Completion):
         """1, 2 or 4: 4 only above 2, in odd degree over ℚ₂ (Lam, *Introduction to Quadratic Forms*, XI.2)."""
         return minus_one(self)[0]
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[LocalElement, ...]:
         """Return as few elements as possible, not all of them exact, whose squares add up to −1."""
         return minus_one(self)[1]
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: LocalElement) -> Hashable:
         """Return the key of the value, and the precision."""
         return self.global_field.key(x.value), x.precision
 

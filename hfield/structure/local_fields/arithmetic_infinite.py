@@ -8,7 +8,7 @@ from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.local.infinite import InfiniteCompletion
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, known_field
@@ -25,7 +25,7 @@ class InfiniteArithmetic(GlobalField):
 
     ring: InfiniteCompletion
 
-    def read_place(self, text: Any) -> Any:
+    def read_place(self, text: object) -> Any:
         """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
         ring = self.ring
         place = ring.place if text is None else known_field(ring.global_field).read_place(text)
@@ -33,7 +33,9 @@ class InfiniteArithmetic(GlobalField):
             raise RingError(f"{ring} has one place, {ring.place}; {text} is not it")
         return place
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return −1 if a and b are negative real numbers, else 1."""
         self.read_place(place)
         a, b = self.ring(a), self.ring(b)
@@ -47,7 +49,7 @@ class InfiniteArithmetic(GlobalField):
         """Return the place, or nothing."""
         return (self.ring.place,) if self.hilbert_symbol(form.a, form.b, None, None) < 0 else ()
 
-    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
         """Say by which signs."""
         a, b = (self.ring.text(x) for x in form.constants)
         return f"{a} and {b} are negative real numbers in {self.ring}"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.functions import FunctionField
 from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
@@ -23,6 +23,12 @@ from hfield.structure.several_variables.residues_several import (
     valuation,
 )
 
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.quotient import Quotient
+
+
 POINTS = 12  # as many values of each variable are tried for a point where nothing vanishes
 
 
@@ -37,7 +43,7 @@ class SeveralArithmetic(GlobalField):
     splits_if_unramified = False
     cited = "residues at prime polynomials (Gille and Szamuely, Central Simple Algebras, chapter 6)"
 
-    def read_place(self, text: Any) -> PolynomialPlace:
+    def read_place(self, text: object) -> PolynomialPlace:
         """Return a place from a prime polynomial, its text, or ``1/x`` for infinity of x."""
         F = self.ring
         if isinstance(text, PolynomialPlace):
@@ -54,7 +60,9 @@ class SeveralArithmetic(GlobalField):
             )
         return places_of(F, x)[0]
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Refuse: completions at prime polynomials are no local fields."""
         raise UndecidedError(
             f"the completions of {self.ring} are not local fields: ask for residues"
@@ -171,7 +179,7 @@ class SeveralArithmetic(GlobalField):
             f"no residue shows a division algebra, and no zero of norms over {F} is sought"
         )
 
-    def _at(self, x: Any, n: int) -> Any:
+    def _at(self, x: Quotient, n: int) -> flint.fmpq:
         """Return the value at a point that depends on n, None where it is 0 or has a pole."""
         point = [n + 3 * m + m * m * n for m in range(len(self.ring.variables))]
         over, under = (p(*point) for p in (x.num, x.den))
