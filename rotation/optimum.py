@@ -7,6 +7,7 @@ steps from what it found: they change nothing but have the derivatives of the so
 second.
 """
 
+from importlib import import_module
 from typing import Any
 
 from rotation.coordinates import Coordinates, join, split, unit
@@ -26,9 +27,7 @@ def held(array: Array) -> Array:
         return array
     if hasattr(array, "detach"):
         return array.detach()
-    from jax.lax import stop_gradient
-
-    return stop_gradient(array)
+    return import_module("jax.lax").stop_gradient(array)
 
 
 def davenport(m: Any) -> Matrix:
