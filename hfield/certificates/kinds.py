@@ -64,7 +64,7 @@ def prove(tree: Tree, setting: Setting, evidence: object) -> Finding:
 def _identity(statement: Statement, setting: Setting, evidence: object) -> Finding:
     an_object(evidence, "kind", "the evidence")
     over = _place(statement, setting)
-    if not all(map(over.is_trivial, over.expansion.clauses)):
+    if not all(map(over.is_identity, over.expansion.clauses)):
         reject("the statement does not hold by expanding")
     return Finding(COMMUTATIVE_RINGS, IDENTITY).within(_reach(statement, setting))
 
