@@ -22,9 +22,9 @@ def for_an_index(text: str) -> str:
     <BLANKLINE>
     rings, [toml](https://toml.io)
     """
-    text = re.sub(r"!\[[^]]*\]\((?!https?:)[^)]*\)", WHERE, text, count=1)
-    text = re.sub(r"!\[[^]]*\]\((?!https?:)[^)]*\)\n*", "", text)
-    return re.sub(r"(?<!!)\[([^]]*)\]\((?!https?:)[^)\s]*\)", r"\1", text)
+    text = re.sub(r"!\[[^][]*\]\((?!https?:)[^)]*\)", WHERE, text, count=1)
+    text = re.sub(r"!\[[^][]*\]\((?!https?:)[^)]*\)\n*", "", text)
+    return re.sub(r"(?<!!)\[([^][]*)\]\((?!https?:)[^)\s]*\)", r"\1", text)
 
 
 class Readme(MetadataHookInterface):
