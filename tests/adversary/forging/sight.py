@@ -4,6 +4,7 @@ Random samples miss the zeros of q[0]² + q[1]² over ℚ(i); these are among th
 """
 
 import random
+import re
 from collections.abc import Iterator
 from itertools import islice, product
 from typing import Any
@@ -70,7 +71,8 @@ def witness(evidence: Any) -> dict[str, Any] | None:
     """Return what evidence gives to show its claim by, as the judge reads it."""
     kind = evidence.get("kind") if isinstance(evidence, dict) else None
     if kind == "witness":
-        return {"F": [evidence["field"]], **evidence["values"]}
+        field = re.sub(r"\b0+(?=[0-9])", "", "".join(evidence["field"].split()))  # GF(03) is GF(3)
+        return {"F": [field], **evidence["values"]}
     if kind == "terms":
         return {name: [text] for name, text in evidence["terms"].items()}
     return None
