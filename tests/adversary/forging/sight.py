@@ -67,15 +67,22 @@ def every_place(table: Table, unknowns: Widths) -> Iterator[dict[str, Any]]:
         }
 
 
-def witness(evidence: Any) -> dict[str, Any] | None:
-    """Return what evidence gives to show its claim by, as the judge reads it."""
+def witness(evidence: Any, where: str | None) -> dict[str, Any] | None:
+    """Return what evidence gives to show its claim over a field by, as the judge reads it."""
     kind = evidence.get("kind") if isinstance(evidence, dict) else None
     if kind == "witness":
-        field = re.sub(r"\b0+(?=[0-9])", "", "".join(evidence["field"].split()))  # GF(03) is GF(3)
+        field = _plain(evidence["field"])
+        if where is not None and field == _plain(where):
+            field = where
         return {"F": [field], **evidence["values"]}
     if kind == "terms":
         return {name: [text] for name, text in evidence["terms"].items()}
     return None
+
+
+def _plain(field: str) -> str:
+    """Return the name of a field as it is usually spelled: ``GF( 03)`` is GF(3)."""
+    return re.sub(r"\b0+(?=[0-9])", "", "".join(field.split()))
 
 
 def seen_false(data: Certificate) -> str:
