@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import gc
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import OutputError, note, open_output
@@ -65,20 +63,8 @@ def run(args: Namespace) -> int:
     from hfield.executors import open_executor
 
     ledgers = [point.module for point in entry_points(group="hfield.claims")]
-    modules = ["hfield.ledger.run", *ledgers]
-    with _collecting_rarely(), open_executor(args.jobs, args.dask, modules) as executor:
+    with open_executor(args.jobs, args.dask, ["hfield.ledger.run", *ledgers]) as executor:
         return _verify(args, executor)
-
-
-@contextmanager
-def _collecting_rarely() -> Iterator[None]:
-    """Let Python look for cycles seldom: nearly all that is made here is kept, and looking takes a tenth."""
-    often = gc.get_threshold()
-    gc.set_threshold(20_000, *often[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*often)
 
 
 def _verify(args: Namespace, executor: Executor) -> int:
