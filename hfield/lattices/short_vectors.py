@@ -10,8 +10,9 @@ from typing import Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
-from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
+from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
+from hfield.lattices.given import natural
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
@@ -180,7 +181,7 @@ class NormedLattice:
         Raises :class:`IndefiniteError`.
         """
         self._definite("theta_series()")
-        natural(n)
+        n = natural(n, "a theta series goes up to")
         _, gram = self._reduced
         self._affordable(enumeration.volume(gram, 2 * n, 4), "elements as short as")
         counts = enumeration.count_by_length(gram, 2 * n)
@@ -189,11 +190,3 @@ class NormedLattice:
 
 def _combine(x: Sequence[int], rows: Any) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
-
-
-def natural(n: Any) -> None:
-    """Raise :class:`LatticeError` unless n is an integer ≥ 0."""
-    if not isinstance(n, int) or n < 0:
-        raise LatticeError(
-            f"a theta series goes up to an integer ≥ 0, and {shorten(repr(n))} is none"
-        )
