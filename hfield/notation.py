@@ -6,10 +6,9 @@ An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for th
 
 import re
 from collections.abc import Sequence
-from typing import Any
 
 from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.rings import ring
 from hfield.rings.base import Ring
 
@@ -62,7 +61,7 @@ def algebra_text(F: Ring, c: Constants) -> str:
     return f"[{a},{b},{F.text(c.t)}|{F.name})"
 
 
-def element_text(F: Ring, q: Sequence[Any], style: str = "plain", unit: str = "") -> str:
+def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str = "") -> str:
     """Write ``q`` over the basis.
 
     ``unit`` is what stands for e: nothing, so that 2·e is ``2``; or "e", as in Table 1.1, and

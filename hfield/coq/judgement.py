@@ -12,9 +12,9 @@ from hfield.coq.existence import by_cases, by_terms, none_exists
 from hfield.coq.rooms import FIELDS, Room, room_of
 from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError
-from hfield.coq.universal import conjunction, exhausted, implied, multilinear
+from hfield.coq.universal import MAX_CASES, conjunction, exhausted, implied, multilinear
 from hfield.coq.witnesses import counterexample, example
-from hfield.proving.statements.language import Statement, read_statement
+from hfield.proving.statements.language import Sort, Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
 from hfield.proving.statements.trees import walk
@@ -57,6 +57,8 @@ class Judgement:
                     return by_cases(self, evidence)
             raise NotCoveredError(f"evidence of the kind {kind!r} for something that exists")
         match kind:
+            case "identity" if self._is_of_fractions:
+                return exhausted(self)
             case "identity":
                 return implied(self, [])
             case "implication":
@@ -68,6 +70,15 @@ class Judgement:
             case "fractions" if self.setting.field == ring("ZZ") and evidence["field"] == "QQ":
                 return self.proved(evidence["proof"])
         raise NotCoveredError(f"evidence of the kind {kind!r}")
+
+    @property
+    def _is_of_fractions(self) -> bool:
+        """Whether fractions over a finite field may be equal as functions only; Coq tries all cases then."""
+        field, statement = self.setting.field, self.statement
+        if field is None or field.order is None or not (statement.divides or self.setting.divides):
+            return False
+        width = sum(1 if sort is Sort.SCALAR else 4 for _, sort in statement.unknowns)
+        return bool(field.is_field and field.order**width <= MAX_CASES)
 
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the opposite of the statement."""

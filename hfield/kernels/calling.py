@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from ctypes import addressof, c_int64
 from functools import reduce
+from itertools import pairwise
 from math import prod
 from operator import or_
 from threading import Lock
@@ -21,8 +22,9 @@ from hfield.straight_line import Program
 Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
-PIECE = 1 << 16  # elements that a thread takes at a time
+PIECE = 1 << 18  # elements that a thread takes at a time
 MANY = 500_000  # from so many elements on a second thread is woken
+SHORTEST = 1 << 16  # elements for which one more thread is woken
 _lock = Lock()
 # The compiled loops of each program in each arithmetic, by which operands are single elements.
 _loops: dict[Any, dict[tuple[bool, ...], compiling.Function]] = {}
@@ -61,13 +63,13 @@ class Kernel:
     def __call__(self, *operands: Rows) -> tuple[Rows, int]:
         """Return the rows of the results, of the shape that the operands broadcast to, and the flags.
 
-        The rows of an operand have one shape and the arithmetic's type. Raises ValueError for shapes that
-        do not broadcast.
+        The rows of an operand have one shape and the type that the arithmetic reads. Raises ValueError
+        for shapes that do not broadcast.
         """
         shapes = [rows[0].shape for rows in operands]
         shape = shapes[0] if len(set(shapes)) == 1 else np.broadcast_shapes(*shapes)
         n = prod(shape)
-        out = np.empty((len(self.program.outputs), *shape), self.arithmetic.dtype)
+        out = np.empty((len(self.program.outputs), *shape), self.arithmetic.result)
         results = rows_of(out)
         if n == 0:
             return results, 0
@@ -80,13 +82,13 @@ class Kernel:
             straight.append(self.constants)
             singles = (*singles, True)
         loop = self._loops.get(singles) or self._compiled(singles)
-        size = out.itemsize
+        size = np.dtype(self.arithmetic.dtype).itemsize
         rows, steps = list[Array](), list[int]()
         for own, single in zip(straight, singles, strict=True):
             rows += own
             steps += [0 if single else size] * len(own)
         rows += [*self.tables, *results]
-        steps += [0] * len(self.tables) + [size] * len(results)
+        steps += [0] * len(self.tables) + [out.itemsize] * len(results)
         return results, run(loop, n, tuple(rows), steps)
 
     def prepare(self) -> None:
@@ -116,17 +118,24 @@ def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> i
     if n < MANY or threads() == 1:
         whole = table(*places)
         return loop(n, addressof(whole))
-    starts = iter(range(0, n, PIECE))
+    # Each thread begins in a stretch of its own, and helps in the others' when it is done. Of a page of
+    # new memory that two touch at once both would clear all of its 2 MiB.
+    length = max(SHORTEST, -(-n // threads()))
+    cuts = [*range(0, n, length), n]
+    stretches = [(iter(range(start, end, PIECE)), end) for start, end in pairwise(cuts)]
+    turns = iter(range(len(stretches)))
     told: list[int] = []
 
     def work(_: int) -> bool:
-        for start in starts:
-            moved = [place + start * step for place, step in zip(places, steps, strict=True)]
-            here = table(*moved)
-            told.append(loop(min(PIECE, n - start), addressof(here)))
+        own = next(turns)
+        for starts, end in stretches[own:] + stretches[:own]:
+            for start in starts:
+                moved = [place + start * step for place, step in zip(places, steps, strict=True)]
+                here = table(*moved)
+                told.append(loop(min(PIECE, end - start), addressof(here)))
         return False
 
-    share(work, n // PIECE, rows)
+    share(work, len(stretches), rows)
     return reduce(or_, told)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import flint
 
@@ -15,7 +14,7 @@ from hfield.rings.rational import rational
 from hfield.structure.rationals.whole_numbers import fraction
 
 
-def element_row(algebra: Parent, x: Any) -> tuple[int, list[int]]:
+def element_row(algebra: Parent, x: object) -> tuple[int, list[int]]:
     """Return what the algebra reads as an element as integer coordinates over a denominator."""
     q = x if isinstance(x, Quaternion) and x.algebra is algebra else algebra(x)
     if q.is_batch:
@@ -24,7 +23,7 @@ def element_row(algebra: Parent, x: Any) -> tuple[int, list[int]]:
     return den, rows[0]
 
 
-def listed(elements: Any) -> list[Any]:
+def listed(elements: object) -> list[object]:
     """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
     if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
         raise LatticeError(
@@ -40,7 +39,7 @@ def checked_side(side: str) -> str:
     return side
 
 
-def positive(n: Any, what: str) -> int:
+def positive(n: object, what: str) -> int:
     """Return a positive integer. Raises :class:`LatticeError` for anything else."""
     value = rational(n)
     if isinstance(n, bool) or not isinstance(value, int) or value < 1:
@@ -48,7 +47,7 @@ def positive(n: Any, what: str) -> int:
     return value
 
 
-def integer(n: Any, what: str) -> int:
+def integer(n: object, what: str) -> int:
     """Return an integer. Raises :class:`LatticeError` for anything else."""
     value = rational(n)
     if not isinstance(value, int):
@@ -56,14 +55,14 @@ def integer(n: Any, what: str) -> int:
     return value
 
 
-def prime(p: Any) -> int:
+def prime(p: object) -> int:
     """Return a prime as an int. Raises :class:`LatticeError` for what is none."""
     if not isinstance(p, (int, flint.fmpz)) or isinstance(p, bool) or not is_prime(int(p)):
         raise LatticeError(f"{shorten(repr(p))} is not a prime number")
     return int(p)
 
 
-def natural(n: Any, what: str) -> int:
+def natural(n: object, what: str) -> int:
     """Return an integer ≥ 0. Raises :class:`LatticeError` for anything else."""
     value = rational(n)
     if isinstance(n, bool) or not isinstance(value, int) or value < 0:

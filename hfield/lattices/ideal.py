@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import compatible, hermite
@@ -58,7 +58,7 @@ class Ideal(OneSidedIdeal):
     def _scaled(self, x: Fraction) -> Ideal:
         return Ideal.of(super()._scaled(x), self.side, self._order)
 
-    def __mul__(self, other: Any) -> Lattice:
+    def __mul__(self, other: object) -> Lattice:
         found = super().__mul__(other)
         if isinstance(other, Ideal) and self.side == "right" and other.side == "right":
             return Ideal.of(found, "right", other._order)
@@ -66,7 +66,7 @@ class Ideal(OneSidedIdeal):
             return Ideal.of(found, "right")
         return Ideal.of(found, "left" if self.side != "right" else "right", self._order)
 
-    def __rmul__(self, other: Any) -> Lattice:
+    def __rmul__(self, other: object) -> Lattice:
         found = super().__rmul__(other)
         known = self._order if self.side == "right" or _is_number(other) else None
         return Ideal.of(found, "right" if self.side == "right" else "left", known)
@@ -110,7 +110,7 @@ class Ideal(OneSidedIdeal):
         if n.denominator != 1 or m.denominator != 1 or math.gcd(n.numerator, m.numerator) != 1:
             raise LatticeError(f"the norms {n} and {m} are not coprime integers")
 
-    def _joint(self, other: Any) -> Ideal:
+    def _joint(self, other: object) -> Ideal:
         """Return ``other`` if it is an ideal on the same side of the same order."""
         if isinstance(other, Lattice) and not isinstance(other, Ideal):
             other = Ideal.like(self._same(other, "compare"), self.order, self.side)
@@ -128,7 +128,7 @@ class Ideal(OneSidedIdeal):
         return other
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none for an ideal that is not invertible; ``claim.why_no_certificate`` tells.
@@ -143,7 +143,7 @@ class Ideal(OneSidedIdeal):
         return certified.of_ideal(self)
 
     @property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What a program needs to check the ideal: its rows, those of its order, and its norm."""
         return {
             "kind": "ideal",
@@ -156,7 +156,7 @@ class Ideal(OneSidedIdeal):
 
     # --- classes ---------------------------------------------------------------------------------
 
-    def equivalence(self, other: Any) -> Answer:
+    def equivalence(self, other: Ideal) -> Answer:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
         Where there is none it is false, and ``reason`` says what was exhausted. In an indefinite
@@ -167,7 +167,7 @@ class Ideal(OneSidedIdeal):
 
         return equivalence(self, self._joint(other))
 
-    def is_equivalent(self, other: Any) -> bool:
+    def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
         return bool(self.equivalence(other))
 
@@ -198,5 +198,5 @@ class Ideal(OneSidedIdeal):
         return equivalent_of_power_norm(self, checked_prime(prime), seed)
 
 
-def _is_number(x: Any) -> bool:
+def _is_number(x: object) -> bool:
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from functools import cached_property
-from typing import Any, Self
+from typing import Self
 
 from flint import fmpz_mat
 
@@ -21,14 +21,19 @@ class OneSidedIdeal(Lattice):
     """A lattice with a side and an order that acts on it there."""
 
     def __init__(
-        self, algebra: Parent, den: int, matrix: Any, side: str = "left", order: Order | None = None
+        self,
+        algebra: Parent,
+        den: int,
+        matrix: fmpz_mat,
+        side: str = "left",
+        order: Order | None = None,
     ) -> None:
         super().__init__(algebra, den, matrix)
         self.side = side
         self._order = order
 
     @classmethod
-    def generated(cls, order: Order, generators: Iterable[Any], side: str) -> Self:
+    def generated(cls, order: Order, generators: Iterable[object], side: str) -> Self:
         """Return the ideal of an order that elements generate on a side.
 
         Raises :class:`LatticeError` when its rank is below 4.
@@ -61,7 +66,7 @@ class OneSidedIdeal(Lattice):
         """Return a lattice as an ideal of its left or right order, which may be known."""
         return cls(lattice.algebra, lattice._den, lattice._matrix, side, order)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return _restore, (type(self), self.algebra, *self.hnf, self.side, self._order)
 
     @classmethod

@@ -49,7 +49,7 @@ class Order(OrderInvariants):
         return cls(algebra, *generated(algebra, elements))
 
     @classmethod
-    def from_basis(cls, algebra: Parent, elements: Iterable[Any]) -> Order:
+    def from_basis(cls, algebra: Parent, elements: Iterable[object]) -> Order:
         """Return the order with the given ℤ-basis.
 
         Raises :class:`LatticeError` unless they are four that span a ring with 1; the message names
@@ -69,7 +69,7 @@ class Order(OrderInvariants):
         return cls(lattice.algebra, lattice._den, lattice._matrix)
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none where the checker would have to do too much; ``claim.why_no_certificate`` tells.
@@ -84,7 +84,7 @@ class Order(OrderInvariants):
         return certified.of_order(self)
 
     @property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What a program needs to check the order: its rows, closed under products, and its discriminant."""
         return {
             "kind": "order",
@@ -137,19 +137,19 @@ class Order(OrderInvariants):
 
     # --- ideals ------------------------------------------------------------------------------------
 
-    def left_ideal(self, generators: Iterable[Any]) -> Ideal:
+    def left_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the left ideal ``O·gens``. Raises :class:`LatticeError` when its rank is below 4."""
         from hfield.lattices.ideal import Ideal
 
         return Ideal.generated(self, generators, "left")
 
-    def right_ideal(self, generators: Iterable[Any]) -> Ideal:
+    def right_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the right ideal ``gens·O``. Raises :class:`LatticeError` when its rank is below 4."""
         from hfield.lattices.ideal import Ideal
 
         return Ideal.generated(self, generators, "right")
 
-    def two_sided_ideal(self, generators: Iterable[Any]) -> Ideal:
+    def two_sided_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` for a rank below 4."""
         from hfield.lattices.ideal import Ideal
 
@@ -202,7 +202,7 @@ class Order(OrderInvariants):
 
         return isomorphism(self, self._order_like(other))
 
-    def _order_like(self, other: Any) -> Order:
+    def _order_like(self, other: object) -> Order:
         """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
         found = self._same(other, "compare")
         return found if isinstance(found, Order) else Order.from_lattice(found)

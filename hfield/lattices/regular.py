@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpz_mat
 
@@ -23,6 +23,12 @@ from hfield.rings.rational_places import INFINITE
 from hfield.structure.forms import discriminant
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.quaternion import Parent
+
 
 UNITS: list[Any] = [tuple(fmpq(int(m == n)) for n in range(4)) for m in range(4)]
 PAIRS = list(combinations(range(4), 2))
@@ -85,7 +91,7 @@ class Regular:
         ]
         return fmpz_mat(integral(form)[1])
 
-    def products(self, rows: Any, others: Any) -> Any:
+    def products(self, rows: flint.fmpz_mat, others: flint.fmpz_mat) -> flint.fmpz_mat:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""
         columns = others.transpose()
         found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
@@ -100,23 +106,23 @@ class Regular:
         found = [rows * form * columns for form in self._norms[side]]
         return fmpz_mat(6, 4, [m[pair] for pair in PAIRS for m in found])
 
-    def left_matrix(self, row: tuple[int, ...]) -> Any:
+    def left_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
         return sum(
             (m * x for m, x in zip(self.left[1:], row[1:], strict=True)), self.left[0] * row[0]
         )
 
-    def right_matrix(self, row: tuple[int, ...]) -> Any:
+    def right_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
         """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
         return sum(
             (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
         )
 
-    def norm(self, row: Sequence[Any]) -> Any:
+    def norm(self, row: Sequence[Any]) -> flint.fmpz:
         """Return the norm of a row of flint integers, ``scale`` times too large."""
         return sum(c * row[m] * row[n] for m, n, c in self._squares)
 
-    def gram(self, rows: Any) -> Any:
+    def gram(self, rows: flint.fmpz_mat) -> flint.fmpz_mat:
         """Return the matrix of ``tr(x·conj(y))`` on the rows, ``scale`` times too large."""
         return rows * self.form * rows.transpose()
 
@@ -152,7 +158,7 @@ def regular(algebra: Any) -> Regular:
     return found
 
 
-def _checked(algebra: Any) -> Regular:
+def _checked(algebra: Parent) -> Regular:
     if algebra.ring.name != "QQ":
         raise RingError(
             f"lattices and orders over ℤ belong to algebras over QQ, and {algebra} is over {algebra.ring}"

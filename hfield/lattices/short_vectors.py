@@ -26,7 +26,7 @@ MOST_STEPS = 2 * 10**7
 class NormedLattice:
     """Four rows of integers over a denominator, and the norm of their combinations."""
 
-    def __init__(self, algebra: Parent, den: int, matrix: Any) -> None:
+    def __init__(self, algebra: Parent, den: int, matrix: fmpz_mat) -> None:
         self.algebra, self._den, self._matrix = algebra, den, matrix
 
     @property
@@ -45,7 +45,7 @@ class NormedLattice:
         d = self._den if den is None else den
         return self.algebra(*(Fraction(x, d) for x in row))
 
-    def norm(self) -> Any:
+    def norm(self) -> fmpq:
         """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
         return fmpq(self._content[0], self._regular.scale * self._den * self._den)
 
@@ -62,7 +62,7 @@ class NormedLattice:
         return fmpz_poly(squares + mixed).content(), g  # the gcd of a list, as flint has it
 
     @cached_property
-    def _even(self) -> Any:
+    def _even(self) -> fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
         content, gram = self._content
         return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])

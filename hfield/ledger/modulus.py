@@ -155,7 +155,7 @@ class ModulusLaw:
             evidence={"kind": "pure subgroup"},
         )
 
-    def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, Any] | None:
+    def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, list[str]] | None:
         """Return None if some choice satisfies the law, else p, q that break the choice √1 = 1."""
         norms = {F.key(norm(hamilton(F), q)): norm(hamilton(F), q) for q in sample}
         roots = {key: F.sqrt(n) for key, n in norms.items()} | {F.key(F.one): F.one}

@@ -58,13 +58,13 @@ def _is_balanced(text: str) -> bool:
     return depth == 0
 
 
-def power_sum(coefficients: list[Any], name: str, style: str = "plain") -> str:
+def power_sum(coefficients: list[flint.fmpq], name: str, style: str = "plain") -> str:
     """Write a polynomial with rational coefficients, given low degree first, highest first."""
     terms = [(number_text(c, style), [(name, n)]) for n, c in enumerate(coefficients) if c != 0]
     return sum_text(reversed(terms), style)
 
 
-def irreducible(polynomial: Any, name: str) -> Any:
+def irreducible(polynomial: Any, name: str) -> flint.fmpq_poly:
     """Return an irreducible polynomial over ℚ, made monic, from its text or as flint's.
 
     Raises :class:`RingError`.
@@ -94,7 +94,7 @@ def irreducible(polynomial: Any, name: str) -> Any:
     return f / f.leading_coefficient()
 
 
-def _read(text: str, name: str) -> Any:
+def _read(text: str, name: str) -> flint.fmpq_poly:
     """Read a polynomial in the variable of that name, or, if there is but one name in it, in that."""
     found = set(re.findall(r"[^\W\d_]\w*", from_unicode(text)))
     variable = found.pop() if len(found) == 1 else name
@@ -110,13 +110,13 @@ def _read(text: str, name: str) -> Any:
         ) from error
 
 
-def _quotient(x: Any, y: Any) -> Any:
+def _quotient(x: flint.fmpq_poly, y: flint.fmpq_poly) -> flint.fmpq_poly:
     if y.degree() != 0:
         raise RingError(f"{y} is no number other than 0, so nothing is divided by it here")
     return x / y[0]
 
 
-def _power(x: Any, n: int) -> Any:
+def _power(x: flint.fmpq_poly, n: int) -> flint.fmpq_poly:
     if n < 0:
         raise RingError("a polynomial has no terms of negative degree")
     return x**n

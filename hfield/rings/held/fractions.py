@@ -8,7 +8,7 @@ from typing import Any
 
 import flint
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE, function, statements
 from hfield.rings.held.numerators import Held, Numerators
@@ -131,14 +131,14 @@ class Fractions(Numerators):
         ]
         return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
 
-    def scaled(self, p: Held, s: Any) -> Held:
+    def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
         vector = self._vector(s)
         d = _denominator(vector)
         held: Held = self.multiple(p, (*(int(c.p) * (d // int(c.q)) for c in vector), d))
         return held
 
-    def _reciprocal(self, *s: Any) -> tuple[Any, ...]:
+    def _reciprocal(self, *s: Any) -> tuple[int, ...]:
         """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 2 or 3.
 
         The matrix of multiplication by the first sum has the second, up to d, for its inverse's first column.

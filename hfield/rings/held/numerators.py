@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import Any
 
+from hfield.product import Scalar
 from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import FIRST, SECOND, parts, specialise_extension
 
@@ -83,7 +84,7 @@ class Numerators(Compact):
             return None
         return self.scaled(self.conjugate(p), self.ring.inverse(n))
 
-    def scaled(self, p: Held, s: Any) -> Held:
+    def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
         zero = self.ring.zero
         held: Held = self.product(p, self.hold((s, zero, zero, zero)))
