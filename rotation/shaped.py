@@ -64,9 +64,13 @@ class Shaped:
     def _refuse_factor(self, other: object) -> None:
         """Raise `DTypeError` for points beside ``*``, and for scipy's classes of the same names."""
         if type(other).__module__.startswith("scipy."):
-            raise DTypeError(
-                f"one {self._called} is scipy's, the other is ours: convert with "
+            way = (
                 "Rotation.from_scipy(r) or r.to_scipy()"
+                if hasattr(self, "from_scipy")
+                else f"{type(self).__name__}.from_matrix(t.as_matrix())"
+            )
+            raise DTypeError(
+                f"one {self._called} is scipy's, the other is ours: convert with {way}"
             )
         if isinstance(other, list | tuple) or hasattr(other, "__array__"):
             raise DTypeError(f"a {self._called} is not multiplied by points; write r.apply(points)")
