@@ -35,6 +35,7 @@ class Gathering(Conversions):
 
         Examples
         --------
+        >>> from rotation import Rotation
         >>> Rotation.create_group("D3").shape
         (6,)
         """
