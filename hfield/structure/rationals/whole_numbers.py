@@ -26,7 +26,7 @@ def square_class(x: Any) -> int:
     """Return a nonzero integer equal to the rational x up to a square: numerator · denominator."""
     if type(x) is int:
         n = x
-    elif type(x) is flint.fmpq:
+    elif isinstance(x, flint.fmpq):
         n = int(x.p * x.q)
     else:
         f = fraction(x)
