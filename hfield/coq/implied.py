@@ -1,14 +1,19 @@
 """Evidence of implications for Coq: items with their cofactors, and hints to find what they speak of."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint.utils.flint_exceptions import DomainError
 
 from hfield.coq.cofactors import MismatchError, Reader, written
 from hfield.coq.formulas import Equation, Formula, Junction, equations
 from hfield.coq.terms import NotCoveredError, Terms
+
+if TYPE_CHECKING:
+    import flint
 
 
 @dataclass(frozen=True)
@@ -61,7 +66,7 @@ class Items:
         self.reader = Reader(self.places)
         self.items = [self._item(raw) for raw in data]
 
-    def read(self, text: str) -> Any:
+    def read(self, text: str) -> flint.fmpz_mpoly:
         """Return a polynomial in the coordinates of the unknowns."""
         n = self.terms.numerators
         return self.reader.value(text, n.gens, n.context.constant)
@@ -168,7 +173,7 @@ class Items:
         )
 
 
-def tops(formulas: Iterable[Formula]) -> list[Any]:
+def tops(formulas: Iterable[Formula]) -> list[flint.fmpz_mpoly]:
     """Return the numerators of all differences in some formulas."""
     out = []
     for equation in (e for f in formulas for e in equations(f)):
@@ -176,7 +181,7 @@ def tops(formulas: Iterable[Formula]) -> list[Any]:
     return out
 
 
-def differences(equation: Equation) -> list[Any]:
+def differences(equation: Equation) -> list[flint.fmpz_mpoly]:
     """Return the numerators of the differences of both sides."""
     left, right = equation.left.value, equation.right.value
     if equation.left.is_scalar:
@@ -184,20 +189,27 @@ def differences(equation: Equation) -> list[Any]:
     return [(u - v).top for u, v in zip(left, right, strict=True)]
 
 
-def proportional(f: Any, g: Any) -> bool:
+def proportional(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
     """Tell whether two polynomials are multiples of each other by numbers."""
     if f == 0 or g == 0:
         return bool(f == g)
     return bool(g.leading_coefficient() * f == f.leading_coefficient() * g)
 
 
-def _are_products(f: Any, z: Any, common: Any, factors: Sequence[Any]) -> bool:
+def _are_products(
+    f: flint.fmpz_mpoly,
+    z: flint.fmpz_mpoly,
+    common: flint.fmpz_mpoly,
+    factors: Sequence[flint.fmpz_mpoly],
+) -> bool:
     """Tell whether f and z are both their common part times what was divided by."""
     parts = [proportional(h, common) or bool(_quotient(h, common, factors)) for h in (f, z)]
     return all(parts)
 
 
-def _quotient(f: Any, z: Any, factors: Sequence[Any]) -> list[Any]:
+def _quotient(
+    f: flint.fmpz_mpoly, z: flint.fmpz_mpoly, factors: Sequence[flint.fmpz_mpoly]
+) -> list[flint.fmpz_mpoly]:
     """Return factors whose product times z is f, up to a number; empty if there are none."""
     if f == 0 or z == 0:
         return []
@@ -217,7 +229,7 @@ def _quotient(f: Any, z: Any, factors: Sequence[Any]) -> list[Any]:
     return out if rest.is_constant() else []
 
 
-def vanishes_as_function(f: Any, p: int) -> list[Any] | None:
+def vanishes_as_function(f: flint.fmpz_mpoly, p: int) -> list[flint.fmpz_mpoly] | None:
     """Return cofactors of x^p - x, variable by variable, that make f, if f is 0 on all of GF(p)."""
     context = f.context()
     width = context.nvars()
@@ -250,7 +262,7 @@ class Directly:
     def __init__(self, items: Sequence[Item]) -> None:
         self.items = [i for i in items if i.is_direct]
 
-    def derives(self, zeros: Sequence[Any], formula: Formula) -> bool:
+    def derives(self, zeros: Sequence[flint.fmpz_mpoly], formula: Formula) -> bool:
         """Tell whether the formula follows where these polynomials are 0."""
         match formula:
             case Equation():
@@ -266,7 +278,7 @@ class Directly:
                 )
         return False
 
-    def _zero(self, zeros: Sequence[Any], f: Any) -> bool:
+    def _zero(self, zeros: Sequence[flint.fmpz_mpoly], f: flint.fmpz_mpoly) -> bool:
         if f == 0 or any(_opposite(f, z) for z in zeros) or any(_is_one(z) for z in zeros):
             return True
         return any(
@@ -275,7 +287,7 @@ class Directly:
             for i in self.items
         )
 
-    def _cases(self, formula: Formula) -> list[list[Any]] | None:
+    def _cases(self, formula: Formula) -> list[list[flint.fmpz_mpoly]] | None:
         match formula:
             case Equation():
                 return [differences(formula)]
@@ -289,11 +301,11 @@ class Directly:
         return None
 
 
-def _is_one(f: Any) -> bool:
+def _is_one(f: flint.fmpz_mpoly) -> bool:
     return bool(f in (1, -1))
 
 
-def _opposite(f: Any, g: Any) -> bool:
+def _opposite(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
     return bool(f in (g, -g))
 
 
@@ -321,6 +333,6 @@ def _denominators(steps: Any) -> Iterable[int]:
             yield from _denominators(branch)
 
 
-def _same_length(cofactors: Sequence[Any], known: Sequence[Any]) -> None:
+def _same_length(cofactors: Sequence[object], known: Sequence[flint.fmpz_mpoly]) -> None:
     if len(cofactors) != len(known):
         raise MismatchError(f"there are {len(cofactors)} cofactors for {len(known)} polynomials")

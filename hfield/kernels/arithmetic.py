@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
+
+if TYPE_CHECKING:
+    import numpy as np
 
 
 class Code:
@@ -40,7 +43,7 @@ class Arithmetic(Protocol):
     def vectorise(self) -> bool: ...  # noqa: D102
     @property
     def literal(self) -> bool: ...  # noqa: D102
-    def tables(self) -> tuple[Any, ...]: ...  # noqa: D102
+    def tables(self) -> tuple[np.ndarray, ...]: ...  # noqa: D102
     def load(self, code: Code, raw: str) -> Any: ...  # noqa: D102
     def store(self, code: Code, x: Any) -> str: ...  # noqa: D102
     def constant(self, code: Code, value: int) -> Any: ...  # noqa: D102

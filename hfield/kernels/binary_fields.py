@@ -10,9 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from hfield.kernels.arithmetic import Code, raw_type, unsigned
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 BITWISE_UP_TO = 8  # beyond, a product in one instruction is quicker
 HOLES = 0x1111111111111111
@@ -42,7 +46,7 @@ class _BinaryField:
         """The smallest unsigned integers that hold k bits."""
         return unsigned((1 << self.degree) - 1)
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return nothing: no tables are needed."""
         return ()
 

@@ -8,10 +8,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.kernels.arithmetic import Code, raw_type, unsigned
 from hfield.kernels.residues import LIMITS, Bounded, Residues
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 Digits = tuple[Bounded, ...]
 
@@ -48,7 +52,7 @@ class ExtensionField:
         largest = max(self.order, 8 * self.degree * self.characteristic**2)
         return Residues(self.characteristic, "float" if largest < LIMITS["float"] else "double")
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return nothing: no tables are needed."""
         return ()
 

@@ -10,9 +10,13 @@ stays below the limits here three roundings move ``(x + ½)/n`` by less than 1/(
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.kernels.arithmetic import Code, floating, raw_type, unsigned
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 LIMITS = {"float": 2**20, "double": 2**49, "i64": 2**63}
 _OPERATIONS = {
@@ -54,7 +58,7 @@ class Residues:
         "declare double @llvm.floor.f64(double)",
     )
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return nothing: no tables are needed."""
         return ()
 

@@ -8,10 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.kernels.arithmetic import Code
 from hfield.kernels.residues import Bounded
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 WORD = 2**63
 
@@ -31,7 +35,7 @@ class SmallWholeNumbers:
     vectorise = True
     literal = True
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return nothing: no tables are needed."""
         return ()
 
@@ -94,7 +98,7 @@ class CheckedWholeNumbers:
         names = ("sadd", "ssub", "smul")
         return tuple(f"declare {{i64, i1}} @llvm.{n}.with.overflow.i64(i64, i64)" for n in names)
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return nothing: no tables are needed."""
         return ()
 

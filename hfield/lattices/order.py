@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 from flint import fmpz_mat
@@ -45,7 +45,7 @@ class Order(Lattice):
     """
 
     @classmethod
-    def generated(cls, algebra: Parent, elements: Iterable[Any]) -> Order:
+    def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
         """Return the ring that elements generate.
 
         Raises :class:`LatticeError` when it has a rank below 4, or is no lattice, because it contains
@@ -237,7 +237,7 @@ class Order(Lattice):
         return Order.from_lattice(self._make(2 * f * den, fmpz_mat(found)))
 
     @cached_property
-    def _ternary(self) -> tuple[int, Any, list[list[int]]]:
+    def _ternary(self) -> tuple[int, flint.fmpz_mat, list[list[int]]]:
         """The trace-0 part of ℤ + 2O: a denominator, three rows, and their matrix of tr(x·conj(y))."""
         r, t = self._regular, self._regular.constants.t
         vectors = fmpz_mat([row[1:] for row in self.hnf[1]]).hnf()
@@ -255,7 +255,7 @@ class Order(Lattice):
         return den, rows, [entries[0:3], entries[3:6], entries[6:9]]
 
     @cached_property
-    def _reduced_ternary(self) -> tuple[int, Any, list[list[int]]]:
+    def _reduced_ternary(self) -> tuple[int, flint.fmpz_mat, list[list[int]]]:
         den, rows, gram = self._ternary
         reduced, steps = fmpz_mat(gram).lll(transform=True, rep="gram")
         entries = [int(x) for x in reduced.entries()]
@@ -432,7 +432,7 @@ def prime(p: object) -> int:
     return int(p)
 
 
-def _check_integral(algebra: Parent, r: Regular, den: int, rows: Any) -> None:
+def _check_integral(algebra: Parent, r: Regular, den: int, rows: flint.fmpz_mat) -> None:
     """Raise :class:`LatticeError` unless all combinations of the rows have integral trace and norm."""
     gram = r.gram(rows)
     traces = (rows * r.form).entries()[::4]

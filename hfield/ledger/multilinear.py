@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product as tuples
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import (
     BASIS_TUPLES,
@@ -26,6 +26,10 @@ from hfield.certificates.glossary import (
 from hfield.notation import BASIS
 from hfield.proving.decision import Decision
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import flint
+
 
 N = len(BASIS)
 Tuple = tuple[int, ...]
@@ -94,7 +98,7 @@ class Form:
         self.arguments = [list(coordinates[N * m : N * m + N]) for m in range(k)]
         self.extra = coordinates[N * k :]
 
-    def __call__(self, *arguments: list[Any]) -> Any:
+    def __call__(self, *arguments: list[flint.fmpz_mpoly]) -> flint.fmpz_mpoly:
         """Return the value of the form: Σ h_t · Π a_m[t_m]."""
         total = self.zero
         for t, h in self.entry.items():
@@ -104,13 +108,15 @@ class Form:
             total = total + term
         return total
 
-    def at(self, slot: int, vector: list[Any], last: list[Any]) -> Any:
+    def at(
+        self, slot: int, vector: list[flint.fmpz_mpoly], last: list[flint.fmpz_mpoly]
+    ) -> flint.fmpz_mpoly:
         """Return the value with ``vector`` in the slot, ``last`` at the end, general elsewhere."""
         arguments = [*self.arguments[:-1], last]
         arguments[slot] = vector
         return self(*arguments)
 
-    def basis(self, n: int) -> list[Any]:
+    def basis(self, n: int) -> list[flint.fmpz_mpoly]:
         """Return the n-th basis vector."""
         return [self.one if m == n else self.zero for m in range(N)]
 
@@ -186,7 +192,7 @@ class DeterminedBy:
         )
 
 
-def _monomial(form: Form, t: Tuple) -> Any:
+def _monomial(form: Form, t: Tuple) -> flint.fmpz_mpoly:
     term = form.one
     for a, n in zip(form.arguments, t, strict=True):
         term = term * a[n]

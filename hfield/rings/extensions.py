@@ -25,6 +25,7 @@ from hfield.rings.rational import rational, unwrap
 from hfield.rings.several_variables import RationalFunctions, listed
 
 if TYPE_CHECKING:
+    from hfield.rings.flint_types import SparsePolynomial
     from hfield.rings.quotient import Quotient
 
 
@@ -39,7 +40,7 @@ class ExtensionElement(Element):
     field: SimpleExtension
     coefficients: tuple[Any, ...]
 
-    def __init__(self, field: SimpleExtension, coefficients: Sequence[Any]) -> None:
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[Quotient]) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
@@ -73,7 +74,7 @@ class SimpleExtension(Ring):
     is_field = True
 
     def __init__(
-        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Any]
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Quotient]
     ) -> None:
         self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
         self.characteristic = base.characteristic
@@ -167,7 +168,7 @@ class SimpleExtension(Ring):
             tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
         )
 
-    def sqrt(self, x: Any) -> ExtensionElement | None:
+    def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
         """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
         if all(map(self.base.is_zero, x.coefficients[1:])):
             root = self.base.sqrt(x.coefficients[0])
@@ -204,7 +205,9 @@ def _stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
     return out
 
 
-def _divmod(base: Ring, f: list[Quotient], g: list[Quotient]) -> tuple[list[Any], list[Any]]:
+def _divmod(
+    base: Ring, f: list[Quotient], g: list[Quotient]
+) -> tuple[list[Quotient], list[Quotient]]:
     """Return quotient and rest of polynomials without leading zeros, low degree first."""
     rest, scale = list(f), base.inverse(g[-1])
     quotient = [base.zero] * max(len(f) - len(g) + 1, 1)
@@ -294,7 +297,7 @@ def _check_irreducible(base: Any, variable: str, f: list[Quotient], what: str) -
     )
 
 
-def _factors(base: Any, variable: str, f: list[Quotient]) -> list[tuple[Any, int]]:
+def _factors(base: Any, variable: str, f: list[Quotient]) -> list[tuple[SparsePolynomial, int]]:
     """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
     several = isinstance(base, RationalFunctions)
     names = base.variables if several else (base.gen_name,)

@@ -31,7 +31,7 @@ class FieldElement:
         self.field = field
         self.poly = poly
 
-    def _other(self, x: Scalar) -> Any:
+    def _other(self, x: Scalar) -> flint.fmpq_poly | flint.fmpq | None:
         """Return what to compute with in the place of x: a polynomial, a number of flint, or None."""
         if type(x) is FieldElement:
             return x.poly if x.field is self.field or x.field == self.field else None

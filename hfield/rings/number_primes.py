@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -33,6 +33,9 @@ from hfield.rings.number_orders import (
 )
 from hfield.rings.rational import rational
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Coefficient
 
 
 class PrimeIdeal:
@@ -151,7 +154,7 @@ class PrimeIdeal:
             return GF(self.p)
         return GF(self.norm, modulus_text(coefficients(self.residue)))
 
-    def reduce(self, x: Any) -> Any:
+    def reduce(self, x: FieldElement) -> Coefficient:
         """Return the class of x in the residue field. Raises :class:`RingError` for a negative valuation."""
         field, residue = self.residue_field, coefficients(self.residue_of(self.field(x)))
         total = field.zero

@@ -114,7 +114,7 @@ class RationalFunctions(Ring):
         """Return xⁿ; n < 0 inverts first."""
         return x**n
 
-    def sqrt(self, x: Any) -> Quotient | None:
+    def sqrt(self, x: Quotient) -> Quotient | None:
         """Return some y with y² = x, or None: numerator times denominator must be a square."""
         root = self.polynomials.sqrt(x.num * x.den)
         return None if root is None else self.quotient(root, x.den)

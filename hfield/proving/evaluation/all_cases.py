@@ -8,6 +8,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.product import Scalar
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value, constant
 from hfield.proving.evaluation.searcher import Assignment, Searcher
@@ -17,6 +18,7 @@ from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint
+    import numpy as np
 
 
 MAX_CASES = 10**8
@@ -164,7 +166,7 @@ class _Table:
             self.kind,
         )
 
-    def entry(self, array: Any) -> _Entries:
+    def entry(self, array: np.ndarray) -> _Entries:
         return _Entries(self, array)
 
 
@@ -173,7 +175,7 @@ class _Entries:
 
     __slots__ = ("array", "table")
 
-    def __init__(self, table: _Table, array: Any) -> None:
+    def __init__(self, table: _Table, array: np.ndarray) -> None:
         self.table, self.array = table, array
 
     def __add__(self, other: _Entries) -> _Entries:
@@ -206,7 +208,7 @@ class _TableScalars(Scalars):
         self.table = table
         self.zero, self.one = self.element(table.field.zero), self.element(table.field.one)
 
-    def element(self, x: Any) -> _Entries:
+    def element(self, x: Scalar) -> _Entries:
         import numpy as np
 
         return self.table.entry(

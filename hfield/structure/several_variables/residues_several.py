@@ -51,7 +51,7 @@ class Residue:
         return root is not None
 
 
-def places_of(F: RationalFunctions, *elements: Any) -> list[PolynomialPlace]:
+def places_of(F: RationalFunctions, *elements: Quotient) -> list[PolynomialPlace]:
     """Return the prime polynomials in elements of k(x, y, …), and infinity of each variable."""
     found = {}
     for x in elements:
