@@ -103,7 +103,6 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
                     "batches_of_any_ring",
                     "told",
                     "places_and_ideals",
-                    "refusals",
                     "words_for_rings",
                 ),
             )

@@ -176,7 +176,8 @@ class SpelledField(NumberField):
 def adjoined(s: str, inner: str) -> Ring:
     """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
     texts = _split(inner)
-    numbers = [read_number(s, text) for text in texts]
+    once = {n.text: n for n in (read_number(s, text) for text in texts)}
+    numbers = list(once.values())
     quadratic = [n.radicand for n in numbers if n.radicand is not None and n.radicand[1] == 2]
     if len(numbers) == 1 and quadratic:
         from hfield.rings.quadratic import build

@@ -6,9 +6,14 @@ The facts in these sentences are tested elsewhere; here it is seen that they are
 import json
 import random
 from collections.abc import Callable
+from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 from typing import Any
+
+import flint
+import numpy as np
+import sympy
 
 from hfield.errors import HFieldError
 from hfield.rings import ring
@@ -23,6 +28,28 @@ RINGS = (
     *("GF(9)((t))", "GF(5)(t)[u]/(u^2-t)", "QQ[s]/(s^4+7*s^2+4*s+2)", "QQ(zeta8)", "QQ(I,root(2,3))"),
     *("QQ[s]/(s^4+s+2)", "QQ(sqrt(2),I)"),
 )  # fmt: skip
+ENTER = ("QQ(I)", "QQ(sqrt(2))", "QQ(x)", "GF(7)", "GF(9)", "ZZ[a]", "QQ[s]/(s^3-2)")
+
+
+def values() -> list[Any]:
+    """Return what may or may not enter a ring."""
+    plain = [0.5, 1j, None, Fraction(1, 2), Fraction(6, 3), np.True_, np.int64(-3), np.array(5)]
+    others = [
+        sympy.sqrt(2),
+        sympy.I,
+        sympy.Rational(1, 7),
+        sympy.Symbol("z"),
+        sympy.pi,
+        flint.fmpz(4),
+    ]
+    return [
+        *plain,
+        *others,
+        flint.fmpq(1, 5),
+        *(ring(name).gen if name != "GF(7)" else ring(name)(3) for name in ENTER),
+    ]
+
+
 STYLES = ("plain", "unicode", "latex")
 
 
@@ -71,6 +98,8 @@ def told(name: str) -> dict[str, str]:
         "no text": lambda: R("1+"),
         "a name": lambda: R("nobody"),
     }
+    for k, x in enumerate(values()):
+        questions[f"enters {k}"] = lambda x=x: R.text(R(x))
     questions |= {
         f"random {k}": (lambda x=x: [R.text(x, s) for s in STYLES]) for k, x in enumerate(drawn)
     }
