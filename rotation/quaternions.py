@@ -38,7 +38,8 @@ def normalised(q: Any) -> Array:
     return units
 
 
-def _normalised(q: Array) -> Array:
+def normalise(q: Array) -> Array:
+    """Return what `normalised` does, as a formula; it tells of zeros."""
     xp, c = namespace(q), split(q)
     norm = sum_of_squares(c)
     tell(xp, norm == 0.0)
@@ -56,7 +57,7 @@ def _brought_near(xp: Any, c: Coordinates, exact: Array) -> Coordinates:
     return tuple(xp.where(exact, a, b) for a, b in zip(c, unit(xp, c), strict=True))
 
 
-_NORMALISED = Formula(_normalised, (4,))
+_NORMALISED = Formula(normalise, (4,))
 
 
 def product(p: Array, q: Array) -> Array:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import struct
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,7 +28,7 @@ class Code:
         return name
 
 
-class Arithmetic(Protocol):
+class Arithmetic(ABC):
     """The numbers of a ring in a loop. What stands for one, a payload, is the arithmetic's own affair.
 
     An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
@@ -35,22 +36,55 @@ class Arithmetic(Protocol):
     the loop, which then serves one algebra, and not read by it.
     """
 
+    vectorise = True
+    literal = False
+
     @property
-    def dtype(self) -> str: ...  # noqa: D102
+    @abstractmethod
+    def dtype(self) -> str:
+        """The type of the rows that are read, such as ``u2``."""
+
     @property
-    def declarations(self) -> tuple[str, ...]: ...  # noqa: D102
+    def result(self) -> str:
+        """The type of the rows that are written."""
+        return self.dtype
+
     @property
-    def vectorise(self) -> bool: ...  # noqa: D102
-    @property
-    def literal(self) -> bool: ...  # noqa: D102
-    def tables(self) -> tuple[np.ndarray, ...]: ...  # noqa: D102
-    def load(self, code: Code, raw: str) -> Any: ...  # noqa: D102
-    def store(self, code: Code, x: Any) -> str: ...  # noqa: D102
-    def constant(self, code: Code, value: int) -> Any: ...  # noqa: D102
-    def add(self, code: Code, x: Any, y: Any) -> Any: ...  # noqa: D102
-    def subtract(self, code: Code, x: Any, y: Any) -> Any: ...  # noqa: D102
-    def multiply(self, code: Code, x: Any, y: Any) -> Any: ...  # noqa: D102
-    def negate(self, code: Code, x: Any) -> Any: ...  # noqa: D102
+    def declarations(self) -> tuple[str, ...]:
+        """LLVM's declarations of the functions that are called."""
+        return ()
+
+    def tables(self) -> tuple[np.ndarray, ...]:
+        """Return the arrays that are looked up; the loop calls them ``%table0``, ``%table1``, …"""
+        return ()
+
+    @abstractmethod
+    def load(self, code: Code, raw: str) -> Any:
+        """Read a number of a row."""
+
+    @abstractmethod
+    def store(self, code: Code, x: Any) -> str:
+        """Return what is to be written to a row."""
+
+    @abstractmethod
+    def constant(self, code: Code, value: int) -> Any:
+        """Return a number known beforehand."""
+
+    @abstractmethod
+    def add(self, code: Code, x: Any, y: Any) -> Any:
+        """Return x + y."""
+
+    @abstractmethod
+    def subtract(self, code: Code, x: Any, y: Any) -> Any:
+        """Return x − y."""
+
+    @abstractmethod
+    def multiply(self, code: Code, x: Any, y: Any) -> Any:
+        """Return x·y."""
+
+    @abstractmethod
+    def negate(self, code: Code, x: Any) -> Any:
+        """Return −x."""
 
 
 @dataclass(frozen=True)

@@ -10,13 +10,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import reduce
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from hfield.kernels.arithmetic import Code, raw_type, unsigned
-
-if TYPE_CHECKING:
-    import numpy as np
-
+from hfield.kernels.arithmetic import Arithmetic, Code, raw_type, unsigned
 
 BITWISE_UP_TO = 8  # beyond, a product in one instruction is quicker
 HOLES = 0x1111111111111111
@@ -31,7 +27,7 @@ class Polynomial(NamedTuple):
 
 
 @dataclass(frozen=True)
-class _BinaryField:
+class _BinaryField(Arithmetic):
     """GF(2^k) modulo the irreducible polynomial with the bits of ``modulus``."""
 
     modulus: int
@@ -46,10 +42,6 @@ class _BinaryField:
         """The smallest unsigned integers that hold k bits."""
         return unsigned((1 << self.degree) - 1)
 
-    def tables(self) -> tuple[np.ndarray, ...]:
-        """Return nothing: no tables are needed."""
-        return ()
-
     def negate(self, code: Code, x: Polynomial) -> Polynomial:
         """Return −x = x."""
         return x
@@ -61,10 +53,6 @@ class _BinaryField:
 @dataclass(frozen=True)
 class SmallBinaryField(_BinaryField):
     """GF(2^k), k ≤ 32, bit by bit in words of 2k bits at least."""
-
-    vectorise = True
-    literal = False
-    declarations = ()
 
     @property
     def word(self) -> str:
@@ -122,7 +110,6 @@ class LargeBinaryField(_BinaryField):
     instruction: bool  # whether the processor multiplies without carry
 
     vectorise = False
-    literal = False
 
     @property
     def declarations(self) -> tuple[str, ...]:

@@ -63,13 +63,13 @@ class Kernel:
     def __call__(self, *operands: Rows) -> tuple[Rows, int]:
         """Return the rows of the results, of the shape that the operands broadcast to, and the flags.
 
-        The rows of an operand have one shape and the arithmetic's type. Raises ValueError for shapes that
-        do not broadcast.
+        The rows of an operand have one shape and the type that the arithmetic reads. Raises ValueError
+        for shapes that do not broadcast.
         """
         shapes = [rows[0].shape for rows in operands]
         shape = shapes[0] if len(set(shapes)) == 1 else np.broadcast_shapes(*shapes)
         n = prod(shape)
-        out = np.empty((len(self.program.outputs), *shape), self.arithmetic.dtype)
+        out = np.empty((len(self.program.outputs), *shape), self.arithmetic.result)
         results = rows_of(out)
         if n == 0:
             return results, 0
@@ -82,13 +82,13 @@ class Kernel:
             straight.append(self.constants)
             singles = (*singles, True)
         loop = self._loops.get(singles) or self._compiled(singles)
-        size = out.itemsize
+        size = np.dtype(self.arithmetic.dtype).itemsize
         rows, steps = list[Array](), list[int]()
         for own, single in zip(straight, singles, strict=True):
             rows += own
             steps += [0 if single else size] * len(own)
         rows += [*self.tables, *results]
-        steps += [0] * len(self.tables) + [size] * len(results)
+        steps += [0] * len(self.tables) + [out.itemsize] * len(results)
         return results, run(loop, n, tuple(rows), steps)
 
     def prepare(self) -> None:

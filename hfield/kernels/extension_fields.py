@@ -8,28 +8,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from hfield.kernels.arithmetic import Code, raw_type, unsigned
+from hfield.kernels.arithmetic import Arithmetic, Code, raw_type, unsigned
 from hfield.kernels.residues import LIMITS, Bounded, Residues
-
-if TYPE_CHECKING:
-    import numpy as np
-
 
 Digits = tuple[Bounded, ...]
 
 
 @dataclass(frozen=True)
-class ExtensionField:
+class OddExtension(Arithmetic):
     """GF(pⁿ) modulo the monic polynomial with these coefficients, low degree first; pⁿ ≤ 2³²."""
 
     characteristic: int
     coefficients: tuple[int, ...]
-
-    vectorise = True
-    literal = False
-    declarations = Residues.declarations
 
     @property
     def degree(self) -> int:
@@ -46,15 +38,18 @@ class ExtensionField:
         """The smallest unsigned integers that hold every label."""
         return unsigned(self.order - 1)
 
+
+@dataclass(frozen=True)
+class ExtensionField(OddExtension):
+    """The field by products of polynomials, whose digits are residues."""
+
+    declarations = Residues.declarations
+
     @cached_property
     def digits(self) -> Residues:
         """The arithmetic of the digits: in the smaller word, if it holds labels and four products."""
         largest = max(self.order, 8 * self.degree * self.characteristic**2)
         return Residues(self.characteristic, "float" if largest < LIMITS["float"] else "double")
-
-    def tables(self) -> tuple[np.ndarray, ...]:
-        """Return nothing: no tables are needed."""
-        return ()
 
     def load(self, code: Code, raw: str) -> Digits:
         """Read a label."""

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hfield.kernels.arithmetic import Code, raw_type, unsigned
+from hfield.kernels.arithmetic import Code, raw_type
+from hfield.kernels.extension_fields import OddExtension
 
 TERMS = 5  # so many times p − 1 fits in a field: four products, and what makes their sum positive
 INDEX_BITS = 12  # of the table that turns fields into labels; it stays in the nearest cache
@@ -37,31 +38,12 @@ Number = Logarithm | Packed
 
 
 @dataclass(frozen=True)
-class LogarithmicField:
-    """GF(pⁿ) modulo a monic polynomial with these coefficients; ``generator`` labels a primitive element."""
+class LogarithmicField(OddExtension):
+    """The field by logarithms of labels; ``generator`` is the label of a primitive element."""
 
-    characteristic: int
-    coefficients: tuple[int, ...]
     generator: int
 
     vectorise = False
-    literal = False
-    declarations = ()
-
-    @property
-    def degree(self) -> int:
-        """The degree n of the field."""
-        return len(self.coefficients) - 1
-
-    @property
-    def order(self) -> int:
-        """The number of elements."""
-        return int(self.characteristic**self.degree)
-
-    @property
-    def dtype(self) -> str:
-        """The smallest unsigned integers that hold every label."""
-        return unsigned(self.order - 1)
 
     @cached_property
     def width(self) -> int:
@@ -116,8 +98,9 @@ class LogarithmicField:
             z if isinstance(z, Logarithm) else self._logarithm(code, self._label(code, z))
             for z in (x, y)
         )
-        total = code.value(f"add i64 {a.name}, {b.name}")
-        return self._power(code, total)
+        # two steps from the table's beginning: the processor takes the second while it loads
+        first = code.value(f"getelementptr {self.word}, ptr %table1, i64 {a.name}")
+        return self._power(code, b.name, first)
 
     def negate(self, code: Code, x: Number) -> Packed:
         """Return −x."""
@@ -131,8 +114,8 @@ class LogarithmicField:
         found = code.value(f"load i32, ptr {at}")
         return Logarithm(code.value(f"zext i32 {found} to i64"))
 
-    def _power(self, code: Code, logarithm: str) -> Packed:
-        at = code.value(f"getelementptr {self.word}, ptr %table1, i64 {logarithm}")
+    def _power(self, code: Code, logarithm: str, start: str = "%table1") -> Packed:
+        at = code.value(f"getelementptr {self.word}, ptr {start}, i64 {logarithm}")
         return Packed(code.value(f"load {self.word}, ptr {at}"), 0, self.characteristic - 1)
 
     def _packed(self, code: Code, x: Number) -> Packed:

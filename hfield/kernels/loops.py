@@ -56,7 +56,7 @@ def module(
     the results. It returns the flags of all elements, one or the other bit set where one had to tell.
     """
     code, results = written(program, arithmetic, operands, literals)
-    kind = raw_type(arithmetic.dtype)
+    kind = raw_type(arithmetic.result)
     tables = [f"table{n}" for n in range(len(arithmetic.tables()))]
     outputs = [f"out{n}" for n in range(len(results))]
     pointers = [*(name for operand in operands for name in operand.names), *tables, *outputs]

@@ -10,13 +10,9 @@ stays below the limits here three roundings move ``(x + ½)/n`` by less than 1/(
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from hfield.kernels.arithmetic import Code, floating, raw_type, unsigned
-
-if TYPE_CHECKING:
-    import numpy as np
-
+from hfield.kernels.arithmetic import Arithmetic, Code, floating, raw_type, unsigned
 
 LIMITS = {"float": 2**20, "double": 2**49, "i64": 2**63}
 _OPERATIONS = {
@@ -40,7 +36,7 @@ class Bounded(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Residues:
+class Residues(Arithmetic):
     """The ring ℤ/n; residues are read and written as 0 … n − 1."""
 
     modulus: int
@@ -51,16 +47,10 @@ class Residues:
         """Return the arithmetic modulo n, in the word that is quickest."""
         return cls(n, "float" if n <= 1 << 8 else "double" if n <= 1 << 23 else "i64")
 
-    vectorise = True
-    literal = False
     declarations = (
         "declare float @llvm.floor.f32(float)",
         "declare double @llvm.floor.f64(double)",
     )
-
-    def tables(self) -> tuple[np.ndarray, ...]:
-        """Return nothing: no tables are needed."""
-        return ()
 
     @property
     def dtype(self) -> str:

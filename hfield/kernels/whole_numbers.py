@@ -1,21 +1,18 @@
-"""Integers in 64 bits: quickly where the operands are small enough, else with every overflow noticed.
+"""Integers of 8 to 64 bits: quickly where the operands are small enough, else with every overflow noticed.
 
-`SmallWholeNumbers` computes without a check and tells when an operand was too large for its bounds;
-`CheckedWholeNumbers` asks after each operation, and tells when one overflowed.
+`SmallWholeNumbers` computes without a check and tells when an operand was too large for its bounds; what the
+bounds of the results are decides how wide they are written. `CheckedWholeNumbers` asks after each
+operation, and tells when one overflowed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import contextlib
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from hfield.kernels.arithmetic import Code
+from hfield.kernels.arithmetic import Arithmetic, Code, raw_type
 from hfield.kernels.residues import Bounded
-
-if TYPE_CHECKING:
-    import numpy as np
-
 
 WORD = 2**63
 
@@ -24,31 +21,43 @@ class TooWideError(ArithmeticError):
     """Numbers that a word does not hold."""
 
 
+def holds(dtype: str) -> int:
+    """Return the largest number of a row of this type; the least is its negative, in 64 bits one below."""
+    return (1 << 8 * int(dtype[1]) - 1) - 1
+
+
 @dataclass(frozen=True)
-class SmallWholeNumbers:
-    """Whole numbers from −2^bits to 2^bits − 1, with which nothing that is computed leaves the word."""
+class SmallWholeNumbers(Arithmetic):
+    """Whole numbers n with |n| < 2^bits or n = −2^bits, with which nothing that is computed leaves 64 bits.
+
+    They are read from rows of ``dtype``, and written to rows of ``result``, which holds every result.
+    """
 
     bits: int
+    dtype: str = "i8"
+    result: str = "i8"
 
-    dtype = "i8"
-    declarations = ()
-    vectorise = True
     literal = True
-
-    def tables(self) -> tuple[np.ndarray, ...]:
-        """Return nothing: no tables are needed."""
-        return ()
 
     def load(self, code: Code, raw: str) -> Bounded:
         """Read a number, and tell if it is too large."""
+        most = (1 << self.bits) - 1
+        if self.dtype != "i8":
+            raw = code.value(f"sext {raw_type(self.dtype)} {raw} to i64")
+            if most == holds(self.dtype):
+                return Bounded(raw, -most, most)
         sign = code.value(f"ashr i64 {raw}, 63")
         size = code.value(f"xor i64 {raw}, {sign}")
         code.flags.append(code.value(f"lshr i64 {size}, {self.bits}"))
-        return Bounded(raw, -(1 << self.bits), (1 << self.bits) - 1)
+        return Bounded(raw, -most - 1, most)
 
     def store(self, code: Code, x: Bounded) -> str:
         """Write a number."""
-        return x.name
+        if self.result == "i8":
+            return x.name
+        if x.size > holds(self.result):
+            raise TooWideError
+        return code.value(f"trunc i64 {x.name} to {raw_type(self.result)}")
 
     def constant(self, code: Code, value: int) -> Bounded:
         """Return a number known beforehand."""
@@ -85,7 +94,7 @@ def _within(x: Bounded) -> Bounded:
 
 
 @dataclass(frozen=True)
-class CheckedWholeNumbers:
+class CheckedWholeNumbers(Arithmetic):
     """Whole numbers of 64 bits; every operation tells if it overflows."""
 
     dtype = "i8"
@@ -97,10 +106,6 @@ class CheckedWholeNumbers:
         """The operations with overflow."""
         names = ("sadd", "ssub", "smul")
         return tuple(f"declare {{i64, i1}} @llvm.{n}.with.overflow.i64(i64, i64)" for n in names)
-
-    def tables(self) -> tuple[np.ndarray, ...]:
-        """Return nothing: no tables are needed."""
-        return ()
 
     def load(self, code: Code, raw: str) -> str:
         """Read a number."""
@@ -140,12 +145,22 @@ class CheckedWholeNumbers:
         return code.value(f"extractvalue {{i64, i1}} {both}, 0")
 
 
-def widest(fits: Callable[[SmallWholeNumbers], object]) -> SmallWholeNumbers | None:
-    """Return the arithmetic with the widest operands with which ``fits`` raises no TooWideError."""
-    for bits in range(63, -1, -1):
-        try:
-            fits(SmallWholeNumbers(bits))
-        except TooWideError:
-            continue
-        return SmallWholeNumbers(bits)
-    return None
+def widest(
+    fits: Callable[[SmallWholeNumbers], object], dtype: str = "i8"
+) -> SmallWholeNumbers | None:
+    """Return the arithmetic of the widest operands, and then the narrowest results, that fit.
+
+    ``fits`` raises TooWideError for an arithmetic that does not.
+    """
+
+    def first(candidates: Iterable[SmallWholeNumbers]) -> SmallWholeNumbers | None:
+        for arithmetic in candidates:
+            with contextlib.suppress(TooWideError):
+                fits(arithmetic)
+                return arithmetic
+        return None
+
+    found = first(SmallWholeNumbers(n, dtype) for n in range(8 * int(dtype[1]) - 1, -1, -1))
+    if found is None:
+        return None
+    return first(SmallWholeNumbers(found.bits, dtype, f"i{size}") for size in (1, 2, 4, 8))

@@ -13,7 +13,7 @@ from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, quotient_text
 from hfield.rings.quotient import Quotient
-from hfield.rings.rational import rational, unwrap
+from hfield.rings.rational import unwrap
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import SparsePolynomial
@@ -84,10 +84,7 @@ class RationalFunctions(Ring):
             raise self.refuse(x)
         if isinstance(x, str):
             return self.parse(x)
-        number = rational(x)
         try:
-            if number is not None:
-                return Quotient(self, self.polynomials(self.base(number)), self._one)
             return Quotient(self, self.polynomials(x), self._one)
         except CoercionError:
             raise self.refuse(x) from None

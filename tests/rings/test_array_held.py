@@ -156,6 +156,50 @@ def test_words_that_overflow(name, size):
         agrees(QuaternionAlgebra(F, a, b, t), P, Q)
 
 
+ENDS = sorted({s * (2**n + d) for n in (7, 15, 31, 63) for d in (-2, -1, 0, 1) for s in (1, -1)})
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_whole_numbers_at_the_ends_of_every_width(seed):
+    """Arrays of one width each, every one with every other, and the widths themselves."""
+    F, rng = ring("ZZ"), Random(seed)
+    a, b, t = ((-1, -1, 0), (-1, -3, 0), (2, 127, -128), (2**31 - 1, -(2**31), 1))[seed]
+    A = QuaternionAlgebra(F, a, b, t)
+    rows = []
+    for bits in (7, 8, 15, 16, 31, 32, 62, 63, 64):
+        most = [x for x in ENDS if abs(x) < 2**bits] + [0, 1, -1, 2**bits - 1, 1 - 2**bits]
+        four = [tuple(F(rng.choice(most)) for _ in range(4)) for _ in range(12)]
+        four[3] = (F(2**bits - 1),) * 4
+        four[4] = (F(1 - 2**bits),) * 4
+        rows.append(four)
+        dtype = A(*map(list, zip(*four, strict=True)))._held[0].dtype
+        assert (
+            dtype.kind == "O" if bits > 63 else 8 * dtype.itemsize > bits > 4 * dtype.itemsize - 1
+        )
+    for P in rows:
+        for Q in rng.sample(rows, 3):
+            agrees(A, P, Q)
+
+
+@pytest.mark.parametrize("x", [*ENDS, 0])
+def test_a_whole_number_is_the_same_in_every_width(x):
+    A = H("ZZ")
+    texts, numbers = A([str(x), "1"], 0, 0, 0), [A(x, 0, 0, 0), A(1, 0, 0, 0)]
+    for q in (texts, A([x, 1], 0, 0, 0), A([2**64, x, 1], 0, 0, 0)[1:], texts + 2**70 - 2**70):
+        assert (q == texts).all()
+        assert [hash(n) for n in q] == [hash(n) for n in numbers]
+        assert [int(n) for n in (-q).coordinates[0]] == [-x, -1]
+        assert [int(n) for n in q.trace()] == [2 * x, 2]
+        assert [int(n) for n in q.conjugate().norm()] == [x * x, 1]
+        assert (pickle.loads(pickle.dumps(q)) == q).all()
+    for dtype in ("i1", "u1", "i2", ">i2", "i4", "u4", "i8", "u8"):
+        info = np.iinfo(dtype)
+        if info.min <= x <= info.max and x < 2**63:
+            q = A.from_array(np.array([[x, 1], [0, 0], [0, 0], [0, 0]], dtype))
+            assert (q == texts).all()
+            assert [int(n) for n in (q * q).coordinates[0]] == [x * x, 1]
+
+
 @pytest.mark.parametrize("size", [9, 2**20, 2**31, 2**63, 2**70])
 def test_fractions(size):
     F, rng = ring("QQ"), Random(size)
@@ -236,15 +280,16 @@ def test_every_shape_and_stride(name, shapes, steps, seed):
         assert found[index] == left * right
 
 
+@pytest.mark.parametrize("name", ["GF(7)", "ZZ"])  # a result over ZZ is wider than the operands
 @pytest.mark.parametrize("number", [2, 3, 7])
 @pytest.mark.parametrize("count", [1, 500, 501, 699, 700, 701, 1001, 2048])
-def test_threads_share_long_arrays(number, count, monkeypatch):
+def test_threads_share_long_arrays(name, number, count, monkeypatch):
     """Stretches that divide the length or not, in pieces that divide a stretch or not."""
-    A, rng = H("GF(7)"), np.random.default_rng(1)
+    A, rng = H(name), np.random.default_rng(1)
     p, q = (A.from_array(rng.integers(0, 7, (4, count), dtype=np.uint8)) for _ in range(2))
     alone = p * q, p * q[0]
-    for name, size in (("MANY", 500), ("SHORTEST", 100), ("PIECE", 64)):
-        monkeypatch.setattr(calling, name, size)
+    for limit, size in (("MANY", 500), ("SHORTEST", 100), ("PIECE", 64)):
+        monkeypatch.setattr(calling, limit, size)
     before = threads()
     try:
         threads(number)
@@ -305,6 +350,9 @@ def test_arrays_of_integers_go_out_and_in(name, tmp_path):
     assert (A.from_array(q[::-1].to_array()) == q[::-1]).all()
     product = q * q
     assert (A.from_array(product[::-1].to_array()) == product[::-1]).all()
+    if name == "ZZ":  # held in 16 bits; given as int64, which come in without a copy
+        product = A.from_array(product.to_array())
+        assert product.to_array().dtype == np.int64
     assert np.shares_memory(product.to_array(), product.to_array())
     if name != "QQ":  # which copies, to put it in lowest terms
         assert np.shares_memory(A.from_array(product.to_array()).to_array(), product.to_array())

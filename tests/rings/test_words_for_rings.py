@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from hfield import GF, Zmod
-from hfield.errors import RingError
+from hfield.errors import CoercionError, RingError
 from hfield.rings import ring
 from hfield.rings.printing import (
     blackboard,
@@ -202,3 +202,49 @@ def test_floats() -> None:
     assert list(R.array_inverse(R.array([4.0, -2.0]))) == [0.25, -0.5]
     assert R.random(Random(3)) == R.random(Random(3))
     assert type(R.scalar(R.array([1.0])[0])) is float
+
+
+@pytest.mark.parametrize("name", ["RR", "CC"])
+def test_closed_fields_say_so(name: str) -> None:
+    from hfield.rings.algebraic import AlgebraicNumbers
+
+    made = AlgebraicNumbers(name)
+    assert made.closure == {"RR": "real closed", "CC": "algebraically closed"}[name]
+    assert (made.is_real, made.gen_name) == ((True, None) if name == "RR" else (False, "I"))
+    assert made == ring(name)
+
+
+def test_roots_in_the_names_of_fields_are_read() -> None:
+    K = ring("QQ(root(2,3),root(5,4))")
+    a, b = (K.parts[text] for text in ("root(2,3)", "root(5,4)"))
+    for text, wanted in (
+        ("cbrt(2)", a), ("root(2,3)", a), ("cbrt(16)", 2 * a), ("cbrt(1/4)", a / 2), ("root(5,4)", b),
+        ("root(80,4)", 2 * b), ("root(5/81,4)", b / 3), ("sqrt(5)", b * b), ("root(5,2)", b * b),
+        ("root(9,2)", K(3)), ("sqrt(20)", 2 * b * b),
+    ):  # fmt: skip
+        assert K(text) == wanted, text
+    for text in (
+        "cbrt(3)",
+        "root(2,4)",
+        "root(5,3)",
+        "cbrt(root(2,3))",
+        "root(-5,4)",
+        "root(7,2)",
+        "root(2,5)",
+    ):
+        with pytest.raises(CoercionError):
+            K(text)
+
+
+@pytest.mark.parametrize(
+    "n", [4, 6, 8, 9, 10, 12, 14, 15, 16, 20, 21, 24, 25, 28, 32, 33, 36, 45, 49, 64, 77, 99]
+)
+def test_as_few_squares_as_can_be(n: int) -> None:
+    R = ring(f"ZZ/{n}")
+    squares = {x * x % n for x in range(n)}
+    sums, count = {0}, 0
+    while n - 1 not in sums:
+        sums, count = {(x + y) % n for x in sums for y in squares}, count + 1
+    found = R.minus_one_as_squares()
+    assert len(found) == R.level.value == count
+    assert sum((x * x for x in found), R.zero) == -1

@@ -118,7 +118,11 @@ class RowArrays(Batch):
                 f"{self.ring}: expected integers of shape ({count}, …), as to_array() returns them"
             )
         self.check_numbers(block)
-        return rows_of(block.astype(self.dtype, copy=False))
+        return rows_of(self.block(block))
+
+    def block(self, values: Row) -> Row:
+        """Return an array of integers as an array of the type that is held."""
+        return values.astype(self.dtype, copy=False)
 
     def check_numbers(self, block: Row) -> None:
         """Refuse numbers that stand for no element."""

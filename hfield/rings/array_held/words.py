@@ -1,9 +1,13 @@
-"""Arrays over ℤ as rows of 64-bit integers: overflow is noticed, and the computation goes on with objects."""
+"""Arrays over ℤ as rows of integers of 8 to 64 bits: the bounds of what is computed say how wide they are.
+
+In 64 bits overflow is noticed, and the computation goes on with objects.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -12,7 +16,7 @@ from hfield.errors import CoercionError
 from hfield.kernels import programs
 from hfield.kernels.calling import Kernel, Rows
 from hfield.kernels.loops import Operand, written
-from hfield.kernels.whole_numbers import CheckedWholeNumbers, TooWideError, widest
+from hfield.kernels.whole_numbers import CheckedWholeNumbers, TooWideError, holds, widest
 from hfield.native import compiling
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.rows import Row, RowArrays
@@ -24,22 +28,24 @@ from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
 Sides = tuple[tuple[str, ...], ...]
 WORD = np.dtype(np.int64)
+NARROW = ("i1", "i2", "i4")
 
 
 class WordArrays(RowArrays):
-    """What ℤ and ℚ share: rows of words, or four arrays of objects where a number is larger than a word.
+    """What ℤ and ℚ share: rows of integers, or four arrays of objects where a number is larger than a word.
 
     An operation runs without checks where the operands are small, else again with every overflow noticed,
-    else on objects.
+    else on objects. Integers of less than 64 bits are as large as their negatives: −128 is held in 16.
     """
 
     dtype = "i8"
+    dtypes: tuple[str, ...] = (dtype,)  # all types that rows of integers may have
     integral: Constants  # the structure constants, as ints
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
         self.compiles = compiling.available()
-        self._kernels: dict[str, list[Kernel]] = {}
+        self._kernels: dict[tuple[str, str], list[Kernel]] = {}
 
     # --- loops ---------------------------------------------------------------------------------
 
@@ -49,30 +55,38 @@ class WordArrays(RowArrays):
         program = specialise(name, pattern(self.integral, lambda x, n: x == n))
         return program, (FIRST, SECOND) if name == "product" else (FIRST,)
 
-    def kernels(self, name: str) -> list[Kernel]:
-        """Return the loops of an operation, the quick one first; none if the constants are too large."""
-        if name not in self._kernels:
+    def kernels(self, name: str, dtype: str = "i8") -> list[Kernel]:
+        """Return the loops of an operation on rows of a type, the quick one first.
+
+        None if the constants are too large.
+        """
+        key = name, dtype
+        if key not in self._kernels:
             program, sides = self._program(name)
             given = zip(("a", "t", "b"), self.integral, strict=True)
             literals = {n: x for n, x in given if n in program.inputs}
             operands = tuple(Operand(side, False) for side in sides)
             fits = partial(_fits, program, operands, literals)
-            quick = widest(fits)
+            quick = widest(fits, dtype)
             found = [] if quick is None else [Kernel(program, quick, sides, literals)]
-            try:
-                fits(CheckedWholeNumbers())
-            except TooWideError:
-                found = []
+            if dtype != "i8":
+                found += self.kernels(name)
             else:
-                found.append(Kernel(program, CheckedWholeNumbers(), sides, literals))
-            self._kernels[name] = found
-        return self._kernels[name]
+                try:
+                    fits(CheckedWholeNumbers())
+                except TooWideError:
+                    found = []
+                else:
+                    found.append(Kernel(program, CheckedWholeNumbers(), sides, literals))
+            self._kernels[key] = found
+        return self._kernels[key]
 
     def in_words(self, name: str, *operands: Rows) -> Rows | None:
         """Run an operation, or return None where it does not fit words."""
         if self.compiles and all(is_words(p) for p in operands):
-            for kernel in self.kernels(name):
-                rows, told = kernel(*operands)
+            dtype = f"i{max(p[0].itemsize for p in operands)}"
+            for kernel in self.kernels(name, dtype):
+                rows, told = kernel(*(of_type(p, kernel.arithmetic.dtype) for p in operands))
                 if not told:
                     return rows
         return None
@@ -138,17 +152,21 @@ class WordArrays(RowArrays):
                 f"the array over {self.ring} holds numbers of more than 64 bits, which no array of int64 "
                 "holds: pickle it"
             )
-        return super().to_array(p)
+        out = super().to_array(p).astype(WORD, copy=False)
+        out.flags.writeable = False
+        return out
 
     def prepare(self) -> None:
         """Compile every loop, or read it from the disk."""
-        for name in OPERATIONS:
-            for kernel in self.kernels(name):
+        for name, dtype in product(OPERATIONS, self.dtypes):
+            for kernel in self.kernels(name, dtype):
                 kernel.prepare()
 
 
 class WholeArrays(WordArrays):
     """Arrays over ℤ."""
+
+    dtypes = (*NARROW, "i8")
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
@@ -160,10 +178,10 @@ class WholeArrays(WordArrays):
             values.dtype.kind in "ib"
             or (values.dtype.kind == "u" and not (values >= np.uint64(2**63)).any())
         ):
-            return np.array(values, WORD)
+            return narrowed(values)
         made = objects(values, self.ring)
         try:
-            return np.array([int(x) for x in made.ravel()], WORD).reshape(made.shape)
+            return narrowed(np.array([int(x) for x in made.ravel()], WORD).reshape(made.shape))
         except OverflowError:
             return made
 
@@ -204,17 +222,33 @@ class WholeArrays(WordArrays):
         """Return the elements at a numpy index."""
         return super().part(p, index) if is_words(p) else object_parts(p, index)
 
+    def block(self, values: Row) -> Row:
+        """Return int64 as it is, all else in the smallest type that holds it."""
+        return values if values.dtype == WORD else narrowed(values)
+
 
 def is_words(p: Rows) -> bool:
-    """Tell whether rows are of words, and not of objects."""
-    return p[0].dtype == WORD
+    """Tell whether rows are of integers, and not of objects."""
+    return p[0].dtype != object
+
+
+def narrowed(row: Row) -> Row:
+    """Return a new row of the smallest type that holds these integers."""
+    size = max(-int(row.min()), int(row.max())) if row.size else 0
+    return np.array(row, next((t for t in NARROW if size <= holds(t)), WORD))
+
+
+def of_type(p: Rows, dtype: str) -> Rows:
+    """Return rows of integers as rows of a type that holds them."""
+    return p if p[0].dtype == dtype else tuple(row.astype(dtype) for row in p)
 
 
 def alike(rows: Sequence[Row], as_objects: Any) -> Rows:
-    """Return rows of one kind: of objects if one is."""
-    if len({row.dtype for row in rows}) == 1:
-        return tuple(rows)
-    return tuple(map(as_objects, rows))
+    """Return rows of one type, the widest: of objects if one is."""
+    dtype = max((row.dtype for row in rows), key=lambda t: (t.kind == "O", t.itemsize))
+    if dtype.kind == "O":
+        return tuple(map(as_objects, rows))
+    return tuple(row.astype(dtype, copy=False) for row in rows)
 
 
 def object_parts(p: Rows, index: Any) -> Rows:
