@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -159,8 +158,3 @@ class FieldElement:
 
 def _restore(field: NumberField, pairs: list[tuple[int, int]]) -> FieldElement:
     return FieldElement(field, flint.fmpq_poly([flint.fmpq(*pair) for pair in pairs]))
-
-
-def as_fraction(x: Any) -> Fraction:
-    """Return flint's rational number as a Fraction."""
-    return Fraction(int(x.p), int(x.q))

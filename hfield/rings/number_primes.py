@@ -79,11 +79,6 @@ class PrimeIdeal:
         return int(self.p**self.f)
 
     @property
-    def is_only(self) -> bool:
-        """Whether no other prime ideal lies above p."""
-        return self.e * self.f == self.field.degree
-
-    @property
     def is_inert(self) -> bool:
         """Whether p itself generates the ideal."""
         return self.f == self.field.degree

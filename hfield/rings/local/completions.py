@@ -26,7 +26,7 @@ from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
 
 if TYPE_CHECKING:
-    from hfield.rings.residues.kinds import FinitePlace
+    from hfield.rings.residues.finite_places import FinitePlace
 
 
 def p_adic_numbers(p: str) -> LocalField:
