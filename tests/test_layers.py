@@ -42,7 +42,7 @@ FLOORS = [
     {"rotation.namespaces", "rotation.plane"},
     {"rotation.rowwise", "rotation.shaped"},
     {"rotation.coordinates", "rotation.angles"},
-    {"rotation.compensated"},
+    {"rotation.compensated", "rotation.optimum"},
     {"rotation.quaternions", "rotation.matrices"},
     {"rotation.vectors", "rotation.euler", "rotation.averaging"},
     {"rotation.davenport", "rotation.groups"},

@@ -75,6 +75,23 @@ class Place:
             return True
         return any(self.is_nonzero(z) for z in clause.zeros)
 
+    def is_identity(self, clause: Clause) -> bool:
+        """Tell whether a clause is trivial, or a goal vanishes times all goals that are one polynomial.
+
+        Where such a goal is 0, the clause is true. Over a finite field a product may vanish alone.
+        """
+        if self.is_trivial(clause):
+            return True
+        if self.ring is None or not self.ring.is_field or self.ring.order is None:
+            return False
+        factor = constant(1)
+        for goal in clause.goals:
+            if len(goal) == 1:
+                factor = multiply(factor, dict(*goal))
+        return any(
+            all(self.vanishes(multiply(factor, dict(f))) for f in goal) for goal in clause.goals
+        )
+
     def is_nonzero(self, f: Frozen) -> bool:
         """Tell whether f is a constant other than 0 there (for all fields: ±1)."""
         found = self.coefficients(dict(f), False)

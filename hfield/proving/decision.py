@@ -34,6 +34,7 @@ __all__ = [
     "VERDICTS",
     "Decision",
     "characteristics",
+    "has_evidence",
 ]
 
 
@@ -46,6 +47,15 @@ def counted(thing: str, n: int, number: bool = True) -> str:
     """Return "1 case", "2 cases", or the word alone in singular or plural."""
     word = thing if n == 1 else f"{thing}s"
     return f"{n} {word}" if number else word
+
+
+def has_evidence(evidence: Any) -> bool:
+    """Tell whether there is evidence, and for all that it builds on."""
+    if isinstance(evidence, Mapping):
+        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
+        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
+        return all(map(has_evidence, [*parts, *(cases if isinstance(cases, list) else ())]))
+    return evidence is not None
 
 
 @dataclass(frozen=True)

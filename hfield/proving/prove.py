@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from hfield.proving.decide import answer
 from hfield.proving.decision import (
@@ -13,6 +12,7 @@ from hfield.proving.decision import (
     UNDECIDED,
     VACUOUS,
     Decision,
+    has_evidence,
 )
 from hfield.proving.question import TIMEOUT, read_question
 from hfield.proving.statements.language import Statement
@@ -83,7 +83,7 @@ class Answer:
     def _evidence(self) -> dict[str, object] | None:
         """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
-        if not _is_whole(d.evidence):
+        if not has_evidence(d.evidence):
             return None
         return d.certificate(self.text, self.setting.algebra, self.field)
 
@@ -148,15 +148,6 @@ class Answer:
 
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
-
-
-def _is_whole(evidence: Any) -> bool:
-    """Tell whether there is evidence, and for all that it builds on."""
-    if isinstance(evidence, Mapping):
-        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
-        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
-        return all(map(_is_whole, [*parts, *(cases if isinstance(cases, list) else ())]))
-    return evidence is not None
 
 
 def _value(texts: list[str]) -> str:

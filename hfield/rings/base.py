@@ -25,6 +25,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.product import Constants
+from hfield.rings.growth import FEW, bits, check_growth, is_quick
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
 from hfield.rings.printing import from_unicode, number_text
@@ -359,13 +360,25 @@ class Ring(ABC):
         return (ring, (self.name,)) if known else super().__reduce_ex__(protocol)
 
 
+def polynomial_power(one: Any, x: Any, n: int) -> Any:
+    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
+    return x**n if is_quick(x, n) else power(one, x, n)
+
+
 def power(one: Any, x: Any, n: int) -> Any:
-    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``."""
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
+
+    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
+    unity, has powers of any size.
+    """
     result = one
+    start = bits(x) if n > FEW else None
     while n:
         if n & 1:
             result = result * x
         n >>= 1
         if n:
+            if start is not None:
+                check_growth(start, x)
             x = x * x
     return result

@@ -273,7 +273,7 @@ class NumberField(ValueRing):
                 if root is not None:
                     return minus_one(m, root)
         others, rng = (3 if odd else 1), Random(1)
-        for trial in range(SEARCHED // others):
+        for trial in range(SEARCHED // others // max(1, self.degree // 8) ** 3):
             chosen = [self._small(1 + trial // 2000, rng) for _ in range(others)]
             below = self._small(1, rng) if trial > 500 else self.one
             y = self.sqrt(sum((-x * x for x in chosen), -below * below)) if below else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from hfield.rings.base import polynomial_power
 from hfield.rings.operators import Element
 
 if TYPE_CHECKING:
@@ -56,7 +57,9 @@ class Quotient(Element):
 
     def __pow__(self, n: int) -> Quotient:
         base = self if n >= 0 else self.field.inverse(self)
-        return Quotient(self.field, base.num ** abs(n), base.den ** abs(n))
+        one = self.field.one.num
+        num, den = (polynomial_power(one, x, abs(n)) for x in (base.num, base.den))
+        return Quotient(self.field, num, den)
 
     def same(self, other: Quotient) -> bool:
         """Tell whether both are the same function."""

@@ -7,7 +7,7 @@ import pytest
 from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars import names, rationals, surds
+from hfield.certificates.scalars import names, rationals, real_roots, surds
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.number_fields import _without
 from hfield.certificates.scalars.quotients import MAX_DEGREE
@@ -54,7 +54,8 @@ def test_matrices_without_an_inverse() -> None:
         list(short_vectors(indefinite, 2))
 
 
-def test_roots_that_are_not_found() -> None:
+def test_roots_that_are_not_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(real_roots, "MAX_HALVINGS", 40)
     with pytest.raises(Rejected, match="too large for its roots"):
         root_discs([2**200, 0, 1])
     discs = root_discs([-2, 0, 1])

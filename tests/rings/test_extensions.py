@@ -44,7 +44,7 @@ def test_it_is_a_field(name: str) -> None:
         assert x.__sub__("1") is NotImplemented
         assert x.__truediv__("1") is NotImplemented
         assert x != "1"
-        with pytest.raises(AttributeError, match="elements of extensions are immutable"):
+        with pytest.raises(AttributeError, match="are immutable"):
             x.field = None
     total = sum((c * F.gen**n for n, c in enumerate(map(F, F.modulus_coefficients))), F.zero)
     assert F.is_zero(total)

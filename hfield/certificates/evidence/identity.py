@@ -11,7 +11,7 @@ def identity(statement: Statement, setting: Setting, evidence: object) -> Findin
     """Show a statement by expanding its clauses."""
     an_object(evidence, "kind", "the evidence")
     over = place_of(statement, setting)
-    if not all(map(over.is_trivial, over.expansion.clauses)):
+    if not all(map(over.is_identity, over.expansion.clauses)):
         reject("the statement does not hold by expanding")
     return Finding(COMMUTATIVE_RINGS, IDENTITY).within(reach(statement, setting))
 

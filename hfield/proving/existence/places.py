@@ -166,5 +166,5 @@ def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
 
 def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
     evidence = {"kind": "place", "values": place, "proof": one.evidence}
-    steps = (f"at {shown(place)} there is none", *one.steps)
-    return replace(one, witness=place, steps=steps, evidence=evidence)
+    at = (f"at {shown(place)} there is none",) if place else ()
+    return replace(one, witness=place, steps=(*at, *one.steps), evidence=evidence)

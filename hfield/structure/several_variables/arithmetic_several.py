@@ -71,21 +71,32 @@ class SeveralArithmetic(GlobalField):
     # --- residues ------------------------------------------------------------------------------
 
     def ramified(self, form: NormalForm) -> tuple[PolynomialPlace, ...]:
-        """Return the places where a residue is not trivial. Raises :class:`UndecidedError` if none is found.
+        """Return the places where a residue is not trivial.
 
-        It is raised where all other residues are trivial but some are not decided.
+        Raises :class:`UndecidedError` where some residues are not decided.
         """
-        found, open_ones = [], []
+        found, left_open = self._residues(form)
+        if not left_open:
+            return found
+        shown = ", ".join(map(str, left_open))
+        raise UndecidedError(f"whether the residues at {shown} are squares is not decided")
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[PolynomialPlace, ...]:
+        """Return the places where a residue is known not to be trivial."""
+        return self._residues(form)[0]
+
+    def _residues(
+        self, form: NormalForm
+    ) -> tuple[tuple[PolynomialPlace, ...], tuple[PolynomialPlace, ...]]:
+        """Return the places with a residue that is not trivial, and those where that is not decided."""
+        found, left_open = [], []
         for place in places_of(self.ring, *(x for x in form.constants if not self.ring.is_zero(x))):
             try:
                 if not self._is_trivial(form, place):
                     found.append(place)
             except UndecidedError:
-                open_ones.append(place)
-        if found or not open_ones:
-            return tuple(found)
-        shown = ", ".join(map(str, open_ones))
-        raise UndecidedError(f"whether the residues at {shown} are squares is not decided")
+                left_open.append(place)
+        return tuple(found), tuple(left_open)
 
     def _is_trivial(self, form: NormalForm, place: PolynomialPlace) -> bool:
         if form.kind == "artin-schreier":
@@ -180,10 +191,11 @@ class SeveralArithmetic(GlobalField):
 
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
         """Tell that two algebras are different by the places where they ramify."""
-        if self.ramified(form) != self.ramified(other):
+        (found, left_open), (others, other_open) = map(self._residues, (form, other))
+        if not {*found} <= {*others, *other_open} or not {*others} <= {*found, *left_open}:
             return False
         raise UndecidedError(
-            f"isomorphism over {self.ring} is not decided where the same places ramify"
+            f"isomorphism over {self.ring} is not decided where the same places may ramify"
         )
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:

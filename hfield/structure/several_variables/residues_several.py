@@ -7,7 +7,7 @@ variable the leading coefficients stand for the residue.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
@@ -25,7 +25,7 @@ class PolynomialPlace:
     """A prime polynomial of k[x, y, …], as flint has it, or infinity of the variable with that index."""
 
     name: str
-    poly: Any = None
+    poly: Any = field(default=None, hash=False)
     infinite: int | None = None
 
     def __str__(self) -> str:
