@@ -16,17 +16,18 @@ from hfield.product import Scalar
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.flint_types import Polynomial, SparsePolynomial
     from hfield.rings.functions import FunctionField
     from hfield.rings.quotient import Quotient
 
 
 def valuation(x: Quotient, p: Polynomial) -> int:
     """Return the order of a nonzero rational function at the irreducible polynomial p."""
-    return _order(x.num, p) if x.num % p == 0 else -_order(x.den, p)
+    return multiplicity(x.num, p) if x.num % p == 0 else -multiplicity(x.den, p)
 
 
-def _order(poly: Polynomial, p: Polynomial) -> int:
+def multiplicity(poly: Polynomial | SparsePolynomial, p: Polynomial | SparsePolynomial) -> int:
+    """Return how often an irreducible polynomial divides another that is not 0."""
     n = 0
     while True:
         quotient, rest = divmod(poly, p)
