@@ -111,7 +111,7 @@ class AlgebraicNumbers(ValueRing):
             raise self.refuse(x, "it is not real; CC has it" if value is not None else "")
         raise self.refuse(x)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Surd | Closed) -> bool:
         """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
         return not x.terms if isinstance(x, Surd) else x.is_zero()
 
@@ -178,7 +178,7 @@ class AlgebraicNumbers(ValueRing):
         terms = {n: flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2))) for n in roots}
         return Surd({n: c for n, c in terms.items() if c != 0})
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Surd | Closed, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)`` or ``I*root(2,3)``."""
         return str(x.text(style))
 

@@ -125,7 +125,7 @@ class SimpleExtension(Ring):
         except CoercionError:
             raise self.refuse(x) from None
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: ExtensionElement) -> bool:
         """Tell whether x is 0."""
         return all(map(self.base.is_zero, x.coefficients))
 
@@ -180,7 +180,7 @@ class SimpleExtension(Ring):
         """Return a random element; the same for the same seed."""
         return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: ExtensionElement, style: str = "plain") -> str:
         """Write x as a polynomial in u."""
         terms = (
             (self.base.text(c, style), [(str(self.gen_name), n)])

@@ -123,7 +123,7 @@ class Floats(ValueRing):
         """Return a random float between −1 and 1; the same for the same seed."""
         return rng.uniform(-1.0, 1.0)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: float, style: str = "plain") -> str:
         """Write the shortest text that reads back as the same float."""
         text = repr(float(x))
         mantissa, e, exponent = text.partition("e")

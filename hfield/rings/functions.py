@@ -205,7 +205,7 @@ class FunctionField(Ring):
 
         return completion_of_functions(self, place)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""
         return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
 

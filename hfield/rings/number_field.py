@@ -131,11 +131,11 @@ class NumberField(ValueRing):
             )
         return y
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: FieldElement) -> bool:
         """Tell whether x is 0."""
         return not x.poly
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: FieldElement) -> Hashable:
         """Return the coefficients of x."""
         return tuple(x.poly.coeffs())
 

@@ -156,7 +156,7 @@ class SpelledField(NumberField):
             rows += [*coefficients, *[0] * (self.degree - len(coefficients))]
         return flint.fmpq_mat(self.degree, self.degree, rows).inv(), exponents
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: FieldElement, style: str = "plain") -> str:
         """Write x in products of powers of the numbers in the name."""
         change, exponents = self._monomials
         coefficients = x.poly.coeffs()

@@ -127,15 +127,17 @@ class PrimeIdeal:
             y, v = z, v + 1
 
     @cached_property
-    def inverse_uniformiser(self) -> Any:
+    def inverse_uniformiser(self) -> FieldElement:
         """β/p, of valuation −1 here and integral at all other primes."""
-        return self.beta * flint.fmpq(1, self.p)
+        found: FieldElement = self.beta * flint.fmpq(1, self.p)
+        return found
 
     @cached_property
-    def uniformiser(self) -> Any:
+    def uniformiser(self) -> FieldElement:
         """An integer of valuation 1 here, and 0 at the other primes above p."""
         if self.is_inert:
-            return self.field(self.p)
+            found: FieldElement = self.field(self.p)
+            return found
         return self.pi if self.valuation(self.pi) == 1 else self.pi + self.p
 
     # --- the residue field -----------------------------------------------------------------------

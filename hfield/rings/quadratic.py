@@ -90,11 +90,11 @@ class QuadraticField(ValueRing):
             raise self.refuse(x)
         return from_rational(number)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Surd) -> bool:
         """Tell whether x is 0."""
         return not x.terms
 
-    def key(self, x: Any) -> tuple[flint.fmpq, flint.fmpq]:
+    def key(self, x: Surd) -> tuple[flint.fmpq, flint.fmpq]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
@@ -202,7 +202,7 @@ class QuadraticField(ValueRing):
 
         return completion_of_quadratic(self, place)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Surd, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""
         return str(x.text(style, imaginary=self.d == -1))
 

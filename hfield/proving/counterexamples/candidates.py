@@ -255,7 +255,7 @@ def true_place(problem: Problem, limit: int) -> Assignment | None:
 def witness_texts(field: Ring | None, assignment: Mapping[str, object]) -> dict[str, list[str]]:
     """Write an assignment so that the field reads it back; numbers of a prime field as they are."""
 
-    def text(x: Any) -> str:
+    def text(x: object) -> str:
         return str(x) if field is None else field.text(x)
 
     return {

@@ -147,7 +147,7 @@ class LocalField(Completion):
         """Return the key of the value, and the precision."""
         return self.global_field.key(x.value), x.precision
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: LocalElement, style: str = "plain") -> str:
         """Write x, such as ``2+O(5^4)``."""
         shown = self.global_field.text(x.value, style)
         if x.precision is None:

@@ -117,7 +117,7 @@ class RealCompletion(InfiniteCompletion):
         self.check_ordering(ordering)
         return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: EmbeddedElement) -> bool:
         """Tell whether x is not negative."""
         return self.sign(x) >= 0
 
