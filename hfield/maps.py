@@ -12,8 +12,6 @@ from hfield.quaternion import Parent, Quaternion
 from hfield.structure.isomorphisms import splitting
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.rings.base import Ring
 
 
@@ -45,9 +43,10 @@ class LinearMap:
         return tuple(zip(*(q.coordinates for q in self.images), strict=True))
 
     @property
-    def determinant(self) -> flint.fmpq:
+    def determinant(self) -> Scalar:
         """The determinant of the matrix, an element of the base ring."""
-        m, total = self.matrix(), self.target.ring.zero
+        m = self.matrix()
+        total: Scalar = self.target.ring.zero
         for p in permutations(range(4)):
             sign = (-1) ** sum(p[s] > p[r] for r in range(4) for s in range(r))
             term = m[0][p[0]] * m[1][p[1]] * m[2][p[2]] * m[3][p[3]]
@@ -117,7 +116,7 @@ class Isomorphism(LinearMap):
         return Isomorphism(self.target, self.source, columns, self.reverses)
 
 
-def _minor(m: list[list[Scalar]]) -> flint.fmpq:
+def _minor(m: list[list[Scalar]]) -> Scalar:
     """Return the determinant of a 3 × 3 matrix."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)

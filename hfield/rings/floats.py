@@ -156,7 +156,7 @@ class Floats(ValueRing):
         """Invert an array of nonzero entries elementwise."""
         return 1.0 / values
 
-    def scalar(self, x: float) -> float:
+    def scalar(self, x: Any) -> float:
         """Turn an entry of an array into a Python float."""
         return float(x)
 

@@ -26,7 +26,7 @@ from hfield.rings.base import Ring, power
 from hfield.rings.roots import rational_roots
 
 if TYPE_CHECKING:
-    import flint
+    pass
 
 
 MAX_NODES = 1_500
@@ -210,9 +210,9 @@ class _Solver:
             out[n] = self.value(expression, out)
         return out
 
-    def value(self, f: Polynomial, values: Mapping[int, Scalar]) -> flint.fmpq:
+    def value(self, f: Polynomial, values: Mapping[int, Scalar]) -> Scalar:
         """Evaluate f."""
-        total = self.field.zero
+        total: Scalar = self.field.zero
         for m, c in f.items():
             for n, e in enumerate(m):
                 if e:

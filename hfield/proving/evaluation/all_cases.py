@@ -17,8 +17,7 @@ from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
-    import flint
-    import numpy as np
+    pass
 
 
 MAX_CASES = 10**8
@@ -68,7 +67,7 @@ def counterexample(
 
 
 def _assignment(
-    statement: Statement, places: list[tuple[str, int]], values: Any, zero: flint.nmod
+    statement: Statement, places: list[tuple[str, int]], values: Any, zero: object
 ) -> Assignment:
     given = dict(zip(places, values, strict=True))
     return {
@@ -166,7 +165,7 @@ class _Table:
             self.kind,
         )
 
-    def entry(self, array: np.ndarray) -> _Entries:
+    def entry(self, array: Any) -> _Entries:
         return _Entries(self, array)
 
 
@@ -175,7 +174,7 @@ class _Entries:
 
     __slots__ = ("array", "table")
 
-    def __init__(self, table: _Table, array: np.ndarray) -> None:
+    def __init__(self, table: _Table, array: Any) -> None:
         self.table, self.array = table, array
 
     def __add__(self, other: _Entries) -> _Entries:

@@ -126,7 +126,7 @@ class PrimeScalars(Scalars):
         x, defined = self.reciprocal(value.denominator)
         return value.numerator * x % self.p, defined
 
-    def reciprocal(self, x: int) -> Value:
+    def reciprocal(self, x: Any) -> Value:
         """Return 1/x unless x is 0."""
         if not self.p:
             return (Fraction(1) / x, True) if x else (0, False)
