@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
@@ -120,7 +120,7 @@ class ClassSet:
         """Yield representatives of the left ideal classes, the conjugates of the right ones."""
         return (I.conjugate() for I in self)
 
-    def index(self, ideal: Any) -> int:
+    def index(self, ideal: object) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
         if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
             ideal = Ideal.like(ideal, self.order, "right")

@@ -40,7 +40,7 @@ class Lattice(NormedLattice):
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
 
     @classmethod
-    def spanned(cls, algebra: Parent, elements: Iterable[Any]) -> Lattice:
+    def spanned(cls, algebra: Parent, elements: Iterable[object]) -> Lattice:
         """Return the lattice that elements span over ℤ.
 
         Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` for an algebra that
@@ -189,7 +189,7 @@ class Lattice(NormedLattice):
             )
         return den, tuple(row)
 
-    def __truediv__(self, n: Any) -> Lattice:
+    def __truediv__(self, n: object) -> Lattice:
         """Return the lattice divided by a rational number."""
         x = fraction(n)
         if not x:
@@ -213,7 +213,7 @@ class Lattice(NormedLattice):
         return self._make(*self._dual)
 
     @property
-    def _dual(self) -> tuple[int, Any]:
+    def _dual(self) -> tuple[int, fmpz_mat]:
         """A basis of the dual, as rows over a denominator that are in no normal form."""
         r = self._regular
         m, d = hermite.inverse(r.form * self._matrix.transpose())

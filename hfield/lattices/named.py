@@ -66,7 +66,7 @@ def hurwitz_order(algebra: Parent) -> HurwitzOrder:
     return HurwitzOrder.of(algebra)
 
 
-def class_number(algebra: Parent, level: Any) -> int:
+def class_number(algebra: Parent, level: object) -> int:
     """Return the number of ideal classes of an Eichler order of the given level."""
     n = positive(level, "level")
     r = regular(algebra)

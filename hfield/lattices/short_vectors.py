@@ -38,7 +38,7 @@ class NormedLattice:
         """The rows of the normal form as elements: a basis, the same for equal lattices."""
         return self._elements(self._matrix)
 
-    def _elements(self, matrix: Any) -> tuple[Quaternion, ...]:
+    def _elements(self, matrix: fmpz_mat) -> tuple[Quaternion, ...]:
         return tuple(self._element(row) for row in hermite.tuples(matrix))
 
     def _element(self, row: Sequence[int], den: int | None = None) -> Quaternion:
@@ -67,7 +67,7 @@ class NormedLattice:
         content, gram = self._content
         return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
 
-    def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
+    def gram_matrix(self) -> tuple[tuple[fmpq, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
         F, norm = self.algebra.ring, self._norm
         return tuple(tuple(F(x * norm) for x in row) for row in hermite.tuples(self._even))
@@ -80,7 +80,7 @@ class NormedLattice:
             )
 
     @cached_property
-    def _reduced(self) -> tuple[Any, list[list[int]]]:
+    def _reduced(self) -> tuple[fmpz_mat, list[list[int]]]:
         """The rows of an LLL-reduced basis, and their matrix of ``tr(x·conj(y))/norm``.
 
         In an indefinite algebra the basis is reduced for a positive definite form that majorises the norm.
@@ -127,7 +127,7 @@ class NormedLattice:
         least = self._least()
         return self._signed(row for row, m in self._short(least) if m == least)
 
-    def elements_of_norm(self, n: Any) -> tuple[Quaternion, ...]:
+    def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
         """Return all elements of norm n, of a definite algebra.
 
         Raises :class:`IndefiniteError`, and :class:`TooLargeError` where there are more than a million.
@@ -151,7 +151,7 @@ class NormedLattice:
                 f"{MOST_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
             )
 
-    def elements_of_norm_at_most(self, n: Any) -> tuple[Quaternion, ...]:
+    def elements_of_norm_at_most(self, n: object) -> tuple[Quaternion, ...]:
         """Return all elements of norm at most n, 0 too, of a definite algebra, by ascending norm.
 
         Raises as :meth:`elements_of_norm` does.
@@ -188,5 +188,5 @@ class NormedLattice:
         return [counts.get(2 * m, 0) for m in range(n + 1)]
 
 
-def _combine(x: Sequence[int], rows: Any) -> tuple[int, ...]:
+def _combine(x: Sequence[int], rows: fmpz_mat) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())

@@ -31,7 +31,7 @@ class ExtensionElement(Element):
     field: SimpleExtension
     coefficients: tuple[Any, ...]
 
-    def __init__(self, field: SimpleExtension, coefficients: Sequence[Any]) -> None:
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[Quotient]) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
@@ -65,7 +65,7 @@ class SimpleExtension(Ring):
     is_field = True
 
     def __init__(
-        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Any]
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Quotient]
     ) -> None:
         self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
         self.characteristic = base.characteristic
@@ -116,7 +116,7 @@ class SimpleExtension(Ring):
         except CoercionError:
             raise self.refuse(x) from None
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: ExtensionElement) -> bool:
         """Tell whether x is 0."""
         return all(map(self.base.is_zero, x.coefficients))
 
@@ -159,7 +159,7 @@ class SimpleExtension(Ring):
             tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
         )
 
-    def sqrt(self, x: Any) -> ExtensionElement | None:
+    def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
         """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
         if all(map(self.base.is_zero, x.coefficients[1:])):
             root = self.base.sqrt(x.coefficients[0])
@@ -171,7 +171,7 @@ class SimpleExtension(Ring):
         """Return a random element; the same for the same seed."""
         return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: ExtensionElement, style: str = "plain") -> str:
         """Write x as a polynomial in u."""
         terms = (
             (self.base.text(c, style), [(str(self.gen_name), n)])
@@ -197,7 +197,9 @@ def stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
     return out
 
 
-def _divmod(base: Ring, f: list[Quotient], g: list[Quotient]) -> tuple[list[Any], list[Any]]:
+def _divmod(
+    base: Ring, f: list[Quotient], g: list[Quotient]
+) -> tuple[list[Quotient], list[Quotient]]:
     """Return quotient and rest of polynomials without leading zeros, low degree first."""
     rest, scale = list(f), base.inverse(g[-1])
     quotient = [base.zero] * max(len(f) - len(g) + 1, 1)

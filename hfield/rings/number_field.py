@@ -41,7 +41,7 @@ class NumberField(ValueRing):
     is_field = True
     arithmetic = "number_fields.arithmetic_number_fields.NumberFieldArithmetic"
 
-    def __init__(self, polynomial: Any, name: str = "s") -> None:
+    def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
         from hfield.rings.number_field_specs import irreducible, power_sum
 
         self.gen_name = name
@@ -127,11 +127,11 @@ class NumberField(ValueRing):
             )
         return y
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: FieldElement) -> bool:
         """Tell whether x is 0."""
         return not x.poly
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: FieldElement) -> Hashable:
         """Return the coefficients of x."""
         return tuple(x.poly.coeffs())
 
@@ -141,7 +141,7 @@ class NumberField(ValueRing):
             raise NotInvertibleError(f"cannot divide by 0 in {shorten(self.name)}")
         return FieldElement(self, x.poly.xgcd(self.polynomial)[1])
 
-    def sqrt(self, x: Any) -> FieldElement | None:
+    def sqrt(self, x: FieldElement) -> FieldElement | None:
         """Return the square root whose value at the principal embedding is principal, or None."""
         y = square_root(self, x)
         return None if y is None else y if self._is_principal(y) else -y
@@ -190,11 +190,11 @@ class NumberField(ValueRing):
 
     # --- real numbers, complex numbers, sums of squares ------------------------------------------
 
-    def norm(self, x: Any) -> Any:
+    def norm(self, x: object) -> flint.fmpq:
         """Return the norm of x down to ℚ."""
         return self(x).norm()
 
-    def trace(self, x: Any) -> Any:
+    def trace(self, x: object) -> flint.fmpq:
         """Return the trace of x down to ℚ."""
         return self(x).trace()
 

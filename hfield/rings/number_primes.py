@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -25,6 +25,9 @@ from hfield.rings.number_orders import LocalOrder, left_kernel, local_order
 from hfield.rings.number_residue_algebras import local_parts
 from hfield.rings.rational import rational
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Coefficient
 
 
 class PrimeIdeal:
@@ -66,11 +69,6 @@ class PrimeIdeal:
     def norm(self) -> int:
         """The number of residues, p^f."""
         return int(self.p**self.f)
-
-    @property
-    def is_only(self) -> bool:
-        """Whether no other prime ideal lies above p."""
-        return self.e * self.f == self.field.degree
 
     @property
     def is_inert(self) -> bool:
@@ -121,15 +119,17 @@ class PrimeIdeal:
             y, v = z, v + 1
 
     @cached_property
-    def inverse_uniformiser(self) -> Any:
+    def inverse_uniformiser(self) -> FieldElement:
         """β/p, of valuation −1 here and integral at all other primes."""
-        return self.beta * flint.fmpq(1, self.p)
+        found: FieldElement = self.beta * flint.fmpq(1, self.p)
+        return found
 
     @cached_property
-    def uniformiser(self) -> Any:
+    def uniformiser(self) -> FieldElement:
         """An integer of valuation 1 here, and 0 at the other primes above p."""
         if self.is_inert:
-            return self.field(self.p)
+            found: FieldElement = self.field(self.p)
+            return found
         return self.pi if self.valuation(self.pi) == 1 else self.pi + self.p
 
     # --- the residue field -----------------------------------------------------------------------
@@ -143,7 +143,7 @@ class PrimeIdeal:
             return GF(self.p)
         return GF(self.norm, modulus_text(coefficients(self.residue)))
 
-    def reduce(self, x: Any) -> Any:
+    def reduce(self, x: FieldElement) -> Coefficient:
         """Return the class of x in the residue field. Raises :class:`RingError` for a negative valuation."""
         field, residue = self.residue_field, coefficients(self.residue_of(self.field(x)))
         total = field.zero
