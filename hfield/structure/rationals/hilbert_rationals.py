@@ -57,7 +57,7 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     """
     m, n = square_class(a), square_class(b)
     m_, n_ = flint.fmpz(m), flint.fmpz(n)
-    if -WORD < m < WORD and -WORD < n < WORD:
+    if factors is None and -WORD < m < WORD and -WORD < n < WORD:
         in_m, in_n = m_.factor(), n_.factor()
     else:
         with known_primes(factors, "") if factors is not None else nullcontext():
