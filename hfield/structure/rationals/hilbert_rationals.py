@@ -8,7 +8,6 @@ is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
 
 import math
 from collections.abc import Iterable
-from contextlib import nullcontext
 from typing import Any
 
 import flint
@@ -60,7 +59,7 @@ def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[P
     if factors is None and -WORD < m < WORD and -WORD < n < WORD:
         in_m, in_n = m_.factor(), n_.factor()
     else:
-        with known_primes(factors, "") if factors is not None else nullcontext():
+        with known_primes(factors, ""):
             in_m, in_n = _prime_powers(m), _prime_powers(n)
     # the odd primes p; the number of ramified places is even (reciprocity), which decides about 2
     primes = []
