@@ -1,10 +1,10 @@
-"""What arrays of quaternions can do beside arithmetic: sums, ordered products, other shapes, plain arrays."""
+"""What arrays of quaternions can do beside arithmetic: indexing, sums, ordered products, plain arrays."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, Self
 
 from hfield.errors import CoercionError
 from hfield.rings.holding import Batch
@@ -19,16 +19,34 @@ class BatchMethods:
     _how: Any
     _held: Any
 
-    def _alike(self, held: Any) -> Any:
+    def _alike(self, held: Any) -> Self:
         raise NotImplementedError
 
-    def _new(self, w: Any, x: Any, y: Any, z: Any) -> Any:
+    def _new(self, w: Any, x: Any, y: Any, z: Any) -> Self:
         raise NotImplementedError
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of an array of quaternions; ``()`` for a single one."""
         return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("a single quaternion has no length; its coordinates are .coordinates")
+        return self.shape[0]
+
+    def __getitem__(self, index: Any) -> Self:
+        """Take elements out of an array of quaternions, as numpy indexes arrays."""
+        how = self._how
+        if not isinstance(how, Batch) or not how.shape(self._held):
+            raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
+        part = how.part(self._held, index)
+        if not how.shape(part):
+            return self._new(*how.single(part))
+        return self._alike(part)
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
 
     def _array(self, what: str) -> Batch:
         if not isinstance(self._how, Batch):
