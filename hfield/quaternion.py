@@ -189,6 +189,11 @@ class Quaternion(ElementFacts, ElementText):
 
     def __truediv__(self, other: Any) -> Quaternion:
         """Return ``self · other⁻¹``."""
+        how = self._how
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            held = how.divided(self._held, self._algebra.ring(other))
+            if held is not None:
+                return held_by(self._algebra, how, held)
         return self * self._operand(other, "divide").inverse()
 
     def __rtruediv__(self, other: Any) -> Quaternion:

@@ -43,6 +43,11 @@ class Holding:
         four: Coordinates = held
         return four
 
+    def scalar(self, s: Any) -> Any:
+        """Hold s·e for an element s of the ring."""
+        zero = self.ring.zero
+        return self.hold((s, zero, zero, zero))
+
     def read(self, values: tuple[Any, ...]) -> Any:
         """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         w, x, y, z = map(self.ring, values)
@@ -82,12 +87,13 @@ class Holding:
         w, x, y, z = self.coordinates(p)
         return self.hold((w * s, x * s, y * s, z * s))
 
+    def divided(self, p: Any, s: Any) -> Any:
+        """Return p/s, or None where s is not a unit of the ring."""
+        return self.scaled(p, self.ring.inverse(s)) if self.ring.is_unit(s) else None
+
     def inverse(self, p: Any, /) -> Any:
         """Return p⁻¹, or None where the norm is not a unit of the ring."""
-        n = self.norm(p)
-        if not self.ring.is_unit(n):
-            return None
-        return self.scaled(self.conjugate(p), self.ring.inverse(n))
+        return self.divided(self.conjugate(p), self.norm(p))
 
     # --- elements to the ring ------------------------------------------------------------------
 
