@@ -11,6 +11,8 @@ TASKS = {
     "lint": ["ruff", "check", "."],
     "types": ["mypy"],
     "test": ["pytest", "-n", "auto"],
+    "coverage": ["coverage", "run", "-m", "pytest"],
+    "covered": ["coverage", "report", "--skip-covered", "--sort=cover"],
     "docs": [
         "sphinx",
         "-q",

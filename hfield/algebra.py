@@ -289,7 +289,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
     def _repr_latex_(self) -> str:
         return f"${self.latex()}\\qquad {self.table_text('latex')}$"
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, Self
 
 from hfield.errors import CoercionError
+from hfield.rings.growth import FEW, bits, check_growth
 from hfield.rings.holding import Batch
 
 
@@ -151,11 +152,14 @@ def folded(
 
 
 def raised(how: Batch, held: Any, n: int) -> Any:
-    """Return the n-th powers of an array, by repeated squaring, n ≥ 0."""
+    """Return the n-th powers of an array, by repeated squaring, n ≥ 0. Raises :class:`TooLargeError`."""
     if n == 0:
         return _filled(how, 1, how.shape(held))
     result = held
+    start = bits(held) if n > FEW else None
     for bit in bin(n)[3:]:
+        if start is not None:
+            check_growth(start, result)
         result = how.product(result, result)
         if bit == "1":
             result = how.product(result, held)

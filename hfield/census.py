@@ -36,7 +36,7 @@ def definite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[
     return found
 
 
-def row(pair: Pair, most: int) -> dict[str, Any]:
+def row(pair: Pair, most: int) -> dict[str, object]:
     """Return what is known of the classes of (D, N); they are enumerated if they are at most ``most``."""
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)))
@@ -62,7 +62,7 @@ def row(pair: Pair, most: int) -> dict[str, Any]:
     return found
 
 
-def rows(task: tuple[list[Pair], int]) -> list[dict[str, Any]]:
+def rows(task: tuple[list[Pair], int]) -> list[dict[str, object]]:
     """Return the rows of a piece."""
     pairs, most = task
     return [row(pair, most) for pair in pairs]
@@ -70,7 +70,7 @@ def rows(task: tuple[list[Pair], int]) -> list[dict[str, Any]]:
 
 def run(
     executor: Executor, pairs: list[Pair], most: int, done: set[Pair]
-) -> Iterator[list[dict[str, Any]]]:
+) -> Iterator[list[dict[str, object]]]:
     """Yield the rows of the pairs that are not done, a piece at a time, as they are finished."""
     missing = [pair for pair in pairs if pair not in done]
     pieces = [(missing[n : n + PIECE], most) for n in range(0, len(missing), PIECE)]
@@ -84,7 +84,7 @@ class Journal:
     def __init__(self, path: Path) -> None:
         self.path = path
 
-    def read(self) -> list[dict[str, Any]]:
+    def read(self) -> list[dict[str, object]]:
         """Return the rows, after cutting off a line that was torn."""
         if not self.path.exists():
             return []
@@ -95,7 +95,7 @@ class Journal:
                 file.truncate(whole)
         return [json.loads(line) for line in data[:whole].splitlines()]
 
-    def append(self, found: list[dict[str, Any]]) -> None:
+    def append(self, found: list[dict[str, object]]) -> None:
         """Append rows in one write, and have them on the disk."""
         text = "".join(json.dumps(item) + "\n" for item in found)
         with self.path.open("ab") as file:

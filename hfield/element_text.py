@@ -38,7 +38,7 @@ class ElementText(BatchMethods):
     def _repr_latex_(self) -> str | None:
         return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         state = self.ring.state
         if not self.is_batch:
             return self.algebra, tuple(map(state, self.coordinates))

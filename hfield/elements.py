@@ -10,7 +10,7 @@ from hfield import product, structure
 from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
 from hfield.hints import ELEMENT, Hinted
-from hfield.product import Coordinates
+from hfield.product import Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 
@@ -54,7 +54,7 @@ class SquareRoots(Generic[Q]):
     def __bool__(self) -> bool:
         return bool(self.isolated) or self.quadric is not None
 
-    def __contains__(self, x: Any) -> bool:
+    def __contains__(self, x: Scalar) -> bool:
         return bool(x * x == self.element)
 
     def __iter__(self) -> Iterator[Q]:
@@ -252,7 +252,7 @@ class ElementFacts(Hinted):
         x = None if found.element is None else self.algebra(*found.element)
         return Conjugacy(x, found.reason)
 
-    def conjugator(self, other: Any) -> Any:
+    def conjugator(self, other: object) -> Any:
         """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` tells why.
 
         In a central simple algebra there is one exactly when both have the same minimal polynomial

@@ -11,9 +11,11 @@ import flint
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
+from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.functions import FunctionField
+from hfield.rings.local.completion import Completion
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_sums import evaluate, roots_in
 
@@ -33,13 +35,15 @@ def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
         raise CoercionError(
             f"{source} does not map into {target}: its characteristic is {p}, the other's {q}"
         )
+    if isinstance(target, Completion) and source == target.global_field:
+        return target
     if isinstance(source, NumberField) and isinstance(target, NumberField):
         return _from_number_field(source, target)
     names = {**target.names(), **_generators(source, target)}
     functions = {"/": target.divide, "**": target.power, **target.functions()}
     reader = syntax.Reader(target, names, functions, target.name, target.parse_limit)
 
-    def embed(x: Any) -> Any:
+    def embed(x: Scalar) -> Any:
         text = source.text(x)
         try:
             return reader.read(text)

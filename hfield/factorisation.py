@@ -21,6 +21,9 @@ WORD = 2**63
 SIEVED_BITS = 190
 """Composite numbers up to this length are always factored (a second or two for the worst of them)."""
 
+NORM_BITS = 210
+"""The same for norms from number fields, which are longer than what was typed by the degree: ten seconds."""
+
 PROVED_BITS = 1024
 """The longest numbers whose primality is proved (seconds); longer composite ones are still recognised."""
 
@@ -209,8 +212,10 @@ def remove(n: int, p: int) -> tuple[int, int]:
         n, v = quotient, v + 1
 
 
-def factor(n: int, known: Iterable[int] = (), bits: int = 48) -> Factorisation:
-    """Factor ``|n|``, n ≠ 0, as far as it goes in bounded time; always wholly up to :data:`SIEVED_BITS`.
+def factor(
+    n: int, known: Iterable[int] = (), bits: int = 48, sieved: int = SIEVED_BITS
+) -> Factorisation:
+    """Factor ``|n|``, n ≠ 0, as far as it goes in bounded time; wholly if what is hard has ``sieved`` bits.
 
     ``known`` are *primes* that may divide n; those of :func:`known_primes` are used as well. In longer
     numbers primes of at most so many ``bits`` are sought with elliptic curves.
@@ -218,7 +223,7 @@ def factor(n: int, known: Iterable[int] = (), bits: int = 48) -> Factorisation:
     n = abs(n)
     if n < WORD:
         return Factorisation({int(p): int(e) for p, e in flint.fmpz(n).factor()})
-    return _factor(n, _known.get().union(known), bits)
+    return _factor(n, _known.get().union(known), bits, sieved)
 
 
 def shared_primes(numbers: Iterable[int]) -> frozenset[int]:
@@ -256,13 +261,13 @@ def coprime_base(numbers: Iterable[int]) -> list[int]:
     return sorted(base)
 
 
-def factorise(n: int, known: Iterable[int] = ()) -> dict[int, int]:
+def factorise(n: int, known: Iterable[int] = (), sieved: int = SIEVED_BITS) -> dict[int, int]:
     """Return the primes of ``|n|``, n ≠ 0, with exponents. Raises :class:`UnfactoredError`."""
-    return factor(n, known).complete()
+    return factor(n, known, sieved=sieved).complete()
 
 
 @lru_cache(maxsize=512)  # a decision and the construction after it ask for the same numbers
-def _factor(n: int, known: frozenset[int], bits: int) -> Factorisation:
+def _factor(n: int, known: frozenset[int], bits: int, sieved: int) -> Factorisation:
     primes: dict[int, int] = {}
     rest, found = n, set(known)
     for _ in range(
@@ -274,13 +279,13 @@ def _factor(n: int, known: frozenset[int], bits: int) -> Factorisation:
                 primes[p] = v
         if rest == 1:
             break
-        found = _prime_divisors(rest, bits)
+        found = _prime_divisors(rest, bits, sieved)
     unfactored = Unfactored(rest) if rest > 1 else None
     return Factorisation(dict(sorted(primes.items())), unfactored)
 
 
 @lru_cache(maxsize=64)
-def _prime_divisors(n: int, bits: int) -> set[int]:
+def _prime_divisors(n: int, bits: int, sieved: int) -> set[int]:
     """Return primes that divide n > 1, each proved: none where none is found."""
     found: set[int] = set()
     waiting = {int(d) for d, _ in flint.fmpz(n).factor(trial_limit=SMALL_PRIMES)}
@@ -292,11 +297,11 @@ def _prime_divisors(n: int, bits: int) -> set[int]:
             if m.bit_length() <= PROVED_BITS and is_prime(m):
                 found.add(m)
         else:
-            waiting |= {d for d in _divisors(m, bits) if 1 < d < m}
+            waiting |= {d for d in _divisors(m, bits, sieved) if 1 < d < m}
     return found
 
 
-def _divisors(m: int, sought: int) -> set[int]:
+def _divisors(m: int, sought: int, sieved: int) -> set[int]:
     """Return divisors of a composite number whose product has all its primes; maybe only itself."""
     number, bits = flint.fmpz(m), m.bit_length()
     if bits <= BASES_PROVE_BITS:
@@ -305,9 +310,9 @@ def _divisors(m: int, sought: int) -> set[int]:
     if d > 1:
         return {d, m // d}
     size = next(size for longest, size in _CURVES if bits <= longest)
-    size = min(size, bits // 3 + 1) if bits <= SIEVED_BITS else min(size, sought)
+    size = min(size, bits // 3 + 1) if bits <= sieved else min(size, sought)
     parts = {int(d) for d, _ in number.factor_smooth(size)}
-    if len(parts) > 1 or bits > SIEVED_BITS or passes:
+    if len(parts) > 1 or bits > sieved or passes:
         return parts
     return {int(d) for d, _ in number.factor()}
 

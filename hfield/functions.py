@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import CoercionError, shorten
 from hfield.quaternion import Quaternion
+
+if TYPE_CHECKING:
+    import flint
 
 
 def conj(q: Quaternion) -> Quaternion:
@@ -32,7 +35,7 @@ def inv(q: Quaternion) -> Quaternion:
     return _quaternion("inv", q).inverse()
 
 
-def norm(q: Quaternion) -> Any:
+def norm(q: Quaternion) -> flint.fmpq:
     """Return the reduced norm of q (thesis, Definition 2), an element of the base ring.
 
     >>> from hfield import H, QQ
@@ -44,7 +47,7 @@ def norm(q: Quaternion) -> Any:
     return _quaternion("norm", q).norm()
 
 
-def trace(q: Quaternion) -> Any:
+def trace(q: Quaternion) -> flint.fmpq:
     """Return the reduced trace of q, an element of the base ring.
 
     >>> from hfield import H, QQ

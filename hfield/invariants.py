@@ -200,7 +200,7 @@ class Invariants(Hinted, Parent):
 
     # --- isomorphism ---------------------------------------------------------------------------
 
-    def _comparable(self, other: Any) -> Constants:
+    def _comparable(self, other: object) -> Constants:
         if not isinstance(other, Invariants):
             raise CoercionError(
                 f"{shorten(repr(other))} is not a quaternion algebra to compare {self} with; "
@@ -213,7 +213,7 @@ class Invariants(Hinted, Parent):
             )
         return other.constants
 
-    def is_isomorphic(self, other: Any, factors: Factors | None = None) -> bool:
+    def is_isomorphic(self, other: object, factors: Factors | None = None) -> bool:
         """Tell whether two algebras over one field are isomorphic.
 
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import permutations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.product import Coordinates
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.isomorphisms import splitting
+
+if TYPE_CHECKING:
+    import flint
+
 
 Matrix = splitting.Matrix
 
@@ -22,7 +26,7 @@ class LinearMap:
         e, i, j, k = (target(*q) if isinstance(q, (tuple, list)) else target(q) for q in images)
         self.images: tuple[Quaternion, Quaternion, Quaternion, Quaternion] = (e, i, j, k)
 
-    def __call__(self, q: Any) -> Quaternion:
+    def __call__(self, q: Quaternion) -> Quaternion:
         """Return the image of q, an element of the source or what the source reads as one."""
         if isinstance(q, Quaternion) and q.algebra != self.source:
             raise MixedParentsError(
@@ -39,7 +43,7 @@ class LinearMap:
         return tuple(zip(*(q.coordinates for q in self.images), strict=True))
 
     @property
-    def determinant(self) -> Any:
+    def determinant(self) -> flint.fmpq:
         """The determinant of the matrix, an element of the base ring."""
         m, total = self.matrix(), self.target.ring.zero
         for p in permutations(range(4)):
@@ -111,7 +115,7 @@ class Isomorphism(LinearMap):
         return Isomorphism(self.target, self.source, columns, self.reverses)
 
 
-def _minor(m: list[list[Any]]) -> Any:
+def _minor(m: list[list[Any]]) -> flint.fmpq:
     """Return the determinant of a 3 × 3 matrix."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)

@@ -7,9 +7,36 @@ thesis (section 1), which nobody has to type in; ``t = 1`` gives the Artin–Sch
 ``[a, b | F)`` of characteristic 2.
 """
 
-from typing import Any, NamedTuple
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Protocol
 
 Coordinates = tuple[Any, Any, Any, Any]
+
+
+class Scalar(Protocol):
+    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with what its library takes."""
+
+    def __add__(self, other: Any, /) -> Scalar:
+        """Return self + other."""
+
+    def __radd__(self, other: Any, /) -> Scalar:
+        """Return other + self."""
+
+    def __sub__(self, other: Any, /) -> Scalar:
+        """Return self − other."""
+
+    def __rsub__(self, other: Any, /) -> Scalar:
+        """Return other − self."""
+
+    def __mul__(self, other: Any, /) -> Scalar:
+        """Return self·other."""
+
+    def __rmul__(self, other: Any, /) -> Scalar:
+        """Return other·self."""
+
+    def __neg__(self) -> Scalar:
+        """Return −self."""
 
 
 class Constants(NamedTuple):

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn, Protocol
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
 from hfield.batches import raised
 from hfield.element_text import ElementText
 from hfield.elements import ElementFacts
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring, power
 from hfield.rings.holding import Batch, Holding
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 _blank: Any = object.__new__
 
@@ -99,14 +103,14 @@ class Quaternion(ElementFacts, ElementText):
         """Whether this is an array of quaternions."""
         return self._how.is_batch
 
-    def _new(self, w: Any, x: Any, y: Any, z: Any) -> Quaternion:
+    def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Quaternion:
         return Quaternion(self._algebra, (w, x, y, z))
 
     def _alike(self, held: Any) -> Quaternion:
         """Return another element of this algebra, held as this one is."""
         return held_by(self._algebra, self._how, held)
 
-    def _operand(self, other: Any, operation: str) -> Quaternion:
+    def _operand(self, other: object, operation: str) -> Quaternion:
         """Bring the other operand into this algebra."""
         if isinstance(other, str):
             raise CoercionError(
@@ -120,7 +124,7 @@ class Quaternion(ElementFacts, ElementText):
             )
         return q
 
-    def _join(self, other: Any, operation: str) -> tuple[Holding, Any, Any]:
+    def _join(self, other: object, operation: str) -> tuple[Holding, Any, Any]:
         """Bring the other operand into this algebra, both to one kind (single or array), and hold both."""
         q = self._operand(other, operation)
         if self._how.is_batch == q._how.is_batch:
@@ -132,7 +136,7 @@ class Quaternion(ElementFacts, ElementText):
     # --- arithmetic ----------------------------------------------------------------------------
     # Two elements that are held alike, which is nearly always so, skip every question and every call.
 
-    def __add__(self, other: Any) -> Quaternion:
+    def __add__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
             result: Quaternion = _blank(Quaternion)
@@ -146,14 +150,14 @@ class Quaternion(ElementFacts, ElementText):
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Quaternion:
+    def __sub__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
             return held_by(self._algebra, how, how.difference(self._held, other._held))
         how, p, q = self._join(other, "subtract")
         return held_by(self._algebra, how, how.difference(p, q))
 
-    def __rsub__(self, other: Any) -> Quaternion:
+    def __rsub__(self, other: object) -> Quaternion:
         how, p, q = self._join(other, "subtract")
         return held_by(self._algebra, how, how.difference(q, p))
 
@@ -164,7 +168,7 @@ class Quaternion(ElementFacts, ElementText):
     def __pos__(self) -> Quaternion:
         return self
 
-    def __mul__(self, other: Any) -> Quaternion:
+    def __mul__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
             result: Quaternion = _blank(Quaternion)
@@ -180,14 +184,14 @@ class Quaternion(ElementFacts, ElementText):
         how, p, q = self._join(other, "multiply")
         return held_by(self._algebra, how, how.product(p, q))
 
-    def __rmul__(self, other: Any) -> Quaternion:
+    def __rmul__(self, other: object) -> Quaternion:
         how = self._how
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
             return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
         how, p, q = self._join(other, "multiply")
         return held_by(self._algebra, how, how.product(q, p))
 
-    def __truediv__(self, other: Any) -> Quaternion:
+    def __truediv__(self, other: object) -> Quaternion:
         """Return ``self · other⁻¹``."""
         how = self._how
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
@@ -196,7 +200,7 @@ class Quaternion(ElementFacts, ElementText):
                 return held_by(self._algebra, how, held)
         return self * self._operand(other, "divide").inverse()
 
-    def __rtruediv__(self, other: Any) -> Quaternion:
+    def __rtruediv__(self, other: object) -> Quaternion:
         return self._operand(other, "divide") * self.inverse()
 
     def __pow__(self, n: int) -> Quaternion:
@@ -293,7 +297,7 @@ def _refuse_change() -> NoReturn:
     raise AttributeError("quaternions are immutable; build a new one with the algebra")
 
 
-def _first(flags: Any) -> tuple[int, ...]:
+def _first(flags: np.ndarray) -> tuple[int, ...]:
     """Return the index of the first true entry of a bool array."""
     import numpy as np
 

@@ -17,7 +17,6 @@ from .interpolation import slerp as slerp
 from .interpolation import squad as squad
 from .jacobians import inverse_left_jacobian as inverse_left_jacobian
 from .jacobians import left_jacobian as left_jacobian
-from .kernels.pool import threads as threads
 from .matrices import R_x as R_x
 from .matrices import R_y as R_y
 from .matrices import R_z as R_z
@@ -25,6 +24,7 @@ from .plane import R2 as R2
 from .plane import reflect2 as reflect2
 from .plane import reflection as reflection
 from .plane import rotate2 as rotate2
+from .pool import threads as threads
 from .quaternions import T_q as T_q
 from .rigid import RigidTransform as RigidTransform
 from .rigid import sclerp as sclerp

@@ -1,20 +1,30 @@
-"""What rotations do to points, as formulas on rows: the way of few points, without numba.
+"""What rotations do to points, as formulas on rows: the way of few points.
 
 Within 5·2⁻⁵²·‖v‖ of the exact image, as the kernels are; a row of points with NaN or inf becomes NaN.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cache
 from typing import Any
 
 import numpy as np
 
-from rotation.coordinates import Coordinates, factor, join, split, sum_of_squares, unchanging
+from rotation.coordinates import (
+    Coordinates,
+    factor,
+    join,
+    middling,
+    split,
+    sum_of_squares,
+    unchanging,
+)
 from rotation.matrices import matrix_entries
 from rotation.namespaces import Array, namespace
 from rotation.rowwise import Formula, rarely, tell
 
-FEW = 50_000  # points, for which numba is not asked
+# Up to so many points the formulas are faster than the kernels, which take longer to begin; with sines, which
+# here are the system's, up to fewer.
+FEW, FEW_SINES = 25_000, 600
 
 
 def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> Coordinates:
@@ -50,11 +60,11 @@ def _by_quaternion(q: Array, points: Array, inverse: bool) -> Array:
     return join(namespace(points), turned_by(q, split(points), inverse))
 
 
-def _about_axis(axis: Array, angle: Array, points: Array) -> Array:
-    """``v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|²``."""
+def about_axis(axis: Array, angle: Array, points: Array) -> Array:
+    """Return ``v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|²``; tell where a is zero."""
     xp = namespace(points)
     t = angle[...]
-    a, b, c = scaled = _middling(xp, split(axis))
+    a, b, c = scaled = middling(xp, split(axis))
     square = sum_of_squares(scaled)
     tell(xp, square == 0.0)
     w, versine, part = xp.sqrt(square) * xp.sin(t), 1.0 - xp.cos(t), 1.0 / square
@@ -71,44 +81,35 @@ def _about_axis(axis: Array, angle: Array, points: Array) -> Array:
     return join(xp, _steadily(turned, split(points)))
 
 
-def _middling(xp: Any, axis: Coordinates) -> Coordinates:
-    """Return a multiple of an axis with which points may be multiplied twice: of length 2⁻²⁰⁰ to 2²¹¹."""
-    f = factor(xp, axis)
-    a, b, c = (f * x for x in axis)
-    largest = xp.maximum(xp.maximum(xp.abs(a), xp.abs(b)), xp.abs(c))
-    one = xp.ones_like(largest)
-    g = xp.where(
-        largest > 2.0**200, 2.0**-300 * one, xp.where(largest < 2.0**-200, 2.0**300 * one, one)
-    )
-    return g * a, g * b, g * c
+def turned_about(axes: Iterable[int], waves: Iterable[Coordinates], v: Coordinates) -> Coordinates:
+    """Return vectors turned about coordinate axes, one after the other; ``waves`` are (sine, cosine)."""
+    image = list(v)
+    for (s, c), axis in zip(waves, axes, strict=True):
+        j, k = (axis + 1) % 3, (axis + 2) % 3
+        image[j], image[k] = c * image[j] - s * image[k], s * image[j] + c * image[k]
+    return tuple(image)
 
 
-def _by_euler(angles: Array, points: Array, axes: tuple[int, ...], backward: bool) -> Array:
+def by_angles(angles: Array, points: Array, axes: tuple[int, ...], backward: bool) -> Array:
+    """Return points turned by Euler angles of any size, the last of them first if ``backward``."""
     xp = namespace(points)
     turns = list(split(angles))[:: -1 if backward else 1]
     spoilt = unchanging(xp, split(angles))
     waves = [(xp.sin(t), xp.cos(t)) for t in turns]
-
-    def turned(v: Coordinates) -> Coordinates:
-        image = list(v)
-        for (s, c), axis in zip(waves, axes, strict=True):
-            j, k = (axis + 1) % 3, (axis + 2) % 3
-            image[j], image[k] = c * image[j] - s * image[k], s * image[j] + c * image[k]
-        return tuple(image)
-
-    return join(xp, tuple(x + spoilt for x in _steadily(turned, split(points))))
+    image = _steadily(lambda v: turned_about(axes, waves, v), split(points))
+    return join(xp, tuple(x + spoilt for x in image))
 
 
-BY_MATRIX = Formula(_by_matrix, (3, 3), (3,))
+BY_MATRIX = Formula(_by_matrix, (3, 3), (3,), single=(0,))
 BY_QUATERNION = Formula(_by_quaternion, (4,), (3,), parameters=(False,))
 BY_INVERSE = Formula(_by_quaternion, (4,), (3,), parameters=(True,))
-ABOUT_AXIS = Formula(_about_axis, (3,), (), (3,))
+ABOUT_AXIS = Formula(about_axis, (3,), (), (3,))
 
 
 @cache
 def by_euler(axes: tuple[int, ...], backward: bool) -> Formula:
     """Return the formula for Euler angles about three axes, the last of the angles first if ``backward``."""
-    return Formula(_by_euler, (len(axes),), (3,), parameters=(axes, backward))
+    return Formula(by_angles, (len(axes),), (3,), parameters=(axes, backward))
 
 
 def write(formula: Formula, target: Array, *arrays: Array) -> bool:

@@ -4,14 +4,19 @@ T. J. Dekker, "A floating-point technique for extending the available precision"
 (1971). Only + − × are used, so it runs on every array library; no fused multiply-add is needed.
 """
 
+import math
 from collections.abc import Iterable
 from typing import Any
 
 from rotation.coordinates import root
-from rotation.kernels.compiled.series import SINE, VERSINE
 from rotation.namespaces import Array
 
 Pair = tuple[Array, Array]
+
+# Taylor: sin x = x + x³·Σ SINE[k]·x²ᵏ and 1 − cos x = x²/2 + x⁴·Σ VERSINE[k]·x²ᵏ, without their first terms,
+# which are carried in twice the precision. They reach below 2⁻⁶⁰ up to π/8.
+SINE = tuple((-1.0) ** k / math.factorial(2 * k + 1) for k in range(1, 9))
+VERSINE = tuple((-1.0) ** (k + 1) / math.factorial(2 * k) for k in range(2, 10))
 
 
 def two_sum(a: Array, b: Array) -> Pair:

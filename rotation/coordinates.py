@@ -46,6 +46,18 @@ def factor(xp: Any, coordinates: Coordinates) -> Array:
     return xp.where(largest < low, step * one, xp.where(largest > high, one / step, one))
 
 
+def middling(xp: Any, coordinates: Coordinates) -> Coordinates:
+    """Return the coordinates times a power of two, the largest then 2⁻²⁰⁰ to 2²¹⁰: to be multiplied on."""
+    f = factor(xp, coordinates)
+    scaled = tuple(f * c for c in coordinates)
+    largest = reduce(xp.maximum, (xp.abs(c) for c in scaled))
+    one = xp.ones_like(largest)
+    g = xp.where(
+        largest > 2.0**200, 2.0**-300 * one, xp.where(largest < 2.0**-200, 2.0**300 * one, one)
+    )
+    return tuple(g * c for c in scaled)
+
+
 def length(xp: Any, coordinates: Coordinates) -> Array:
     """Return the Euclidean length, right from the smallest float up to half the largest."""
     f = factor(xp, coordinates)

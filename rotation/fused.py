@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rotation import kernels
-from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, by_euler, write
+from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, FEW_SINES, by_euler, write
 from rotation.angles import radians
 from rotation.arrays import (
     Array,
@@ -78,7 +78,7 @@ def rotate(
     result, target = destination(out, batch, p, (a, t), layout)
     if degrees:
         t = quiet(radians)(np, t.astype(np.float64, copy=False))
-    if result.size <= 3 * FEW:
+    if result.size <= 3 * FEW_SINES:
         if write(ABOUT_AXIS, target, *_checked(out, p, a), t, p):
             require_nonzero(a, "axis")
         return result
@@ -197,14 +197,10 @@ def rotate_euler(
     if degrees:
         a = quiet(radians)(np, a.astype(np.float64, copy=False))
     turns = axes[::-1] if intrinsic else axes
-    if result.size <= 3 * FEW:
+    if result.size <= 3 * FEW_SINES:
         write(by_euler(turns, intrinsic), target, a, p)
         return result
-    if len(turns) < 3:  # the rest are no turns at all
-        a = a[..., ::-1] if intrinsic else a
-        a = np.concatenate([a, np.zeros((*angles_batch, 3 - len(turns)), a.dtype)], axis=-1)
-        turns, intrinsic = (*turns, 0, 0), False
-    kernels.euler(p, a, (turns[0], turns[1], turns[2]), intrinsic, target)
+    kernels.euler(p, a, turns, intrinsic, target)
     return result
 
 

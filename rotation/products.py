@@ -4,7 +4,7 @@ from rotation import kernels, quaternions
 from rotation.errors import RotationError
 from rotation.namespaces import Array, is_numpy, namespace
 
-_SHORT = 1000  # products for which numba need not be imported
+_SHORT = 1000  # products, of which doubling loses no more than a digit
 
 
 def running_products(q: Array, frame: str) -> Array:

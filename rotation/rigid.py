@@ -17,6 +17,8 @@ from rotation.rotation import Rotation
 from rotation.screws import Screw, from_screw, to_screw
 from rotation.shaped import Shaped
 
+HELD = 16_384  # transforms whose matrices, once computed, are held: 2 MB
+
 
 class RigidTransform(Shaped):
     """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
@@ -39,9 +41,10 @@ class RigidTransform(Shaped):
     array([0., 0., 0.])
     """
 
-    __slots__ = ("_t",)
+    __slots__ = ("_matrix", "_t")
 
     _t: Array
+    _matrix: Array | None  # when it was asked for, of not too many
     _called = "transform"
 
     def __new__(cls, matrix: Any) -> Self:
@@ -60,6 +63,7 @@ class RigidTransform(Shaped):
             if is_numpy(xp) and array.flags.writeable:
                 array.flags.writeable = False
             object.__setattr__(self, name, array)
+        object.__setattr__(self, "_matrix", None)
         return self
 
     @classmethod
@@ -174,7 +178,13 @@ class RigidTransform(Shaped):
 
     def as_matrix(self) -> Array:
         """Return the homogeneous matrices, shape (…, 4, 4)."""
-        return motions.MATRIX(self._q, self._t)
+        if self._matrix is not None:
+            return self._matrix.copy()
+        m = motions.MATRIX(self._q, self._t)
+        if type(m) is np.ndarray and m.size <= 16 * HELD:
+            object.__setattr__(self, "_matrix", m)
+            return m.copy()
+        return m
 
     def as_exp_coords(self) -> Array:
         """Return the exponential coordinates, shape (…, 6), of angles in [0, π]."""
@@ -206,6 +216,11 @@ class RigidTransform(Shaped):
             return NotImplemented
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
+
+    def __rmul__(self, other: object) -> Any:
+        if isinstance(other, Rotation):
+            return self * other  # which refuses it
+        return NotImplemented
 
     def __pow__(self, exponent: Any) -> Self:
         """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast."""

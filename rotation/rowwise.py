@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from rotation.kernels.pool import share, threads
 from rotation.namespaces import Array, quiet
 from rotation.native import assembling
+from rotation.pool import share, threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
 _MUCH = 200_000  # numbers that are worth a second thread
@@ -33,16 +33,20 @@ class Formula:
         Of one row of each array.
     parameters : tuple
         What is the same for all rows, and no array.
+    single : tuple of int
+        Which of the arrays always have one row: it is read once for all rows of the others.
     """
 
-    __slots__ = ("_formula", "_function", "_parameters", "_row", "_shapes")
+    __slots__ = ("_formula", "_function", "_parameters", "_row", "_shapes", "_single")
 
     def __init__(
         self,
         formula: Callable[..., Array],
         *shapes: tuple[int, ...],
         parameters: tuple[Any, ...] = (),
+        single: tuple[int, ...] = (),
     ) -> None:
+        self._single = single
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._function: Callable[..., int] | None = None
         self._row: tuple[int, ...] = ()
@@ -80,7 +84,7 @@ class Formula:
         with _lock:
             if self._function is None:
                 function, self._row = assembling.assembled(
-                    self._formula, self._shapes, self._parameters
+                    self._formula, self._shapes, self._parameters, self._single
                 )
                 self._function = function
         return self._function

@@ -13,8 +13,8 @@ _PRECISIONS = (np.float64, np.float32)
 def warm_up() -> None:
     """Compile everything that would be compiled on first use, and keep it on disk where that can be done.
 
-    The formulas for few rotations take some hundredths of a second each; the loops for more than 50 000
-    points seconds each, once on a machine. Nothing of this is needed: calls compile what they miss.
+    Each formula and each loop takes some hundredths of a second, once on a machine. Nothing of this is
+    needed: calls compile what they miss, such as a loop for arrays with other strides.
 
     Examples
     --------
@@ -45,14 +45,16 @@ def warm_up() -> None:
     rotate_quat(points, q)
     rotate_euler(points, points)
     for points_kind in _PRECISIONS:
-        v = points.astype(points_kind)
-        out = np.empty_like(v)
-        kernels.one(v, np.eye(3), out)
-        for kind in _PRECISIONS if points_kind is np.float32 else (np.float64,):
-            p, t, n = points.astype(kind), angles.astype(kind), q.astype(kind)
-            kernels.axis_angle(v, p, t, out)
-            kernels.quaternions(v, n, out)
-            kernels.euler(v, p, (2, 1, 0), True, out)
+        for turn in (np.ascontiguousarray, np.asfortranarray):
+            v = turn(points.astype(points_kind))
+            out = np.empty_like(v)
+            kernels.one(v, np.eye(3), out)
+            for kind in _PRECISIONS if points_kind is np.float32 else (np.float64,):
+                p, t, n = turn(points.astype(kind)), angles.astype(kind), turn(q.astype(kind))
+                kernels.axis_angle(v, p, t, out)
+                kernels.quaternions(v, n, out)
+                kernels.euler(v, p, (2, 1, 0), True, out)
     for kind in _PRECISIONS:
         kernels.contains_zero(q.astype(kind))
+        kernels.contains_zero(points.astype(kind))
     kernels.cumulative(q)

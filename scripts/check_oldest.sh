@@ -6,9 +6,13 @@ cd "$(dirname "$0")/.."
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-python -m venv "$folder/tools"
+this=$(python3 -c "import sys; print(sys.executable)")
+"$this" -m venv "$folder/tools"
 "$folder/tools/bin/pip" install --quiet uv
 uv=$folder/tools/bin/uv
+if command -v pyenv >/dev/null; then # its shims find only the versions that are asked for
+    export PYENV_VERSION=$(pyenv versions --bare | paste -sd:)
+fi
 
 try() { # NAME PYTHON [CONSTRAINTS]: an environment of its own, the quick tests in it
     echo "== $1"
@@ -19,11 +23,11 @@ try() { # NAME PYTHON [CONSTRAINTS]: an environment of its own, the quick tests 
 }
 
 "$uv" pip compile --quiet --resolution lowest-direct --python-version 3.11 pyproject.toml -o "$folder/oldest.txt"
-try oldest "$(command -v python3)" "$folder/oldest.txt"
-for minor in 12 13 14; do
-    if python=$("python3.$minor" -c "import sys; print(sys.executable)" 2>/dev/null); then
-        try "3.$minor" "$python"
-    else
+try oldest "$this" "$folder/oldest.txt"
+for minor in 11 12 13 14; do
+    if ! python=$("python3.$minor" -c "import sys; print(sys.executable)" 2>/dev/null); then
         echo "python3.$minor is not installed here: not tried"
+    elif [ "$minor" != "$("$this" -c "import sys; print(sys.version_info.minor)")" ]; then
+        try "3.$minor" "$python"
     fi
 done

@@ -19,8 +19,8 @@ import numpy as np
 from numba.extending import register_jitable
 from numpy.typing import NDArray
 
+from anim.compiling import kernel
 from hfield.product import Constants, conjugate, multiply
-from rotation.kernels.compiled.compiling import kernel
 
 F = TypeVar("F", bound=Callable[..., Any])
 Floats = NDArray[np.float64]

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rotation.kernels.compiled.compiling import called, kernel
+from anim.compiling import called, kernel
 
 Bytes = NDArray[np.uint8]
 Floats = NDArray[np.float64]

@@ -5,7 +5,7 @@ or y has, and N(j) an odd one; and such that nothing cancels in N(x + y·u + j·
 depends on the characteristic, nor on that of the residues. docs/trust.md has the proofs.
 """
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
@@ -24,7 +24,7 @@ KEYS = {
 }
 
 
-def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str, ...]:
+def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[str, ...]:
     """Prove that the norm of the algebra (a, t, b) is 0 only at 0, or raise :class:`Rejected`.
 
     Returns the theorems that are cited: none. ``data`` says ``by`` what it is shown.
@@ -50,7 +50,7 @@ def anisotropic(field: Ring, c: Constants, data: Any, algebra: str) -> tuple[str
     return ()
 
 
-def is_certified(algebra: str, field: str, data: Mapping[str, Any]) -> bool:
+def is_certified(algebra: str, field: str, data: object) -> bool:
     """Tell whether this shows that the norm form of a named algebra is 0 only at 0."""
     try:
         with bounded():
@@ -90,7 +90,7 @@ def constants_of(algebra: str, field: str) -> tuple[Ring, Constants]:
     return ring, (a, t, b)
 
 
-def _quaternion(field: Ring, value: object) -> list[Any]:
+def _quaternion(field: Ring, value: object) -> list[Hashable]:
     found = texts(value, "coordinates", 4)
     if len(found) != 4:
         reject("a quaternion has four coordinates")
@@ -114,7 +114,7 @@ def _by_level(field: Ring, c: Constants) -> None:
         reject("−1 may be a sum of two squares, or this is not H(F)")
 
 
-def _by_place(field: Ring, c: Constants, name: str, u: list[Any], j: list[Any]) -> None:
+def _by_place(field: Ring, c: Constants, name: str, u: list[Hashable], j: list[Hashable]) -> None:
     """Let X² − tr(u)·X + N(u) be integral without root among the residues, N(j) as odd as ``odd`` is.
 
     Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
@@ -122,7 +122,7 @@ def _by_place(field: Ring, c: Constants, name: str, u: list[Any], j: list[Any]) 
     place = field.place(name)
     odd = field.inverse(place.odd)
 
-    def paired(p: list[Any], q: list[Any]) -> Any:
+    def paired(p: list[Hashable], q: list[Hashable]) -> Hashable:
         both = norm(field, c, [field.add(x, y) for x, y in zip(p, q, strict=True)])
         return field.add(both, field.neg(field.add(norm(field, c, p), norm(field, c, q))))
 
@@ -137,11 +137,11 @@ def _by_place(field: Ring, c: Constants, name: str, u: list[Any], j: list[Any]) 
         reject(f"the traces of j and of its product with u are not divisible by {name}")
 
 
-def norm(field: Ring, c: Constants, q: list[Any]) -> Any:
+def norm(field: Ring, c: Constants, q: list[Hashable]) -> Hashable:
     """Return n(w, x) − b·n(y, z), where n(u, v) = u² + t·uv − a·v²."""
     a, t, b = c
 
-    def binary(u: Any, v: Any) -> Any:
+    def binary(u: Hashable, v: Hashable) -> Hashable:
         mixed = field.mul(u, field.add(u, field.mul(t, v)))
         return field.add(mixed, field.neg(field.mul(a, field.mul(v, v))))
 

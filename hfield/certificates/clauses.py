@@ -29,6 +29,7 @@ MAX_CLAUSES = 1_024
 Formula = tuple[Any, ...]
 Frozen = frozenset[tuple[Monomial, int]]  # a polynomial that can be compared and hashed
 Pieces = tuple[tuple[int, int], ...]  # factors of a denominator with their multiplicities
+Quotient = tuple[Poly, Pieces]
 
 
 def freeze(f: Poly) -> Frozen:
@@ -57,7 +58,7 @@ class Expansion:
     clauses: tuple[Clause, ...]
     factors: tuple[Poly, ...]
     conditions: tuple[Poly, ...]
-    evaluator: Evaluator
+    evaluator: Evaluator[Quotient, Formula]
 
 
 class Fractions:
@@ -65,22 +66,22 @@ class Fractions:
 
     def __init__(self) -> None:
         self.factors = list[Poly]()
-        self.zero: Any = ({}, ())
-        self.one: Any = self.polynomial(constant(1))
+        self.zero: Quotient = ({}, ())
+        self.one: Quotient = self.polynomial(constant(1))
 
     @staticmethod
-    def polynomial(f: Poly) -> Any:
+    def polynomial(f: Poly) -> Quotient:
         """Return a polynomial as a scalar."""
         return (f, ())
 
-    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+    def number(self, value: int | Fraction) -> tuple[Quotient, Conditions]:
         """Return a literal."""
         if isinstance(value, int):
             return self.polynomial(constant(value)), ()
         x, conditions = self.reciprocal(self.polynomial(constant(value.denominator)))
         return self.mul(self.polynomial(constant(value.numerator)), x), conditions
 
-    def add(self, x: Any, y: Any) -> Any:
+    def add(self, x: Quotient, y: Quotient) -> Quotient:
         """Return x + y over the least common denominator."""
         if not x[0] or not y[0]:
             return y if not x[0] else x
@@ -92,11 +93,11 @@ class Fractions:
         pieces = tuple(sorted(common.items()))
         return self._made(add(self._over(x, common), self._over(y, common)), pieces)
 
-    def neg(self, x: Any) -> Any:
+    def neg(self, x: Quotient) -> Quotient:
         """Return −x."""
         return {m: -c for m, c in x[0].items()}, x[1]
 
-    def mul(self, x: Any, y: Any) -> Any:
+    def mul(self, x: Quotient, y: Quotient) -> Quotient:
         """Return x·y."""
         pieces = dict(x[1])
         for piece, n in y[1]:
@@ -104,7 +105,7 @@ class Fractions:
         top = multiply(x[0], y[0])
         return self._made(top, tuple(sorted(pieces.items())))
 
-    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+    def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions]:
         """Return 1/x on the condition that its numerator is not 0."""
         top = x[0]
         if not top:
@@ -119,7 +120,7 @@ class Fractions:
             self.factors.append(top)
         return self._made(below, ((self.factors.index(top), 1),)), (self.polynomial(top),)
 
-    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> Formula:
+    def compare(self, differences: list[Quotient], conditions: Conditions, equal: bool) -> Formula:
         """Return "defined, and, being defined, (not) all numerators are 0"."""
         tops = [d[0] for d in differences]
         literal = _literal(tops, equal)
@@ -134,7 +135,7 @@ class Fractions:
         """Return "not x"."""
         return deny(x)
 
-    def _over(self, x: Any, common: dict[int, int]) -> Poly:
+    def _over(self, x: Quotient, common: dict[int, int]) -> Poly:
         top: Poly = x[0]
         own = dict(x[1])
         for piece, n in common.items():
@@ -142,7 +143,7 @@ class Fractions:
                 top = multiply(top, self.factors[piece])
         return top
 
-    def _made(self, top: Poly, pieces: Pieces) -> Any:
+    def _made(self, top: Poly, pieces: Pieces) -> Quotient:
         return (top, pieces) if top else self.zero
 
 

@@ -6,7 +6,7 @@ j² = b, ij = k and ji = t·j − k alone.
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any, Generic, Protocol, TypeVar
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject
@@ -16,34 +16,38 @@ from hfield.certificates.work import charge
 Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined
 
 
-class Scalars(Protocol):
+S = TypeVar("S")  # what stands for a scalar
+T = TypeVar("T")  # what stands for a truth
+
+
+class Scalars(Protocol[S, T]):
     """What an evaluation computes with; a condition is a scalar that must be a unit."""
 
-    zero: Any
-    one: Any
+    zero: S
+    one: S
 
-    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+    def number(self, value: int | Fraction) -> tuple[S, Conditions]:
         """Return the value of a literal."""
 
-    def add(self, x: Any, y: Any) -> Any:
+    def add(self, x: S, y: S) -> S:
         """Return x + y."""
 
-    def neg(self, x: Any) -> Any:
+    def neg(self, x: S) -> S:
         """Return −x."""
 
-    def mul(self, x: Any, y: Any) -> Any:
+    def mul(self, x: S, y: S) -> S:
         """Return x·y."""
 
-    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+    def reciprocal(self, x: S) -> tuple[S, Conditions]:
         """Return 1/x with the condition that there is one."""
 
-    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> Any:
+    def compare(self, differences: list[S], conditions: Conditions, equal: bool) -> T:
         """Return the truth of "defined, and all (not all) differences are 0"."""
 
-    def join(self, kind: str, x: Any, y: Any) -> Any:
+    def join(self, kind: str, x: T, y: T) -> T:
         """Return the truth of "x and y" or "x or y"."""
 
-    def deny(self, x: Any) -> Any:
+    def deny(self, x: T) -> T:
         """Return the truth of "not x"."""
 
 
@@ -53,21 +57,24 @@ class Quaternion(tuple[Any, ...]):
     __slots__ = ()
 
 
-class Evaluator:
+class Evaluator(Generic[S, T]):
     """The algebra over some scalars, with values for unknowns and constants."""
 
     def __init__(
-        self, scalars: Scalars, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Any]
+        self,
+        scalars: Scalars[S, T],
+        constants: tuple[Tree, Tree, Tree],
+        values: Mapping[Tree, S | Quaternion],
     ):
         s = self.s = scalars
         self.values = values
         self.needed: Conditions = ()  # by the terms evaluated last
-        self.constants = a, t, b = [self.value(tree) for tree in constants]
+        self.constants = a, t, b = [self._scalar(self.value(tree)) for tree in constants]
         self.conditions: Conditions = self.needed  # under which the algebra exists
         one, minus_one = s.one, s.neg(s.one)
         ab, tb = s.mul(a, b), s.mul(t, b)
         # TABLE[m][n] lists (place, coefficient) of the product of basis elements m and n.
-        self.table: list[list[list[tuple[int, Any]]]] = [
+        self.table: list[list[list[tuple[int, S]]]] = [
             [[(0, one)], [(1, one)], [(2, one)], [(3, one)]],
             [[(1, one)], [(0, a), (1, t)], [(3, one)], [(2, a), (3, t)]],
             [[(2, one)], [(2, t), (3, minus_one)], [(0, b)], [(0, tb), (1, s.neg(b))]],
@@ -75,7 +82,7 @@ class Evaluator:
         ]
         self.t = t
 
-    def quaternion(self, x: Any) -> Quaternion:
+    def quaternion(self, x: S | Quaternion) -> Quaternion:
         """Return a scalar as its multiple of e."""
         zero = self.s.zero
         return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
@@ -100,11 +107,12 @@ class Evaluator:
         w, x, y, z = q
         return Quaternion((s.add(w, s.mul(self.t, x)), s.neg(x), s.neg(y), s.neg(z)))
 
-    def norm(self, q: Quaternion) -> Any:
+    def norm(self, q: Quaternion) -> S:
         """Return the coefficient of e in q·conj(q), which is all there is of it."""
-        return self.product(q, self.conjugate(q))[0]
+        n: S = self.product(q, self.conjugate(q))[0]
+        return n
 
-    def value(self, tree: Tree) -> Any:
+    def value(self, tree: Tree) -> S | Quaternion:
         """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
         kind, s = tree[0], self.s
         charge(10)
@@ -123,20 +131,32 @@ class Evaluator:
             return self._plus(x, self.value(tree[2]), kind)
         if kind in ("*", "/"):
             y = self.value(tree[2])
-            return self._times(x, y if kind == "*" else self._defined(s.reciprocal(y)))
+            return self._times(
+                x, y if kind == "*" else self._defined(s.reciprocal(self._scalar(y)))
+            )
         if kind == "pow":
             if abs(tree[2]) > MAX_EXPONENT:
                 reject("an exponent is too large")
             return self._power(x if tree[2] >= 0 else self._inverse(x), abs(tree[2]))
         if kind == "index":
-            return self.quaternion(x)[tree[2]]
+            return self._coordinate(x, tree[2])
         reject("a term cannot be evaluated")
 
-    def _defined(self, found: tuple[Any, Conditions]) -> Any:
+    @staticmethod
+    def _scalar(x: S | Quaternion) -> S:
+        if isinstance(x, Quaternion):
+            reject("a quaternion stands where a scalar is meant")
+        return x
+
+    def _coordinate(self, x: S | Quaternion, n: int) -> S:
+        c: S = self.quaternion(x)[n]
+        return c
+
+    def _defined(self, found: tuple[S, Conditions]) -> S:
         self.needed += found[1]
         return found[0]
 
-    def truth(self, tree: Tree) -> Any:
+    def truth(self, tree: Tree) -> T:
         """Return the truth of a statement without quantifiers."""
         kind, s = tree[0], self.s
         if kind in ("==", "!="):
@@ -152,37 +172,37 @@ class Evaluator:
             return s.deny(self.truth(tree[1]))
         if kind not in ("and", "or", "=>", "<=>"):
             reject("a statement cannot be evaluated")
-        x, y = self.truth(tree[1]), self.truth(tree[2])
+        left, right = self.truth(tree[1]), self.truth(tree[2])
         if kind in ("and", "or"):
-            return s.join(kind, x, y)
-        forth = s.join("or", s.deny(x), y)
-        return forth if kind == "=>" else s.join("and", forth, s.join("or", x, s.deny(y)))
+            return s.join(kind, left, right)
+        forth = s.join("or", s.deny(left), right)
+        return forth if kind == "=>" else s.join("and", forth, s.join("or", left, s.deny(right)))
 
-    def _name(self, name: str) -> Any:
+    def _name(self, name: str) -> Quaternion:
         place = "eijk".find(name)
         if place < 0 or len(name) != 1:
             reject(f"the unknown {name!r} has no value")
         return Quaternion([self.s.one if n == place else self.s.zero for n in range(4)])
 
-    def _plus(self, x: Any, y: Any, sign: str) -> Any:
+    def _plus(self, x: S | Quaternion, y: S | Quaternion, sign: str) -> S | Quaternion:
         s = self.s
         if not (isinstance(x, Quaternion) or isinstance(y, Quaternion)):
             return s.add(x, s.neg(y) if sign == "-" else y)
         pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
         return Quaternion([s.add(u, s.neg(v) if sign == "-" else v) for u, v in pairs])
 
-    def _times(self, x: Any, y: Any) -> Any:
+    def _times(self, x: S | Quaternion, y: S | Quaternion) -> S | Quaternion:
         s = self.s
-        if isinstance(x, Quaternion) and isinstance(y, Quaternion):
-            return self.product(x, y)
         if isinstance(x, Quaternion):
+            if isinstance(y, Quaternion):
+                return self.product(x, y)
             return Quaternion([s.mul(u, y) for u in x])
         if isinstance(y, Quaternion):
             return Quaternion([s.mul(x, v) for v in y])
         return s.mul(x, y)
 
-    def _power(self, x: Any, n: int) -> Any:
-        out: Any = self.s.one
+    def _power(self, x: S | Quaternion, n: int) -> S | Quaternion:
+        out: S | Quaternion = self.s.one
         while n:
             if n & 1:
                 out = self._times(out, x)
@@ -191,12 +211,12 @@ class Evaluator:
                 x = self._times(x, x)
         return out
 
-    def _inverse(self, x: Any) -> Any:
+    def _inverse(self, x: S | Quaternion) -> S | Quaternion:
         if not isinstance(x, Quaternion):
             return self._defined(self.s.reciprocal(x))
         return self._times(self.conjugate(x), self._defined(self.s.reciprocal(self.norm(x))))
 
-    def _call(self, function: str, *arguments: Any) -> Any:
+    def _call(self, function: str, *arguments: S | Quaternion) -> S | Quaternion:
         x, s = self.quaternion(arguments[0]), self.s
         if function == "inv":
             return self._inverse(x)
@@ -213,7 +233,7 @@ class Evaluator:
             return self.norm(x)
         if function != "scalar":
             reject(f"there is no function {function!r}")
-        return x[0]
+        return self._coordinate(x, 0)
 
 
 class RingScalars:

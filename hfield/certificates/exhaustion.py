@@ -1,5 +1,6 @@
 """Trying all cases over a finite ring: directly where they are few, else clause by clause."""
 
+from collections.abc import Hashable, Iterator, Mapping
 from functools import cache, partial
 from itertools import product
 from typing import Any
@@ -22,14 +23,18 @@ Coefficients = dict[Monomial, Any]
 Case = tuple[list[Coefficients], list[list[Coefficients]]]
 
 
-def evaluator_at(ring: Ring, setting: Setting, statement: Statement, values: Any) -> Evaluator:
+def evaluator_at(
+    ring: Ring, setting: Setting, statement: Statement, values: Mapping[str, Hashable]
+) -> Evaluator[Hashable, bool]:
     """Return the evaluator with values for unknowns."""
     known: dict[Tree, Any] = {tree: ring.constant(tree) for tree in statement.constants}
     known.update((("name", name), value) for name, value in values.items())
     return Evaluator(RingScalars(ring), setting.constants, known)
 
 
-def truth_at(ring: Ring, setting: Setting, statement: Statement, values: Any) -> bool | None:
+def truth_at(
+    ring: Ring, setting: Setting, statement: Statement, values: Mapping[str, Hashable]
+) -> bool | None:
     """Tell whether the statement is true there; None where the algebra does not exist."""
     charge(COST)
     evaluator = evaluator_at(ring, setting, statement, values)
@@ -90,7 +95,7 @@ def _finite(setting: Setting) -> tuple[Ring, int]:
     return ring, ring.order
 
 
-def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Any:
+def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Iterator[dict[str, Hashable]]:
     """Run through all values of the unknowns."""
     elements = list(ring.elements())
     for values in product(elements, repeat=width(unknowns)):
@@ -141,7 +146,7 @@ class _Tree:
         zeros, goals = case
         return any(set(z) == {ONE} for z in zeros) or any(not any(goal) for goal in goals)
 
-    def _put(self, variable: int, value: Any, f: Coefficients) -> Coefficients:
+    def _put(self, variable: int, value: Hashable, f: Coefficients) -> Coefficients:
         ring = self.ring
         charge(len(f) + 1)
         out: Coefficients = {}

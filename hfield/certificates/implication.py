@@ -1,5 +1,6 @@
 """Evidence of the kind ``implication``: cofactors, multiplied out, cover every clause."""
 
+from collections.abc import Mapping
 from itertools import product
 from typing import Any
 
@@ -18,7 +19,9 @@ from hfield.certificates.work import charge
 MAX_CHOICES = 512
 
 
-def check_implication(expansion: Expansion, setting: Setting, data: Any) -> Finding:
+def check_implication(
+    expansion: Expansion, setting: Setting, data: Mapping[str, object]
+) -> Finding:
     """Check the items, and that they cover the clauses."""
     ring = setting.field
     place = Place(expansion, ring)

@@ -1,7 +1,6 @@
 """The items of an implication: sums of cofactors times polynomials, multiplied out."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 from hfield.certificates.clauses import freeze
 from hfield.certificates.over_field import Place
@@ -66,7 +65,9 @@ class Item:
         """Whether it holds over every commutative ring (denominators apart)."""
         return self.member is not None and not self.uses_field and not self.p
 
-    def _verify(self, data: Any, known: Sequence[Poly], names: Names, target: Poly) -> None:
+    def _verify(
+        self, data: Mapping[str, object], known: Sequence[Poly], names: Names, target: Poly
+    ) -> None:
         """Check denominator·target = Σ cofactor·known."""
         denominator = an_integer(data["denominator"], "a denominator")
         total = self._sum(data, known, names)
@@ -79,7 +80,7 @@ class Item:
             reject("a denominator is 0 in the field")
         self.denominators.add(denominator)
 
-    def _sum(self, data: Any, known: Sequence[Poly], names: Names) -> Poly:
+    def _sum(self, data: Mapping[str, object], known: Sequence[Poly], names: Names) -> Poly:
         cofactors = texts_of_polynomials(data["cofactors"])
         if len(cofactors) != len(known):
             reject(f"there are {len(cofactors)} cofactors for {len(known)} polynomials")
@@ -117,7 +118,9 @@ class Item:
                     reject(f"a sum of cofactors is not the form of the step {kind!r}")
                 known = [*known, *terms]
 
-    def _cases(self, step: Any, known: list[Poly], names: Names, depth: int) -> None:
+    def _cases(
+        self, step: Mapping[str, object], known: list[Poly], names: Names, depth: int
+    ) -> None:
         factors = [names.read(f, "a factor") for f in texts(step["factors"], "factors", 1)]
         powers = [an_integer(n, "a power", 1) for n in a_list(step["powers"], "powers")]
         branches = a_list(step["branches"], "branches")

@@ -1,7 +1,7 @@
 """JSON without what it leaves open: no key twice, no floats, no endless numbers, no deep nesting."""
 
 import json
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from hfield.certificates.rejection import MAX_DIGITS, reject, shown
 
@@ -9,7 +9,7 @@ MAX_BYTES = 8_000_000
 MAX_NESTING = 120
 
 
-def read_json(text: str) -> Any:
+def read_json(text: str) -> object:
     """Read JSON. Raises :class:`Rejected`."""
     if len(text) > MAX_BYTES:
         reject(f"the file has more than {MAX_BYTES} characters")
@@ -32,13 +32,13 @@ def read_json(text: str) -> Any:
     return data
 
 
-def _inside(value: Any) -> list[Any]:
+def _inside(value: object) -> list[object]:
     if isinstance(value, dict):
         return list(value.values())
     return value if isinstance(value, list) else []
 
 
-def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
     out = dict(pairs)
     if len(out) < len(pairs):
         reject("an object has the same key twice")

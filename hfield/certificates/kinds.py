@@ -3,12 +3,10 @@
 What each kind proves, and why, is written in docs/trust.md.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import partial
-from typing import Any
 
 from hfield.certificates.clauses import expand
-from hfield.certificates.evaluate import Quaternion
 from hfield.certificates.exhaustion import check_all, check_exists, truth_at
 from hfield.certificates.existence import cases, none_exists, place, terms
 from hfield.certificates.finding import Finding
@@ -66,7 +64,7 @@ def prove(tree: Tree, setting: Setting, evidence: object) -> Finding:
 def _identity(statement: Statement, setting: Setting, evidence: object) -> Finding:
     an_object(evidence, "kind", "the evidence")
     over = _place(statement, setting)
-    if not all(map(over.is_trivial, over.expansion.clauses)):
+    if not all(map(over.is_identity, over.expansion.clauses)):
         reject("the statement does not hold by expanding")
     return Finding(COMMUTATIVE_RINGS, IDENTITY).within(_reach(statement, setting))
 
@@ -150,7 +148,7 @@ def _example(statement: Statement, setting: Setting, evidence: object) -> Findin
 
 def _witness(
     statement: Statement, setting: Setting, evidence: object
-) -> tuple[Ring, dict[str, Quaternion | Any]]:
+) -> tuple[Ring, dict[str, Hashable]]:
     """Return the ring of a witness and its values."""
     data = an_object(evidence, "kind values field", "the evidence")
     ring = read_field(a_text(data["field"], "the field of the evidence"))

@@ -1,5 +1,6 @@
 """Evidence of the kind ``multilinear``: maps linear in each argument agree when they do on basis tuples."""
 
+from collections.abc import Mapping
 from itertools import product
 from typing import Any
 
@@ -16,7 +17,7 @@ MAX_TUPLES = 4**6
 Degrees = set[tuple[int, ...]]
 
 
-def check_multilinear(statement: Statement, setting: Setting, data: Any) -> None:
+def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str, object]) -> None:
     """Check the values of both sides at all tuples of basis vectors, over ℤ if no field is named."""
     tree, names = statement.conclusion, [name for name, _ in statement.unknowns]
     if tree[0] != "==" or statement.hypotheses or any(s != "q" for _, s in statement.unknowns):
@@ -46,8 +47,8 @@ def check_multilinear(statement: Statement, setting: Setting, data: Any) -> None
         }
         evaluator = evaluator_at(ring, setting, statement, values)
         for side in tree[1:]:
-            value = evaluator.value(side)  # nothing divides, so it is defined
-            pairs = zip(evaluator.quaternion(value), listed[word], strict=True)
+            found = evaluator.quaternion(evaluator.value(side))  # nothing divides, so it is defined
+            pairs = zip(found, listed[word], strict=True)
             if evaluator.conditions or not all(ring.equal(u, v) for u, v in pairs):
                 reject(f"the sides at {word} are not what the list says")
 

@@ -1,5 +1,6 @@
 """When an integer polynomial is 0 over a field: its constants put in, exponents reduced by x^q = x."""
 
+from collections.abc import Hashable
 from math import gcd
 from typing import Any
 
@@ -30,7 +31,7 @@ class Place:
             trees = enumerate(expansion.names.trees)
             self._values = {n: ring.constant(tree) for n, tree in trees if n >= expansion.unknowns}
 
-    def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Any]:
+    def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Hashable]:
         """Return the coefficients that are not 0, by the monomials in the unknowns.
 
         The constants of the field are put in; with ``functions`` exponents are reduced by x^q = x.
@@ -71,6 +72,23 @@ class Place:
         if any(all(map(self.vanishes, goal)) for goal in clause.goals):
             return True
         return any(self.is_nonzero(z) for z in clause.zeros)
+
+    def is_identity(self, clause: Clause) -> bool:
+        """Tell whether a clause is trivial, or a goal vanishes times all goals that are one polynomial.
+
+        Where such a goal is 0, the clause is true. Over a finite field a product may vanish alone.
+        """
+        if self.is_trivial(clause):
+            return True
+        if self.ring is None or not self.ring.is_field or self.ring.order is None:
+            return False
+        factor = constant(1)
+        for goal in clause.goals:
+            if len(goal) == 1:
+                factor = multiply(factor, dict(*goal))
+        return any(
+            all(self.vanishes(multiply(factor, dict(f))) for f in goal) for goal in clause.goals
+        )
 
     def is_nonzero(self, f: Frozen) -> bool:
         """Tell whether f is a constant other than 0 there (for all fields: ±1)."""

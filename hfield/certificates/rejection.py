@@ -1,7 +1,7 @@
 """The one error of the checker, and how it looks at JSON data: nothing unknown is ever let pass."""
 
 from collections.abc import Mapping
-from typing import Any, NoReturn
+from typing import NoReturn
 
 MAX_DIGITS = 4_000
 MAX_LIST = 20_000
@@ -28,28 +28,35 @@ def one_line(text: str) -> str:
     return "".join(c if c.isprintable() else "?" for c in " ".join(text.split()))
 
 
-def an_object(value: object, keys: str, what: str, optional: str = "") -> Mapping[str, Any]:
-    """Return a JSON object that has exactly the keys named (``optional`` ones may be missing)."""
+def keyed(value: object, what: str = "the evidence") -> Mapping[str, object]:
+    """Return a JSON object, whichever keys it has."""
     if not isinstance(value, dict):
         reject(f"{what} must be an object, found {shown(value)}")
+    return value
+
+
+def an_object(value: object, keys: str, what: str, optional: str = "") -> Mapping[str, object]:
+    """Return a JSON object that has exactly the keys named (``optional`` ones may be missing)."""
+    found = keyed(value, what)
     wanted, allowed = set(keys.split()), {*keys.split(), *optional.split()}
-    for key in value:
+    for key in found:
         if key not in allowed:
             reject(f"{what} has an unknown key {shown(key)!r}")
     for key in sorted(wanted):
-        if key not in value:
+        if key not in found:
             reject(f"{what} lacks the key {key!r}")
-    return value
+    return found
 
 
 def kind_of(evidence: object) -> str:
     """Return the kind of some evidence."""
-    if not isinstance(evidence, dict) or not isinstance(evidence.get("kind"), str):
+    kind = keyed(evidence).get("kind")
+    if not isinstance(kind, str):
         reject("the evidence must be an object with a text 'kind'")
-    return str(evidence["kind"])
+    return kind
 
 
-def a_list(value: object, what: str, least: int = 0) -> list[Any]:
+def a_list(value: object, what: str, least: int = 0) -> list[object]:
     """Return a JSON list of at least ``least`` entries."""
     if not isinstance(value, list):
         reject(f"{what} must be a list, found {shown(value)}")

@@ -3,10 +3,11 @@
 Each is verified, before any step uses it. docs/trust.md has the proofs.
 """
 
+from collections.abc import Hashable, Mapping
 from typing import Any
 
 from hfield.certificates.anisotropy import anisotropic
-from hfield.certificates.clauses import Expansion
+from hfield.certificates.clauses import Expansion, Formula, Fractions, Quotient
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
@@ -19,7 +20,15 @@ from hfield.certificates.polynomials import (
     power,
     variables,
 )
-from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
+from hfield.certificates.rejection import (
+    a_list,
+    a_text,
+    an_integer,
+    an_object,
+    keyed,
+    reject,
+    texts,
+)
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, read_setting
 
@@ -38,7 +47,9 @@ class Rules:
 
     def __init__(self, expansion: Expansion, setting: Setting, place: Place, facts: object) -> None:
         self.expansion, self.setting, self.place = expansion, setting, place
-        self.norms: dict[str, Evaluator] = {}  # by the algebra; "" is that of the statement
+        self.norms: dict[
+            str, Evaluator[Quotient, Formula]
+        ] = {}  # by the algebra; "" is that of the statement
         self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
         self.roots = False
         self.cites: dict[str, None] = {}
@@ -46,11 +57,11 @@ class Rules:
         if len(entries) > MAX_FACTS:
             reject(f"there are {len(entries)} facts; at most {MAX_FACTS} are read")
         for fact in entries:
-            form = fact.get("form") if isinstance(fact, dict) else None
+            form = keyed(fact, "a fact").get("form")
             if setting.field is None or not setting.field.is_field:
                 reject("facts are about a field that is named")
             if form == "norm":
-                self._norm(fact, setting.field)
+                self._norm(keyed(fact), setting.field)
             elif form == "squares" and self.squares is None:
                 self._squares(fact, setting.field)
             elif form == "roots" and not self.roots:
@@ -60,7 +71,7 @@ class Rules:
             else:
                 reject("a fact is of no known form, or stands there twice")
 
-    def _norm(self, fact: Any, ring: Ring) -> None:
+    def _norm(self, fact: Mapping[str, object], ring: Ring) -> None:
         """The norm form of an algebra over the field, that of the statement or one that is named."""
         setting, name = self.setting, ""
         if "algebra" in fact:
@@ -81,14 +92,13 @@ class Rules:
         general = self.expansion.evaluator
         self.norms[name] = Evaluator(general.s, setting.constants, general.values)
 
-    def _squares(self, raw: Any, ring: Ring) -> None:
+    def _squares(self, raw: object, ring: Ring) -> None:
         """Σ c·X² is 0 only at 0, for at most ``most`` terms; with any c > 0 if ``positive``, else c = 1."""
         fact = an_object(raw, "form by most positive", "a fact")
-        positive, most = fact["positive"], fact["most"]
+        positive = fact["positive"]
         if not isinstance(positive, bool):
             reject("'positive' must be true or false")
-        if most is not None:
-            an_integer(most, "most", 1)
+        most = None if fact["most"] is None else an_integer(fact["most"], "most", 1)
         if fact["by"] == "ordering":
             if not ring.is_ordered:
                 reject(f"{ring.name} is not known to have an ordering")
@@ -96,15 +106,14 @@ class Rules:
             reject(f"sums of squares in {ring.name} may be 0")
         self.squares = most, positive
 
-    def form(self, kind: str, step: Any, terms: list[Poly], names: Names) -> Poly:
+    def form(self, kind: str, step: Mapping[str, object], terms: list[Poly], names: Names) -> Poly:
         """Return a form in the terms that is 0 only where all of them are, times a number that is not 0."""
         if kind == "norm":
             name = a_text(step.get("algebra", ""), "an algebra")
             if len(terms) != 4 or name not in self.norms:
                 reject("the norm is that of four terms, in an algebra that a fact is about")
-            evaluator = self.norms[name]
-            lifted = [evaluator.s.polynomial(f) for f in terms]  # type: ignore[attr-defined]
-            return dict(evaluator.norm(Quaternion(lifted))[0])
+            lifted = Quaternion(map(Fractions.polynomial, terms))
+            return dict(self.norms[name].norm(lifted)[0])
         if kind == "squares":
             return self._sum_of_squares(a_list(step["coefficients"], "coefficients"), terms)
         coefficients = [
@@ -119,7 +128,7 @@ class Rules:
             total = add(total, multiply(c, product))
         return total
 
-    def _sum_of_squares(self, raw: list[Any], terms: list[Poly]) -> Poly:
+    def _sum_of_squares(self, raw: list[object], terms: list[Poly]) -> Poly:
         coefficients = [an_integer(c, "a coefficient", 1) for c in raw]
         if len(coefficients) != len(terms) or self.squares is None:
             reject("a sum of squares has a coefficient for each term, and needs a fact")
@@ -154,7 +163,7 @@ class Rules:
             reject("a coefficient is no element of the field")
         return found.get((), self.setting.field.zero)
 
-    def _need_rootless(self, values: list[Any]) -> None:
+    def _need_rootless(self, values: list[Hashable]) -> None:
         """Reject unless Σ cₖ·xᵏ has the degree that it seems to have, and no root in the field."""
         ring = self.setting.field
         if ring is None or not self.roots:

@@ -12,7 +12,7 @@ from typing import Any
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.rejection import a_text, an_object, reject
-from hfield.certificates.scalars.completions import Completion
+from hfield.certificates.scalars.completions import AtPrime
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.quadratic import Quadratic
 from hfield.certificates.scalars.rationals import QQ
@@ -29,7 +29,7 @@ def subfield(
     """Check a witness with coordinates in ℚ(√d) for a statement over ℚ_p."""
     data = an_object(evidence, "kind field root witness", "the evidence")
     local = setting.field
-    if not isinstance(local, Completion) or local.base is not QQ:
+    if not isinstance(local, AtPrime) or local.base is not QQ:
         reject("subfields are known of the p-adic numbers only")
     inner = read_field(a_text(data["field"], "the field of the witness"))
     if not isinstance(inner, Quadratic):

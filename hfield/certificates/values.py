@@ -1,5 +1,6 @@
 """Values of unknowns as certificates write them: four texts, or one for a scalar."""
 
+from collections.abc import Hashable
 from typing import Any
 
 from hfield.certificates.evaluate import Quaternion
@@ -10,7 +11,7 @@ from hfield.certificates.scalars.ring import Ring
 Unknowns = tuple[tuple[str, str], ...]
 
 
-def read_values(ring: Ring, values: object, unknowns: Unknowns) -> dict[str, Any]:
+def read_values(ring: Ring, values: object, unknowns: Unknowns) -> dict[str, Hashable]:
     """Read the coordinates of unknowns, for exactly those unknowns."""
     out: dict[str, Any] = {}
     for name, entries in _texts(values, unknowns).items():

@@ -1,10 +1,16 @@
 """The polynomials of evidence: texts with integer coefficients, read and written in Coq's notation."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_LENGTH = 400_000  # characters of one polynomial
 MAX_DEPTH = 40
@@ -172,7 +178,7 @@ class _Parser:
         return out
 
 
-def written(polynomial: Any, places: list[int]) -> str:
+def written(polynomial: flint.fmpz_mpoly, places: list[int]) -> str:
     """Write a polynomial of flint for Coq; its variables have these numbers there."""
     out = ""
     for exponents, coefficient in polynomial.terms():

@@ -12,12 +12,16 @@ from hfield.algebra import QuaternionAlgebra
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.lattices.order import Order
+from hfield.lattices.over_integers import IntegersOrder
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text
 from hfield.quaternion import Quaternion
 from hfield.rings.base import INFINITY
+from hfield.rings.number_field import NumberField
+from hfield.rings.quadratic import QuadraticField
 
 SCHEMA = "hfield-info/1"
+ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of a second
 
 
 @dataclass(repr=False)
@@ -48,8 +52,9 @@ class Description:
     splitting: Splitting | None = None
     ramified: tuple[Any, ...] | None = None
     discriminant: Any = None
-    order: Order | None = None
+    order: Order | IntegersOrder | None = None
     units: int | None = None
+    integers: tuple[Any, ...] | None = None
     undecided: dict[str, str] = field(default_factory=dict)
 
     def ask(self, name: str, question: Callable[[], Any]) -> Any:
@@ -109,10 +114,11 @@ class Description:
             if self.ramified is None
             else [place_json(v) for v in self.ramified],
             "discriminant": self.discriminant_json(),
+            "integers": None if self.integers is None else [F.text(x) for x in self.integers],
             "maximal_order": self.order
             and {
                 "basis": [self._texts(q) for q in self.order.basis],
-                "discriminant": self.order.discriminant(),
+                "discriminant": self.discriminant_json(),
                 "units": self.units,
             },
             "undecided": self.undecided,
@@ -158,13 +164,13 @@ def info(A: QuaternionAlgebra | str, factors: Factors | None = None) -> Descript
 def _describe(A: QuaternionAlgebra) -> Description:
     F, c = A.ring, A.constants
     d = Description(A, relations(A))
-    d.commutative = A.is_commutative()
+    d.commutative = d.ask("commutative", A.is_commutative)
     d.center = d.ask("center", A.center)
     if F.is_exact:
         d.radical = d.ask("radical", A.radical)
     if F.is_field and F.is_exact:
-        d.central_simple = A.is_central_simple()
-    d.normal_form, d.substitution = _normal_form(A)
+        d.central_simple = d.ask("central simple", A.is_central_simple)
+    d.normal_form, d.substitution = d.ask("normal form", lambda: _normal_form(A)) or (None, "")
     derivations = d.ask("derivations", A.derivations)
     d.derivations = None if derivations is None else len(derivations)
     if d.central_simple:
@@ -226,9 +232,18 @@ def _ramify(d: Description) -> None:
         return
     d.discriminant = A.discriminant()
     if F.name == "QQ":
-        d.order = d.ask("maximal_order", A.maximal_order)
-        if d.order is not None and "inf" in d.ramified:
-            d.units = d.ask("units", lambda: len(d.order.units()) if d.order else None)
+        order: Order | None = d.ask("maximal_order", A.maximal_order)
+        d.order = order
+        if order is not None and "inf" in d.ramified:
+            d.units = d.ask("units", lambda: len(order.units()))
+    elif isinstance(F, (QuadraticField, NumberField)):
+        d.integers = d.ask("integers", F.integral_basis)
+        if F.degree <= ORDERS_UP_TO:
+            d.order = d.ask("maximal_order", A.maximal_order)
+        else:
+            d.undecided["maximal_order"] = (
+                f"not asked for here in degree {F.degree}, for it may take seconds: `maximal_order()` tells"
+            )
 
 
 def relations(A: QuaternionAlgebra) -> tuple[str, ...]:

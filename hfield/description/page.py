@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from textwrap import wrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import shorten
+from hfield.lattices.over_integers import IntegersOrder
 from hfield.maps import matrix_text
 from hfield.notation import element_text
+from hfield.rings.base import Ring
+from hfield.rings.printing import is_sum, number_text, parentheses
+from hfield.structure.global_field import global_field
 
 if TYPE_CHECKING:
     from hfield.description.asking import Description
@@ -85,7 +90,19 @@ def _field(d: Description) -> list[tuple[str, str]]:
         rows.append(("inexact", "floats: nothing is proved over this ring"))
     elif F.is_field:
         rows.append(("level", str(F.level)))
+    if d.integers is not None:
+        shown = (
+            f"{_lattice(F, d.integers)}, discriminant {number_text(F.discriminant(), 'unicode')}"  # type: ignore[attr-defined]
+        )
+        rows.append(("integers", shown))
+    elif "integers" in d.undecided:
+        rows.append(("integers", _undecided(d, "integers")))
     return rows
+
+
+def _lattice(F: Ring, basis: Iterable[Any]) -> str:
+    """Write what elements of a number field span over ℤ."""
+    return f"ℤ⟨{', '.join(F.text(x, 'unicode') for x in basis)}⟩"
 
 
 def _algebra(d: Description) -> list[tuple[str, str]]:
@@ -95,13 +112,18 @@ def _algebra(d: Description) -> list[tuple[str, str]]:
         rows.append(("isomorphic to", f"{d.normal_form}, {d.substitution}"))
     if _is_hamilton(d):
         rows.append(("known as", f"H({F.name}), Hamilton's quaternions over {F.name}"))
-    rows.append(("commutative", "yes" if d.commutative else "no"))
+    if d.commutative is None:
+        rows.append(("commutative", _undecided(d, "commutative")))
+    else:
+        rows.append(("commutative", "yes" if d.commutative else "no"))
     rows.append(("centre", _span(d, "center", d.center)))
     if d.radical is not None or "radical" in d.undecided:
         rows.append(("radical", _span(d, "radical", d.radical)))
     if d.central_simple is not None:
         degenerate = "no, it is degenerate: (t² + 4a)·b = 0"
         rows.append(("central simple", "yes" if d.central_simple else degenerate))
+    elif "central simple" in d.undecided:
+        rows.append(("central simple", _undecided(d, "central simple")))
     rows.append(("derivations", _derivations(d)))
     rows.append(("division algebra", _division(d)))
     if d.assumes:
@@ -122,8 +144,8 @@ def _algebra(d: Description) -> list[tuple[str, str]]:
 
 
 def _is_hamilton(d: Description) -> bool:
-    F, (a, t, b) = d.algebra.ring, d.algebra.constants
-    return all(F.is_zero(x) for x in (a + F.one, t, b + F.one))
+    F, c = d.algebra.ring, d.algebra.constants
+    return all(F.key(x) == F.key(F(n)) for x, n in zip(c, (-1, 0, -1), strict=True))
 
 
 def _division(d: Description) -> str:
@@ -175,11 +197,18 @@ def _places(d: Description) -> list[tuple[str, str]]:
         return [("ramified at", _undecided(d, "ramified_places"))]
     if d.ramified is None:
         return []
-    rows = [("ramified at", ", ".join(map(str, d.ramified)) or "no place")]
+    rows = [("ramified at", ", ".join(map(str, d.ramified)) or _nowhere(d))]
     value = d.discriminant_json()
     shown = " · ".join(value) or "1" if isinstance(value, list) else value
     rows.append(("discriminant", str(shown)))
-    if d.order is not None:
+    if isinstance(d.order, IntegersOrder):
+        rows.append(("maximal order", f"the direct sum of these, discriminant {shown}:"))
+        F = d.algebra.ring
+        for ideal, q in d.order.pseudo_basis():
+            text = element_text(F, q.coordinates, "unicode")
+            text = parentheses(text, "unicode") if is_sum(text) else text
+            rows.append(("", f"{_lattice(F, ideal)} · {text}"))
+    elif d.order is not None:
         basis = ", ".join(str(q) for q in d.order.basis)
         definite = "inf" in d.ramified
         count = f"{_number(d)} units" if definite else "infinitely many units"
@@ -189,3 +218,11 @@ def _places(d: Description) -> list[tuple[str, str]]:
     elif "maximal_order" in d.undecided:
         rows.append(("maximal order", _undecided(d, "maximal_order")))
     return rows
+
+
+def _nowhere(d: Description) -> str:
+    """Say that no place is ramified; over functions over ℚ such an algebra may be one over the constants."""
+    field = global_field(d.algebra.ring)
+    if field is None or field.splits_if_unramified:
+        return "no place"
+    return "no prime divisor: without a residue, what is left is an algebra over the constants"

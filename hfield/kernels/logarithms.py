@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -60,7 +60,7 @@ class LogarithmicField(OddExtension):
         """How many digits are turned into a part of the label at a time."""
         return max(1, INDEX_BITS // self.width)
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return logarithms, packed powers, and labels of a group of fields."""
         return _tables(self)
 
@@ -158,7 +158,7 @@ class LogarithmicField(OddExtension):
 
 
 @lru_cache(maxsize=64)
-def _tables(field: LogarithmicField) -> tuple[Any, ...]:
+def _tables(field: LogarithmicField) -> tuple[np.ndarray, ...]:
     p, n, q = field.characteristic, field.degree, field.order
     digits = _powers(field)
     labels = digits @ p ** np.arange(n)
@@ -177,7 +177,7 @@ def _tables(field: LogarithmicField) -> tuple[Any, ...]:
     return logarithms, powers, np.concatenate(parts).astype(field.dtype)
 
 
-def _powers(field: LogarithmicField) -> Any:
+def _powers(field: LogarithmicField) -> np.ndarray:
     """Return the digits of 1, g, g², …, as rows: the first half times a power of g is the second."""
     p, n = field.characteristic, field.degree
     shift = np.zeros((n, n), np.int64)  # rows times this: times x

@@ -30,7 +30,7 @@ class Answer:
     """The two that were compared, and that which was run through, if any."""
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none where a theorem decided and the element is missing, nor where the checker would have to
@@ -66,7 +66,7 @@ class Answer:
         return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
 
 
-def rows_json(lattice: Any) -> dict[str, Any]:
+def rows_json(lattice: Any) -> dict[str, object]:
     """Return a lattice as JSON: its denominator and Hermite rows."""
     den, rows = lattice.hnf
     return {"den": den, "rows": [list(row) for row in rows]}

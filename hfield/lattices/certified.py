@@ -38,7 +38,7 @@ class Claim:
     assumes: tuple[str, ...] = ()
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate as JSON data, or None where the checker does not follow."""
         return self._data if self.why_no_certificate is None else None
 
@@ -54,7 +54,7 @@ class Claim:
         return None
 
     @property
-    def _data(self) -> dict[str, Any]:
+    def _data(self) -> dict[str, object]:
         return {
             "schema": "hfield-cert/1",
             "statement": self.statement,
@@ -118,14 +118,14 @@ def of_answer(answer: Answer) -> Claim | None:
     return Claim(first.algebra, statement, {"kind": kind, **evidence}, method, "refuted")
 
 
-def _none_carries(between: Lattice, size: str | None) -> tuple[str, dict[str, Any]]:
+def _none_carries(between: Lattice, size: str | None) -> tuple[str, dict[str, object]]:
     """Return the method and the evidence that no element of a lattice has a norm."""
     if size is None or (Fraction(size) / between._norm).denominator != 1:
         return "norm", {}
     return "enumeration", {"between": basis_json(between)}
 
 
-def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, Any]] | None:
+def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, object]] | None:
     """Return the method and the evidence that two orders are not isomorphic: what one has more elements of.
 
     Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.
@@ -170,7 +170,7 @@ def text(lattice: Lattice) -> str:
     return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
 
 
-def basis_json(lattice: Lattice) -> dict[str, Any]:
+def basis_json(lattice: Lattice) -> dict[str, object]:
     """Return a reduced basis of a lattice: what is run through quickly."""
     rows, _ = lattice._reduced
     return {"den": lattice._den, "rows": [list(row) for row in tuples(rows)]}

@@ -275,7 +275,7 @@ class ClassSet:
                 yield i, j, {"weight": row[j]}
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none for more classes than the checker reads; ``claim.why_no_certificate`` tells.
@@ -290,7 +290,7 @@ class ClassSet:
         return certified.of_class_set(self)
 
     @property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What a program needs to check the class set: representatives, units, and the mass."""
         return {
             "kind": "class-set",

@@ -17,6 +17,8 @@ from flint import fmpz, fmpz_mat
 from hfield.lattices import hermite
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.lattices.ideal import Ideal
 
 PAIRS = list(combinations(range(4), 2))
@@ -47,7 +49,7 @@ def product(first: Ideal, second: Ideal) -> tuple[int, Any] | None:
     return hermite.hermite(first._den, fmpz_mat(4, 4, steps) * first._matrix)
 
 
-def _coordinates(row: list[Any], triangle: list[Any], n: Any) -> list[Any]:
+def _coordinates(row: list[flint.fmpz], triangle: list[flint.fmpz], n: Any) -> list[flint.fmpz]:
     """Return integer coordinates with respect to the rows of a triangular matrix, modulo n."""
     found = []
     for m in range(4):
@@ -80,7 +82,7 @@ def _generator(ideal: Ideal, n: Any) -> tuple[Any, ...] | None:
     return None
 
 
-def _echelon(rows: Iterator[list[Any]], n: Any) -> list[Any] | None:
+def _echelon(rows: Iterator[list[Any]], n: Any) -> list[flint.fmpz] | None:
     """Return the entries of a basis of the row space and n·ℤ⁴, of index n²: two rows, and twice n.
 
     The product lies above and has this index, so two rows with a minor that is a unit modulo n span it.
@@ -97,7 +99,9 @@ def _echelon(rows: Iterator[list[Any]], n: Any) -> list[Any] | None:
     return None
 
 
-def _reduced(first: list[Any], second: list[Any], p: int, q: int, u: Any, n: Any) -> list[Any]:
+def _reduced(
+    first: list[flint.fmpz], second: list[flint.fmpz], p: int, q: int, u: Any, n: Any
+) -> list[flint.fmpz]:
     """Make columns p and q of two rows those of the identity; u is the inverse of their minor."""
     a, b, c, d = first[p] * u % n, first[q] * u % n, second[p] * u % n, second[q] * u % n
     found = [0] * 16

@@ -11,16 +11,18 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.product import Scalar
 from hfield.rings.number_field import NumberField
 
 if TYPE_CHECKING:
     from hfield.quaternion import Quaternion
+    from hfield.rings.number_elements import FieldElement
 
     PseudoBasis = tuple[tuple[tuple[Any, ...], Quaternion], ...]
 
 
 @lru_cache(maxsize=64)
-def _integral(field: NumberField) -> tuple[Any, Any]:
+def _integral(field: NumberField) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
     """Return the matrix from coordinates in the integral basis to powers of s, and its inverse."""
     n = field.degree
     rows = [c for w in field.integral_basis() for c in _padded(w, n)]
@@ -28,19 +30,19 @@ def _integral(field: NumberField) -> tuple[Any, Any]:
     return matrix, matrix.inv()
 
 
-def _padded(x: Any, n: int) -> list[Any]:
+def _padded(x: FieldElement, n: int) -> list[Scalar]:
     coefficients = x.poly.coeffs()
     return [*coefficients, *[0] * (n - len(coefficients))]
 
 
-def coordinate_rows(field: NumberField, elements: list[Any]) -> Any:
+def coordinate_rows(field: NumberField, elements: list[FieldElement]) -> flint.fmpq_mat:
     """Return a matrix: the coordinates of elements in the integral basis, row by row."""
     n = field.degree
     entries = [c for x in elements for c in _padded(x, n)]
     return flint.fmpq_mat(len(elements), n, entries) * _integral(field)[1]
 
 
-def element_of(field: NumberField, row: list[Any]) -> Any:
+def element_of(field: NumberField, row: list[flint.fmpq]) -> FieldElement:
     """Return the element with the given coordinates in the integral basis."""
     from hfield.rings.number_elements import FieldElement
 
@@ -48,7 +50,7 @@ def element_of(field: NumberField, row: list[Any]) -> Any:
     return FieldElement(field, flint.fmpq_poly(coefficients.entries()))
 
 
-def hermite(rows: list[list[int]], size: int) -> Any:
+def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:
     """Return the Hermite normal form, square, of integer rows of full rank."""
     whole = flint.fmpz_mat(len(rows), size, [c for row in rows for c in row]).hnf()
     return flint.fmpz_mat(size, size, whole.entries()[: size * size])

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
@@ -19,6 +19,8 @@ from hfield.lattices.order import prime as checked_prime
 from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.lattices.certified import Claim
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
@@ -37,14 +39,19 @@ class Ideal(Lattice):
     """
 
     def __init__(
-        self, algebra: Parent, den: int, matrix: Any, side: str = "left", order: Order | None = None
+        self,
+        algebra: Parent,
+        den: int,
+        matrix: flint.fmpz_mat,
+        side: str = "left",
+        order: Order | None = None,
     ) -> None:
         super().__init__(algebra, den, matrix)
         self.side = side
         self._order = order
 
     @classmethod
-    def generated(cls, order: Order, generators: Iterable[Any], side: str) -> Ideal:
+    def generated(cls, order: Order, generators: Iterable[object], side: str) -> Ideal:
         """Return the ideal of an order that elements generate on a side.
 
         Raises :class:`LatticeError` when its rank is below 4.
@@ -77,7 +84,7 @@ class Ideal(Lattice):
         """Return a lattice as an ideal of its left or right order, which may be known."""
         return cls(lattice.algebra, lattice._den, lattice._matrix, side, order)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return _restore, (self.algebra, *self.hnf, self.side, self._order)
 
     @classmethod
@@ -110,15 +117,8 @@ class Ideal(Lattice):
         return self._known_order("right")
 
     def _known_order(self, side: str) -> Order:
-        if not self.is_invertible():
-            return self._order_of(side)
-        if self.side in (side, "two-sided"):
-            return self.order
-        # I·conj(I) is the norm times the left order
-        bar = self.conjugate()
-        square = bar._product(self) if side == "right" else self._product(bar)
-        found = square._scaled(1 / self._norm)
-        return Order(found.algebra, found._den, found._matrix)
+        known = self.side in (side, "two-sided") and self.is_invertible()
+        return self.order if known else self._order_of(side)
 
     def is_invertible(self) -> bool:
         """Tell whether the ideal is locally principal."""
@@ -164,7 +164,7 @@ class Ideal(Lattice):
     def _scaled(self, x: Fraction) -> Ideal:
         return Ideal.of(super()._scaled(x), self.side, self._order)
 
-    def __mul__(self, other: Any) -> Lattice:
+    def __mul__(self, other: object) -> Lattice:
         found = super().__mul__(other)
         if isinstance(other, Ideal) and self.side == "right" and other.side == "right":
             return Ideal.of(found, "right", other._order)
@@ -172,7 +172,7 @@ class Ideal(Lattice):
             return Ideal.of(found, "right")
         return Ideal.of(found, "left" if self.side != "right" else "right", self._order)
 
-    def __rmul__(self, other: Any) -> Lattice:
+    def __rmul__(self, other: object) -> Lattice:
         found = super().__rmul__(other)
         known = self._order if self.side == "right" or _is_number(other) else None
         return Ideal.of(found, "right" if self.side == "right" else "left", known)
@@ -216,7 +216,7 @@ class Ideal(Lattice):
         if n.denominator != 1 or m.denominator != 1 or math.gcd(n.numerator, m.numerator) != 1:
             raise LatticeError(f"the norms {n} and {m} are not coprime integers")
 
-    def _joint(self, other: Any) -> Ideal:
+    def _joint(self, other: object) -> Ideal:
         """Return ``other`` if it is an ideal on the same side of the same order."""
         if isinstance(other, Lattice) and not isinstance(other, Ideal):
             other = Ideal.like(self._same(other, "compare"), self.order, self.side)
@@ -234,7 +234,7 @@ class Ideal(Lattice):
         return other
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none for an ideal that is not invertible; ``claim.why_no_certificate`` tells.
@@ -249,7 +249,7 @@ class Ideal(Lattice):
         return certified.of_ideal(self)
 
     @property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What a program needs to check the ideal: its rows, those of its order, and its norm."""
         return {
             "kind": "ideal",
@@ -262,7 +262,7 @@ class Ideal(Lattice):
 
     # --- classes ---------------------------------------------------------------------------------
 
-    def equivalence(self, other: Any) -> Answer:
+    def equivalence(self, other: Ideal) -> Answer:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
         Where there is none it is false, and ``reason`` says what was exhausted. In an indefinite
@@ -273,7 +273,7 @@ class Ideal(Lattice):
 
         return equivalence(self, self._joint(other))
 
-    def is_equivalent(self, other: Any) -> bool:
+    def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
         return bool(self.equivalence(other))
 
@@ -311,5 +311,5 @@ def _restore(
     return Ideal(algebra, den, fmpz_mat([list(row) for row in rows]), side, order)
 
 
-def _is_number(x: Any) -> bool:
+def _is_number(x: object) -> bool:
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.lattices.dedekind_modules import coordinate_rows, element_of, pseudo_basis
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.rings.number_field import NumberField
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_as_number_field import (
@@ -21,6 +21,7 @@ from hfield.structure.forms import NormalForm, normal_form
 if TYPE_CHECKING:
     from hfield.lattices.dedekind_modules import PseudoBasis
     from hfield.quaternion import Quaternion
+    from hfield.rings.number_elements import FieldElement
 
 
 class Frame:
@@ -45,7 +46,7 @@ class Frame:
         )
         self._right = [self._by_right(u, w) for u in range(4) for w in self.omega]
 
-    def _by_right(self, unit: int, w: Any) -> Any:
+    def _by_right(self, unit: int, w: FieldElement) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by w·unit from the right."""
         a, b, n = self.a, self.b, self.n
         # unit·unit' = factor·unit″, for rows e, I, J, IJ and columns alike
@@ -64,7 +65,7 @@ class Frame:
                     out[(left * n + i) * self.size + target * n + j] = block[i, j]
         return flint.fmpq_mat(self.size, self.size, out)
 
-    def right(self, row: list[Any]) -> Any:
+    def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
         total = flint.fmpq_mat(self.size, self.size, [0] * self.size**2)
         for c, matrix in zip(row, self._right, strict=True):
@@ -72,11 +73,11 @@ class Frame:
                 total = total + matrix * c
         return total
 
-    def parts(self, row: list[Any]) -> list[Any]:
+    def parts(self, row: list[flint.fmpq]) -> list[FieldElement]:
         """Return w, x, y, z."""
         return [element_of(self.field, row[k * self.n : (k + 1) * self.n]) for k in range(4)]
 
-    def quaternion(self, row: list[Any]) -> Quaternion:
+    def quaternion(self, row: list[flint.fmpq]) -> Quaternion:
         """Return the element of the algebra."""
         w, x, y, z = self.parts(row)
         r, s = self.scales
@@ -84,7 +85,7 @@ class Frame:
         q: Quaternion = self.algebra(*map(self._outside, found))
         return q
 
-    def _outside(self, x: Any) -> Any:
+    def _outside(self, x: FieldElement) -> Scalar:
         """Return an element of the number field as one of the base field."""
         ring = self.algebra.ring
         return from_number_field(ring, x) if isinstance(ring, QuadraticField) else x
@@ -102,12 +103,12 @@ class Frame:
         block = coordinate_rows(self.field, [w, x * r, y * s, z * (r * s)])
         return flint.fmpq_mat(1, self.size, block.entries())
 
-    def norm(self, row: list[Any]) -> Any:
+    def norm(self, row: list[flint.fmpq]) -> Any:
         """Return the reduced norm."""
         w, x, y, z = self.parts(row)
         return w * w - self.a * (x * x) - self.b * (y * y - self.a * (z * z))
 
-    def check_ring(self, rows: Any) -> None:
+    def check_ring(self, rows: flint.fmpq_mat) -> None:
         """Check that 1 is in the lattice, and with two elements their product."""
         inverse = rows.inv()
         one = coordinate_rows(self.field, [self.field.one]).entries() + [flint.fmpq(0)] * (
@@ -118,7 +119,7 @@ class Frame:
         if any(c.q != 1 for m in matrices for c in m.entries()):
             raise AssertionError("an order is closed under multiplication")
 
-    def gram_determinant(self, rows: Any) -> Any:
+    def gram_determinant(self, rows: flint.fmpq_mat) -> flint.fmpq:
         """Return the determinant of the form tr(x·conj(y)), traced down to ℚ, on a lattice."""
         n, out = self.n, [flint.fmpq(0)] * self.size**2
         for unit, factor in enumerate(
@@ -129,7 +130,7 @@ class Frame:
                     out[(unit * n + i) * self.size + unit * n + j] = (factor * v * w).trace()
         return flint.fmpq_mat(self.size, self.size, out).det() * rows.det() ** 2
 
-    def pseudo_basis(self, rows: Any) -> PseudoBasis:
+    def pseudo_basis(self, rows: flint.fmpq_mat) -> PseudoBasis:
         """Return ideals and quaternions."""
         return tuple(
             (tuple(map(self._outside, ideal)), self.quaternion(row))
@@ -137,6 +138,6 @@ class Frame:
         )
 
 
-def _multiple(field: NumberField, x: Any) -> int:
+def _multiple(field: NumberField, x: FieldElement) -> int:
     """Return a positive integer m for which m·x is an integer of the field."""
     return math.lcm(*(int(c.q) for c in coordinate_rows(field, [x]).entries()))

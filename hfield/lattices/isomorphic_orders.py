@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
@@ -23,6 +23,11 @@ from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.maximal import endpoints
 from hfield.lattices.order import Order
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.quaternion import Quaternion
 
 
 def isomorphism(first: Order, second: Order) -> Answer:
@@ -41,7 +46,7 @@ def isomorphism(first: Order, second: Order) -> Answer:
 
     lattices = (first, second)
 
-    def yes(x: Any, reason: str) -> Answer:
+    def yes(x: Quaternion, reason: str) -> Answer:
         evidence["element"] = element_json(x)
         return Answer(True, reason, x, evidence=evidence, lattices=lattices)
 
@@ -112,7 +117,7 @@ def _conjugating(order: Order, sources: Any, targets: Any) -> list[int]:
     raise AssertionError("an isometry, or its negative, is a conjugation")
 
 
-def _content(matrix: Any) -> int:
+def _content(matrix: flint.fmpz_mat) -> int:
     return math.gcd(*(int(x) for x in matrix.entries()))
 
 

@@ -18,6 +18,8 @@ from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.lattices.order import Order
 
 
@@ -58,7 +60,7 @@ class Lattice(NormedLattice):
             )
         return Lattice(algebra, *found)
 
-    def _make(self, den: int, matrix: Any) -> Lattice:
+    def _make(self, den: int, matrix: flint.fmpz_mat) -> Lattice:
         """Return the lattice of the rows of an integer matrix over ``den``, of rank 4."""
         found = hermite.hermite(den, matrix)
         if found is None:
@@ -72,14 +74,14 @@ class Lattice(NormedLattice):
         """The least denominator, and the rows of the Hermite normal form, integers."""
         return self._den, hermite.tuples(self._matrix)
 
-    def _row(self, x: Any) -> tuple[int, list[int]]:
+    def _row(self, x: object) -> tuple[int, list[int]]:
         """Return an element as an integer row over a denominator."""
         return element_row(self.algebra, x)
 
-    def __contains__(self, x: Any) -> bool:
+    def __contains__(self, x: object) -> bool:
         return hermite.contains(self._den, self._matrix, *self._row(x))
 
-    def coordinates(self, x: Any) -> tuple[Any, ...]:
+    def coordinates(self, x: object) -> tuple[Any, ...]:
         """Return the rational coordinates of an element with respect to :attr:`basis`."""
         den, row = self._row(x)
         F = self.algebra.ring
@@ -120,10 +122,10 @@ class Lattice(NormedLattice):
     def _repr_latex_(self) -> str:
         return f"${self.latex()}$"
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return _restore, (type(self), self.algebra, *self.hnf)
 
-    def _same(self, other: Any, what: str) -> Lattice:
+    def _same(self, other: object, what: str) -> Lattice:
         if not isinstance(other, Lattice):
             raise LatticeError(
                 f"cannot {what} a lattice and {shorten(repr(other))}: expected a lattice"
@@ -137,18 +139,18 @@ class Lattice(NormedLattice):
 
     # --- arithmetic ------------------------------------------------------------------------------
 
-    def _over(self, den: int) -> Any:
+    def _over(self, den: int) -> flint.fmpz_mat:
         """Return the matrix over a multiple of the denominator."""
         return self._matrix if den == self._den else self._matrix * (den // self._den)
 
-    def __add__(self, other: Any) -> Lattice:
+    def __add__(self, other: object) -> Lattice:
         """Return the sum, the least lattice that contains both."""
         other = self._same(other, "add")
         den = math.lcm(self._den, other._den)
         rows = self._over(den).entries() + other._over(den).entries()
         return self._make(den, fmpz_mat(8, 4, rows))
 
-    def __and__(self, other: Any) -> Lattice:
+    def __and__(self, other: object) -> Lattice:
         """Return the intersection, through the sum of the dual lattices for the dot product."""
         other = self._same(other, "intersect")
         m, d = hermite.inverse(self._matrix)
@@ -161,7 +163,7 @@ class Lattice(NormedLattice):
         back, f = hermite.inverse(top.transpose())
         return self._make(f, back * den)
 
-    def __mul__(self, other: Any) -> Lattice:
+    def __mul__(self, other: object) -> Lattice:
         """Return the lattice spanned by all products, or the multiple by an element or a number."""
         if isinstance(other, Lattice):
             return self._product(self._same(other, "multiply"))
@@ -169,7 +171,7 @@ class Lattice(NormedLattice):
         r = self._regular
         return self._make(self._den * den * r.scale, self._matrix * r.right_matrix(row))
 
-    def __rmul__(self, other: Any) -> Lattice:
+    def __rmul__(self, other: object) -> Lattice:
         den, row = self._nonzero(other)
         r = self._regular
         return self._make(self._den * den * r.scale, self._matrix * r.left_matrix(row))
@@ -179,7 +181,7 @@ class Lattice(NormedLattice):
         rows = r.products(self._matrix, other._matrix)
         return self._make(self._den * other._den * r.scale, rows)
 
-    def _nonzero(self, x: Any) -> tuple[int, tuple[int, ...]]:
+    def _nonzero(self, x: object) -> tuple[int, tuple[int, ...]]:
         den, row = self._row(x)
         r = self._regular
         if not (fmpz_mat([row]) * r.form * fmpz_mat([[x] for x in row]))[0, 0]:
@@ -218,7 +220,7 @@ class Lattice(NormedLattice):
         m, d = hermite.inverse(r.form * self._matrix.transpose())
         return d * r.conjugate_scale, m * r.conjugation * (self._den * r.scale)
 
-    def colon(self, other: Any, side: str = "left") -> Lattice:
+    def colon(self, other: object, side: str = "left") -> Lattice:
         """Return ``{x : x·M ⊆ L}`` for M = other, or ``{x : M·x ⊆ L}`` for ``side="right"``."""
         factor = self._same(other, "divide")
         r, (den, dual) = self._regular, self._dual
@@ -226,7 +228,7 @@ class Lattice(NormedLattice):
         # x·M ⊆ L exactly when tr(x·M·L′) ⊆ ℤ for the dual L′
         return self._make(den * factor._den * r.scale, r.products(*pair)).dual()
 
-    def index(self, other: Any) -> int | Fraction:
+    def index(self, other: object) -> int | Fraction:
         """Return the index of the other lattice in this one: an int where it is contained.
 
         Otherwise the ratio of the volumes, a Fraction (Voight, section 9.6).
@@ -252,8 +254,17 @@ class Lattice(NormedLattice):
     def _order_of(self, side: str) -> Order:
         from hfield.lattices.order import Order
 
-        found = self.colon(self, side)
-        return Order(found.algebra, found._den, found._matrix)
+        # norms and traces generate N(L)·ℤ in L·conj(L), which is N(L) times the left order if L is invertible
+        r, content = self._regular, self._content[0]
+        den = r.conjugate_scale * int(content)
+        rows = r.norm_products(self._matrix, side).entries()
+        found = hermite.hermite(den, fmpz_mat(7, 4, [den, 0, 0, 0, *rows]))
+        if found is not None:
+            order = Order(self.algebra, *found)
+            if order._fits(self):
+                return order
+        colon = self.colon(self, side)
+        return Order(colon.algebra, colon._den, colon._matrix)
 
     def is_invertible(self) -> bool:
         """Tell whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""
@@ -279,7 +290,7 @@ class Lattice(NormedLattice):
         return self._product(self) <= self
 
 
-def element_row(algebra: Parent, x: Any) -> tuple[int, list[int]]:
+def element_row(algebra: Parent, x: object) -> tuple[int, list[int]]:
     """Return what the algebra reads as an element as integer coordinates over a denominator."""
     q = x if isinstance(x, Quaternion) and x.algebra is algebra else algebra(x)
     if q.is_batch:
@@ -288,7 +299,7 @@ def element_row(algebra: Parent, x: Any) -> tuple[int, list[int]]:
     return den, rows[0]
 
 
-def listed(elements: Any) -> list[Any]:
+def listed(elements: object) -> list[object]:
     """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
     if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
         raise LatticeError(

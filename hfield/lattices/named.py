@@ -35,7 +35,7 @@ def maximal_order(algebra: Parent) -> Order:
     return order
 
 
-def eichler_order(algebra: Parent, level: Any) -> Order:
+def eichler_order(algebra: Parent, level: object) -> Order:
     """Return an Eichler order of the given level inside the maximal order.
 
     Raises :class:`LatticeError` unless the level is a positive integer prime to the discriminant.
@@ -77,7 +77,7 @@ def class_number(algebra: Parent, level: Any) -> int:
 
 
 @lru_cache(maxsize=64)
-def _maximal(algebra: Any) -> Order:
+def _maximal(algebra: Parent) -> Order:
     return maximal_order(algebra)
 
 

@@ -74,7 +74,7 @@ class Order(Lattice):
         return cls(algebra, words_den, words)
 
     @classmethod
-    def from_basis(cls, algebra: Parent, elements: Iterable[Any]) -> Order:
+    def from_basis(cls, algebra: Parent, elements: Iterable[object]) -> Order:
         """Return the order with the given ℤ-basis.
 
         Raises :class:`LatticeError` unless they are four that span a ring with 1; the message names
@@ -184,7 +184,7 @@ class Order(Lattice):
         return [sum(v[m] * rows[m][n] for m in range(4)) for n in range(4)]
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none where the checker would have to do too much; ``claim.why_no_certificate`` tells.
@@ -199,7 +199,7 @@ class Order(Lattice):
         return certified.of_order(self)
 
     @property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What a program needs to check the order: its rows, closed under products, and its discriminant."""
         return {
             "kind": "order",
@@ -296,19 +296,19 @@ class Order(Lattice):
 
     # --- ideals ------------------------------------------------------------------------------------
 
-    def left_ideal(self, generators: Iterable[Any]) -> Ideal:
+    def left_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the left ideal ``O·gens``. Raises :class:`LatticeError` when its rank is below 4."""
         from hfield.lattices.ideal import Ideal
 
         return Ideal.generated(self, generators, "left")
 
-    def right_ideal(self, generators: Iterable[Any]) -> Ideal:
+    def right_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the right ideal ``gens·O``. Raises :class:`LatticeError` when its rank is below 4."""
         from hfield.lattices.ideal import Ideal
 
         return Ideal.generated(self, generators, "right")
 
-    def two_sided_ideal(self, generators: Iterable[Any]) -> Ideal:
+    def two_sided_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` for a rank below 4."""
         from hfield.lattices.ideal import Ideal
 
@@ -361,7 +361,7 @@ class Order(Lattice):
 
         return isomorphism(self, self._order_like(other))
 
-    def _order_like(self, other: Any) -> Order:
+    def _order_like(self, other: object) -> Order:
         """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
         found = self._same(other, "compare")
         return found if isinstance(found, Order) else Order.from_lattice(found)
@@ -409,7 +409,7 @@ class Order(Lattice):
         return mass(self)
 
 
-def positive(n: Any, what: str) -> int:
+def positive(n: object, what: str) -> int:
     """Return a positive integer. Raises :class:`LatticeError` for anything else."""
     value = rational(n)
     if isinstance(n, bool) or not isinstance(value, int) or value < 1:
@@ -417,7 +417,7 @@ def positive(n: Any, what: str) -> int:
     return value
 
 
-def integer(n: Any, what: str) -> int:
+def integer(n: object, what: str) -> int:
     """Return an integer. Raises :class:`LatticeError` for anything else."""
     value = rational(n)
     if not isinstance(value, int):
@@ -425,7 +425,7 @@ def integer(n: Any, what: str) -> int:
     return value
 
 
-def prime(p: Any) -> int:
+def prime(p: object) -> int:
     """Return a prime as an int. Raises :class:`LatticeError` for what is none."""
     if not isinstance(p, (int, flint.fmpz)) or isinstance(p, bool) or not is_prime(int(p)):
         raise LatticeError(f"{shorten(repr(p))} is not a prime number")

@@ -45,7 +45,7 @@ class IntegersOrder:
     (((2, s),), 12, True)
     """
 
-    def __init__(self, frame: Frame, rows: Any, finite: tuple[PrimeIdeal, ...]) -> None:
+    def __init__(self, frame: Frame, rows: flint.fmpq_mat, finite: tuple[PrimeIdeal, ...]) -> None:
         self._frame, self._rows = frame, rows
         self.algebra, self.field = frame.algebra, frame.field
         self._ramified = finite
@@ -66,7 +66,7 @@ class IntegersOrder:
         """Return four pairs (basis over ℤ of an ideal, quaternion): O is the direct sum of their products."""
         return self._frame.pseudo_basis(self._rows)
 
-    def discriminant(self) -> tuple[Any, ...]:
+    def discriminant(self) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals whose product is the reduced discriminant."""
         return tuple(self.algebra.discriminant())
 
@@ -115,7 +115,7 @@ class _Local:
         self.place = local_place(prime)
         self._residues = [self._digits(prime.residue_of(w)) for w in frame.omega]
 
-    def maximal(self, rows: Any, ramified: bool) -> Any:
+    def maximal(self, rows: flint.fmpq_mat, ramified: bool) -> flint.fmpq_mat:
         """Return an order that contains the given one, is maximal at P, and the same elsewhere."""
         frame, prime = self.frame, self.prime
         level = prime.valuation(frame.a * frame.b * 4)
@@ -129,11 +129,11 @@ class _Local:
             rows = larger
         return rows
 
-    def _digits(self, residue: Any) -> list[int]:
+    def _digits(self, residue: flint.nmod_poly) -> list[int]:
         found = coefficients(residue)
         return found + [0] * (self.prime.f - len(found))
 
-    def _radical(self, rows: Any) -> Any:
+    def _radical(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O."""
         frame, n, f = self.frame, self.frame.n, self.prime.f
         residues = flint.nmod_mat(n, f, [c for row in self._residues for c in row], self.p)
@@ -157,20 +157,20 @@ class _Local:
             ]
         return self._above(rows, vectors)
 
-    def _norm_residue(self, vector: list[int], rows: Any) -> Any:
+    def _norm_residue(self, vector: list[int], rows: flint.fmpq_mat) -> flint.nmod_poly:
         row = (flint.fmpq_mat(flint.fmpz_mat(1, self.frame.size, vector)) * rows).entries()
         return self.prime.residue_of(self.frame.norm(row))
 
-    def _matrix(self, rows: list[list[int]]) -> Any:
+    def _matrix(self, rows: list[list[int]]) -> flint.nmod_mat:
         return flint.nmod_mat(len(rows), len(rows[0]), [c for row in rows for c in row], self.p)
 
-    def _above(self, rows: Any, vectors: Iterable[list[int]]) -> Any:
+    def _above(self, rows: flint.fmpq_mat, vectors: Iterable[list[int]]) -> flint.fmpq_mat:
         """Return the lattice of some combinations of a basis, and p times this."""
         size = self.frame.size
         whole = [*vectors, *([self.p * int(i == j) for j in range(size)] for i in range(size))]
         return flint.fmpq_mat(hermite(whole, size)) * rows
 
-    def _left_order(self, ideal: Any) -> Any:
+    def _left_order(self, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with x·I ⊂ I, for an ideal I between an order and p times it."""
         frame, inverse = self.frame, ideal.inv()
         columns: list[list[int]] = [[] for _ in range(frame.size)]
@@ -180,7 +180,7 @@ class _Local:
                 columns[k] += [int(c.p) % self.p for c in product]
         return self._above(ideal, left_kernel(self._matrix(columns))) * flint.fmpq(1, self.p)
 
-    def _maximal_ideal(self, rows: Any, radical: Any) -> Any:
+    def _maximal_ideal(self, rows: flint.fmpq_mat, radical: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return one of the two maximal ideals at P of an order that is hereditary there, and not maximal."""
         frame, place, rng = self.frame, self.place, random.Random(1)
         inverse = rows.inv()

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
@@ -44,7 +44,7 @@ class Embeddings:
         return self.elements[0] if self.elements else None
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate that there is one, or none; None where the checker cannot follow."""
         return self.claim.certificate
 

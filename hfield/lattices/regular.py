@@ -11,7 +11,8 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpz_mat
 
@@ -23,7 +24,14 @@ from hfield.structure.forms import discriminant
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.quaternion import Parent
+
+
 UNITS: list[Any] = [tuple(fmpq(int(m == n)) for n in range(4)) for m in range(4)]
+PAIRS = list(combinations(range(4), 2))
 
 
 class Regular:
@@ -47,10 +55,11 @@ class Regular:
         self.right = [
             fmpz_mat([[(x * s).numerator for x in left[m][n]] for m in range(4)]) for n in range(4)
         ]
-        # row n: the four products e_m·e_n one after the other
-        self._wide = fmpz_mat(
-            [[(x * s).numerator for m in range(4) for x in left[m][n]] for n in range(4)]
-        )
+        # the coordinates of a product, one after the other, as bilinear forms
+        self._coordinates = [
+            fmpz_mat([[(left[m][n][c] * s).numerator for n in range(4)] for m in range(4)])
+            for c in range(4)
+        ]
         self.form = fmpz_mat([[(x * s).numerator for x in row] for row in form])
         self._squares = [
             (m, n, self.form[m, n] // (2 if m == n else 1))
@@ -61,6 +70,10 @@ class Regular:
         bar = [conjugate(c, u) for u in UNITS]
         self.conjugate_scale = d = math.lcm(*(int(x.denominator) for q in bar for x in q))
         self.conjugation = fmpz_mat([[(x * d).numerator for x in q] for q in bar])
+        self._norms = {
+            "left": [form * self.conjugation.transpose() for form in self._coordinates],
+            "right": [self.conjugation * form for form in self._coordinates],
+        }
         a, t, b = constants
         self.square = a + t * t / 4
         """The square of i − t/2, which anticommutes with j."""
@@ -78,32 +91,38 @@ class Regular:
         ]
         return fmpz_mat(integral(form)[1])
 
-    def products(self, rows: Any, others: Any) -> Any:
+    def products(self, rows: flint.fmpz_mat, others: flint.fmpz_mat) -> flint.fmpz_mat:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""
-        n = others.nrows()
-        wide = (others * self._wide).entries()
-        tall = [
-            x for m in range(4) for r in range(n) for x in wide[16 * r + 4 * m : 16 * r + 4 * m + 4]
-        ]
-        return fmpz_mat(rows.nrows() * n, 4, (rows * fmpz_mat(4, 4 * n, tall)).entries())
+        columns = others.transpose()
+        found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
+        return fmpz_mat(rows.nrows() * others.nrows(), 4, [x for row in found for x in row])
 
-    def left_matrix(self, row: tuple[int, ...]) -> Any:
+    def norm_products(self, rows: Any, side: str) -> Any:
+        """Return the products ``x·conj(y)`` of the six pairs of four rows, ``conj(x)·y`` on the right.
+
+        They are ``scale·conjugate_scale`` times too large.
+        """
+        columns = rows.transpose()
+        found = [rows * form * columns for form in self._norms[side]]
+        return fmpz_mat(6, 4, [m[pair] for pair in PAIRS for m in found])
+
+    def left_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
         return sum(
             (m * x for m, x in zip(self.left[1:], row[1:], strict=True)), self.left[0] * row[0]
         )
 
-    def right_matrix(self, row: tuple[int, ...]) -> Any:
+    def right_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
         """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
         return sum(
             (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
         )
 
-    def norm(self, row: Sequence[Any]) -> Any:
+    def norm(self, row: Sequence[Any]) -> flint.fmpz:
         """Return the norm of a row of flint integers, ``scale`` times too large."""
         return sum(c * row[m] * row[n] for m, n, c in self._squares)
 
-    def gram(self, rows: Any) -> Any:
+    def gram(self, rows: flint.fmpz_mat) -> flint.fmpz_mat:
         """Return the matrix of ``tr(x·conj(y))`` on the rows, ``scale`` times too large."""
         return rows * self.form * rows.transpose()
 
@@ -139,7 +158,7 @@ def regular(algebra: Any) -> Regular:
     return found
 
 
-def _checked(algebra: Any) -> Regular:
+def _checked(algebra: Parent) -> Regular:
     if algebra.ring.name != "QQ":
         raise RingError(
             f"lattices and orders over ℤ belong to algebras over QQ, and {algebra} is over {algebra.ring}"

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
@@ -15,6 +15,10 @@ from hfield.lattices import enumeration, hermite
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    import flint
+
 
 MANY = 10**6
 """More vectors than this are not listed."""
@@ -25,7 +29,7 @@ MOST_STEPS = 2 * 10**7
 class NormedLattice:
     """Four rows of integers over a denominator, and the norm of their combinations."""
 
-    def __init__(self, algebra: Parent, den: int, matrix: Any) -> None:
+    def __init__(self, algebra: Parent, den: int, matrix: flint.fmpz_mat) -> None:
         self.algebra, self._den, self._matrix = algebra, den, matrix
 
     @property
@@ -44,7 +48,7 @@ class NormedLattice:
         d = self._den if den is None else den
         return self.algebra(*(Fraction(x, d) for x in row))
 
-    def norm(self) -> Any:
+    def norm(self) -> flint.fmpq:
         """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
         return fmpq(self._content[0], self._regular.scale * self._den * self._den)
 
@@ -53,18 +57,18 @@ class NormedLattice:
         return Fraction(int(self._content[0]), self._regular.scale * self._den * self._den)
 
     @cached_property
-    def _content(self) -> tuple[Any, list[Any]]:
-        """The gcd of all values of the norm, and the entries of its Gram matrix, both scaled."""
-        entries = (self._regular.gram(self._matrix)).entries()
-        a, b, c, d, _, e, f, g, _, _, h, i, _, _, _, j = entries
-        form = [a // 2, b, c, d, e // 2, f, g, h // 2, i, j // 2]
-        return fmpz_poly(form).content(), entries  # the gcd of a list, as flint has it
+    def _content(self) -> tuple[Any, Any]:
+        """The gcd of all values of the norm, and the Gram matrix, both scaled."""
+        g = self._regular.gram(self._matrix)
+        squares = [g[0, 0] // 2, g[1, 1] // 2, g[2, 2] // 2, g[3, 3] // 2]
+        mixed = [g[0, 1], g[0, 2], g[0, 3], g[1, 2], g[1, 3], g[2, 3]]
+        return fmpz_poly(squares + mixed).content(), g  # the gcd of a list, as flint has it
 
     @cached_property
-    def _even(self) -> Any:
+    def _even(self) -> flint.fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
-        content, entries = self._content
-        return fmpz_mat(4, 4, [x // content for x in entries] if content != 1 else entries)
+        content, gram = self._content
+        return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
 
     def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
@@ -191,7 +195,7 @@ def _combine(x: Sequence[int], rows: Any) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
 
 
-def natural(n: Any) -> None:
+def natural(n: object) -> None:
     """Raise :class:`LatticeError` unless n is an integer ≥ 0."""
     if not isinstance(n, int) or n < 0:
         raise LatticeError(

@@ -8,7 +8,6 @@ codifferent times the discriminant (Voight, *Quaternion Algebras*, sections 18.4
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise, remove
@@ -16,7 +15,7 @@ from hfield.lattices.ideal import Ideal
 from hfield.lattices.order import Order, prime
 
 
-def two_sided_prime(order: Order, p: Any) -> Ideal:
+def two_sided_prime(order: Order, p: object) -> Ideal:
     """Return the two-sided ideal at p that generates the group of them there, up to the numbers.
 
     It is p·O, of norm p², where p does not divide the discriminant; else it has the norm pᵉ, the part of

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 from hfield import structure
 from hfield.certificates.glossary import LINEAR_ALGEBRA, PROVED, REFUTED, SMITH_FORM
@@ -93,7 +92,7 @@ def _equations() -> list[list[int]]:
     return rows
 
 
-def _minor(rows: list[list[int]]) -> dict[str, Any]:
+def _minor(rows: list[list[int]]) -> dict[str, object]:
     """Return, as evidence, three rows whose minor with the columns of i, j, k is not 0."""
     from flint import fmpz_mat
 

@@ -6,7 +6,6 @@ import json
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from hfield.atomic import whole_file
 from hfield.certificates.check import check
@@ -17,7 +16,7 @@ from hfield.proving.decision import Decision
 
 def certificate(
     proposition: Proposition | None, decision: Decision | None, field: str
-) -> dict[str, Any] | None:
+) -> dict[str, object] | None:
     """Return the certificate ``hfield-cert/1`` of a decision, None where there is none to give.
 
     One that the checker would reject, for what it cites too, is not given.
@@ -54,6 +53,6 @@ def write_certificates(rows: Sequence[Row], directory: Path) -> dict[tuple[str, 
     return paths
 
 
-def _write(path: Path, data: dict[str, Any]) -> None:
+def _write(path: Path, data: dict[str, object]) -> None:
     with whole_file(path) as part:
         part.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

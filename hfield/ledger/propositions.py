@@ -123,7 +123,7 @@ class Every:
         )
 
 
-def judged(decision: Decision) -> dict[str, Any]:
+def judged(decision: Decision) -> dict[str, object]:
     """Return the evidence for a part of a proposition with its verdict."""
     return {"verdict": decision.verdict, "evidence": decision.evidence}
 

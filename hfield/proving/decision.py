@@ -34,6 +34,7 @@ __all__ = [
     "VERDICTS",
     "Decision",
     "characteristics",
+    "has_evidence",
 ]
 
 
@@ -46,6 +47,15 @@ def counted(thing: str, n: int, number: bool = True) -> str:
     """Return "1 case", "2 cases", or the word alone in singular or plural."""
     word = thing if n == 1 else f"{thing}s"
     return f"{n} {word}" if number else word
+
+
+def has_evidence(evidence: Any) -> bool:
+    """Tell whether there is evidence, and for all that it builds on."""
+    if isinstance(evidence, Mapping):
+        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
+        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
+        return all(map(has_evidence, [*parts, *(cases if isinstance(cases, list) else ())]))
+    return evidence is not None
 
 
 @dataclass(frozen=True)
@@ -75,7 +85,9 @@ class Decision:
         if self.verdict not in VERDICTS:
             raise ValueError(f"{self.verdict!r} is not a verdict; expected one of {VERDICTS}")
 
-    def certificate(self, statement: str, algebra: str, field: str | None) -> dict[str, Any] | None:
+    def certificate(
+        self, statement: str, algebra: str, field: str | None
+    ) -> dict[str, object] | None:
         """Return this as a certificate ``hfield-cert/1``, unchecked; None without verdict or evidence."""
         if self.evidence is None or self.verdict not in CERTIFIED:
             return None

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from hfield.proving.decide import answer
 from hfield.proving.decision import (
@@ -13,6 +12,7 @@ from hfield.proving.decision import (
     UNDECIDED,
     VACUOUS,
     Decision,
+    has_evidence,
 )
 from hfield.proving.question import TIMEOUT, read_question
 from hfield.proving.statements.language import Statement
@@ -50,7 +50,7 @@ class Answer:
         return EXIT_STATUS[self.verdict]
 
     @property
-    def certificate(self) -> dict[str, Any] | None:
+    def certificate(self) -> dict[str, object] | None:
         """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
 
         There is none for what is not decided, and none where the checker cannot follow, since it does not
@@ -80,10 +80,10 @@ class Answer:
         return None
 
     @property
-    def _evidence(self) -> dict[str, Any] | None:
+    def _evidence(self) -> dict[str, object] | None:
         """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
-        if not _is_whole(d.evidence):
+        if not has_evidence(d.evidence):
             return None
         return d.certificate(self.text, self.setting.algebra, self.field)
 
@@ -97,7 +97,7 @@ class Answer:
         """The name of the field, None for all fields."""
         return None if self.setting.field is None else self.setting.field.name
 
-    def to_json(self, certificate: str | None = None) -> dict[str, Any]:
+    def to_json(self, certificate: str | None = None) -> dict[str, object]:
         """Return the answer in the form ``hfield-prove/1``; ``certificate`` names a file written."""
         d = self.decision
         return {
@@ -148,15 +148,6 @@ class Answer:
 
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
-
-
-def _is_whole(evidence: Any) -> bool:
-    """Tell whether there is evidence, and for all that it builds on."""
-    if isinstance(evidence, Mapping):
-        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
-        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
-        return all(map(_is_whole, [*parts, *(cases if isinstance(cases, list) else ())]))
-    return evidence is not None
 
 
 def _value(texts: list[str]) -> str:

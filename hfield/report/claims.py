@@ -11,6 +11,7 @@ from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.report.certified import Certificates
 from hfield.report.markup import Words, anchor, field_html, field_text, formula, prose, verdict_html
+from hfield.report.terms import term
 
 MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
 Alike = tuple[str, str, str, str]
@@ -48,7 +49,7 @@ def _article(claim: Claim, rows: Sequence[Row], certificates: Certificates, word
     return (
         f'<article class="claim" id="{name}" aria-labelledby="{name}-name">'
         f'<h4 id="{name}-name"><a href="#{name}">{escape(claim.id)}</a> <span lang="en">'
-        f"{escape(claim.name)} <small>{escape(claim.kind)}</small></span></h4>"
+        f"{escape(claim.name)}</span> <small>{term(claim.kind, words)}</small></h4>"
         f"{description(facts)}{_decisions(rows, certificates, words)}</article>"
     )
 
@@ -98,7 +99,7 @@ def _line(rows: Sequence[Row], width: int, certificates: Certificates, words: Wo
     fields = " ".join(_field(row, certificates.number(row)) for row in rows)
     cells = [
         fields,
-        f'<span lang="en">{escape(method)}</span>',
+        term(method, words),
         prose(shorten(witness, MOST_LETTERS)),
     ]
     if width > 4:

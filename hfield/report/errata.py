@@ -10,6 +10,7 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.proving.decision import REFUTED
 from hfield.report.claims import description
 from hfield.report.markup import Words, anchor, field_html, formula, prose, verdict_html
+from hfield.report.terms import term
 
 
 def errata_html(rows: Sequence[Row], words: Words) -> str:
@@ -53,7 +54,7 @@ def _erratum(erratum: Erratum, words: Words) -> str:
         facts.append((words["corrected"], f"{formula(claim.corrected.text)}{marks}"))
     return (
         f'<li><h3><a href="#{anchor(claim.id)}">{escape(claim.id)}</a> <span lang="en">'
-        f"{escape(claim.name)} <small>{escape(claim.kind)}</small></span></h3>{description(facts)}</li>"
+        f"{escape(claim.name)}</span> <small>{term(claim.kind, words)}</small></h3>{description(facts)}</li>"
     )
 
 

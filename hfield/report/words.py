@@ -5,6 +5,7 @@ from __future__ import annotations
 from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS
 
 ENGLISH = {
+    "lang": "en",
     "title": "The claims, decided",
     "thesis": "Quaternions, rotations, and computer animations: the claims of the thesis, decided",
     "thesis_of": "The claims of Szymon Sroka's master's thesis (Kraków University of Technology, 2023),"
@@ -70,6 +71,7 @@ ENGLISH = {
     "-": "no field",
 }
 POLISH = {
+    "lang": "pl",
     "title": "Twierdzenia rozstrzygnięte",
     "thesis": "Kwaterniony, obroty i animacje komputerowe: twierdzenia pracy rozstrzygnięte",
     "thesis_of": "Twierdzenia pracy magisterskiej Szymona Sroki (Politechnika Krakowska, 2023),"

@@ -5,7 +5,6 @@ imports neither sympy nor galois nor numpy; a ring imports them when it first ne
 """
 
 from functools import lru_cache
-from typing import Any
 
 from hfield.errors import RingError, shorten
 from hfield.rings.algebraic import CC, RR
@@ -17,7 +16,7 @@ from hfield.rings.integers import QQ, ZZ, Zmod
 __all__ = ["CC", "GF", "INFINITY", "QQ", "RDF", "RR", "ZZ", "Known", "Ring", "Zmod", "ring"]
 
 
-def ring(spec: Any) -> Ring:
+def ring(spec: Ring | str) -> Ring:
     """Return the ring that a text names; a ring is returned as it is.
 
     Raises :class:`RingError` for anything else.

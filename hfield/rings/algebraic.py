@@ -4,9 +4,11 @@ Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree
 π) is a :class:`Closed` form, which sympy holds and which is imported when the first one is met.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -18,6 +20,10 @@ from hfield.rings.radicals import FUNCTIONS
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.surds import Surd, from_rational
 from hfield.rings.values import ValueRing
+
+if TYPE_CHECKING:
+    from hfield.rings.closed import Closed
+
 
 _I = Surd({-1: flint.fmpq(1)})
 
@@ -45,11 +51,11 @@ class AlgebraicNumbers(ValueRing):
         return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> Surd | Closed:
         """The imaginary unit of CC; RR has no generator."""
         return super().gen if self.is_real else _I
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, Surd | Closed]:
         """The number π, and in CC the imaginary unit I."""
         from hfield.rings.closed import PI
 
@@ -66,14 +72,14 @@ class AlgebraicNumbers(ValueRing):
             **{name: closed.function(name) for name in FUNCTIONS},
         }
 
-    def parse(self, text: str) -> Any:
+    def parse(self, text: str) -> Surd | Closed:
         """Read a number; within RR the intermediate values may be complex."""
         names = {"I": _I, **self.names()}
         functions = {"/": self.divide, "**": self.power, **self.functions()}
         reader = syntax.Reader(CC, names, functions, self.name, self.parse_limit)
         return self(reader.read(from_unicode(text)))
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Surd | Closed:
         """Turn a rational number, a surd, a closed form or a sympy number into an element; read a text.
 
         Raises :class:`CoercionError` for what is not in the field, and :class:`UndecidedError` for a
@@ -108,13 +114,13 @@ class AlgebraicNumbers(ValueRing):
         """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
         return not x.terms if isinstance(x, Surd) else x.is_zero()
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Surd | Closed) -> Surd | Closed:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if self.is_zero(x):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         return x.inverse()
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Any) -> Surd | Closed | None:
         """Return the principal root; None for x < 0 in RR."""
         if self.is_real and self.sign(x) < 0:
             return None
@@ -125,10 +131,10 @@ class AlgebraicNumbers(ValueRing):
 
         return closed_root(x, 2)
 
-    def _sqrt_here(self, x: Any) -> Any:
+    def _sqrt_here(self, x: Surd | Closed) -> Surd | Closed | None:
         return CC.sqrt(x)
 
-    def _root(self, x: Any, n: Any) -> Any:
+    def _root(self, x: Any, n: Any) -> Surd | Closed:
         """Return the n-th root: in RR the real one of a real number, else the principal one."""
         if isinstance(n, Surd) and n.terms.keys() <= {1}:
             n = n.terms.get(1, 0)
@@ -147,7 +153,7 @@ class AlgebraicNumbers(ValueRing):
             return Known(INFINITY, "squares of real numbers are not negative")
         return Known(1, "−1 = I^2")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[Surd | Closed, ...]:
         """Return (I,) in CC, () in RR."""
         return () if self.is_real else (_I,)
 
@@ -158,14 +164,14 @@ class AlgebraicNumbers(ValueRing):
             return Known(1, "the positive numbers are the squares")
         return super().orderings
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: Surd | Closed, ordering: int = 0) -> int:
         """Return −1, 0 or 1, in RR. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
         if not self.is_real:
             return super().sign(x, ordering)
         self.check_ordering(ordering)
         return int(x.sign())
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> Surd | Closed:
         """Return a small random number of ℚ(√2, √3), with I in CC; the same for the same seed."""
         roots = (1, 2, 3) if self.is_real else (1, 2, -1, -3)
         terms = {n: flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2))) for n in roots}

@@ -26,7 +26,7 @@ class Objects(np.ndarray[Any, np.dtype[Any]]):
         return _dress(result)
 
 
-def objects(values: Any, convert: Callable[[Any], Any]) -> Objects:
+def objects(values: object, convert: Callable[[Any], Any]) -> Objects:
     """Return an array of ``convert(x)`` for each x; lists, tuples and arrays nest, all else is one x.
 
     Raises :class:`CoercionError` where the parts of a list differ in shape.
@@ -34,7 +34,7 @@ def objects(values: Any, convert: Callable[[Any], Any]) -> Objects:
     return _converted(values, convert).view(Objects)
 
 
-def _converted(values: Any, convert: Callable[[Any], Any]) -> np.ndarray[Any, np.dtype[Any]]:
+def _converted(values: object, convert: Callable[[Any], Any]) -> np.ndarray[Any, np.dtype[Any]]:
     if isinstance(values, (list, tuple)):
         parts = [_converted(x, convert) for x in values]
         shapes = sorted({x.shape for x in parts})
@@ -52,14 +52,14 @@ def _converted(values: Any, convert: Callable[[Any], Any]) -> np.ndarray[Any, np
     return wrap(convert(values))
 
 
-def wrap(x: Any) -> np.ndarray[Any, np.dtype[Any]]:
+def wrap(x: object) -> np.ndarray[Any, np.dtype[Any]]:
     """Return a 0-dimensional object array that holds x, whatever x is."""
     out = np.empty((), dtype=object)
     out[()] = x
     return out
 
 
-def one_shape(arrays: list[Any]) -> list[Any]:
+def one_shape(arrays: list[np.ndarray]) -> list[np.ndarray]:
     """Broadcast the coordinate arrays to one shape. Raises :class:`CoercionError` where they have none."""
     try:
         shape = np.broadcast_shapes(*(a.shape for a in arrays))
@@ -82,13 +82,13 @@ def check_shapes(left: tuple[int, ...], right: tuple[int, ...], operation: str) 
         ) from None
 
 
-def _plain(x: Any) -> Any:
+def _plain(x: object) -> np.ndarray:
     if isinstance(x, Objects):
         return x.view(np.ndarray)
     return x if isinstance(x, np.ndarray) else wrap(x)
 
 
-def _dress(x: Any) -> Any:
+def _dress(x: object) -> Any:
     if isinstance(x, np.ndarray):
         return x.view(Objects) if x.dtype == object else x
     return x if isinstance(x, (bool, np.bool_)) else wrap(x).view(Objects)

@@ -6,12 +6,14 @@ A ring is a parent object; its elements are the values of some library as they c
 say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
 """
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any, SupportsIndex
 
 from hfield import syntax
 from hfield.errors import (
@@ -23,9 +25,14 @@ from hfield.errors import (
     shorten,
 )
 from hfield.product import Constants
+from hfield.rings.growth import FEW, bits, check_growth, is_quick
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
 from hfield.rings.printing import from_unicode, number_text
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 INFINITY = float("inf")
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
@@ -63,7 +70,7 @@ class Ring(ABC):
     # --- what an adapter must give -------------------------------------------------------------
 
     @abstractmethod
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Any:
         """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
 
     # --- what it gives where it can ------------------------------------------------------------
@@ -127,6 +134,10 @@ class Ring(ABC):
         """Return some y with y² = x, or None when there is none; undecided if not known."""
         raise UndecidedError(f"square roots in {self.name} cannot be decided")
 
+    def is_square(self, x: Any) -> bool:
+        """Tell whether x is a square, also where its roots cannot be written down."""
+        return self.sqrt(x) is not None
+
     def roots(self, coefficients: Sequence[Any]) -> list[Any]:
         """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
 
@@ -157,7 +168,7 @@ class Ring(ABC):
         """Return a hashable stand-in: equal elements have equal keys."""
         return self.text(x)
 
-    def state(self, x: Any) -> Any:
+    def state(self, x: Any) -> object:
         """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
         return self.text(x)
 
@@ -174,7 +185,7 @@ class Ring(ABC):
         inverses = [self.inverse(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
         return self.array(inverses).reshape(values.shape)
 
-    def array_units(self, values: Any) -> Any:
+    def array_units(self, values: Any) -> np.ndarray:
         """Return a bool array: which entries are units. Faster where a library tells at once."""
         import numpy as np
 
@@ -195,7 +206,7 @@ class Ring(ABC):
         """Return how arrays of such elements are held; by default as four arrays of the ring."""
         return Batch(self, constants)
 
-    def places(self) -> Iterator[Any]:
+    def places(self) -> Iterator[Hashable]:
         """Run through the places of a global field without end, infinite ones first; texts read back.
 
         Raises :class:`UndecidedError` for any other ring.
@@ -207,12 +218,13 @@ class Ring(ABC):
         """
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
 
-    def completion(self, place: Any) -> "Ring":
+    def completion(self, place: object) -> Ring:
         """Return the completion of a global field at a place, or at its text.
 
-        A local field at a finite place; RR or CC at an infinite one, for what is said of all real numbers
-        holds if it does for the algebraic ones (Tarski). Raises :class:`RingError` for a place of another
-        field, :class:`UndecidedError` where there are no places.
+        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
+        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
+        elements of the field in it. Raises :class:`RingError` for a place of another field,
+        :class:`UndecidedError` where there are no places.
 
         >>> from hfield import ring
         >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
@@ -236,16 +248,16 @@ class Ring(ABC):
         return self.is_field or self.fractions is not None
 
     @property
-    def fractions(self) -> "Ring | None":
+    def fractions(self) -> Ring | None:
         """The field of fractions of an integral domain that is no field, where it has a name."""
         return None
 
-    def modulo(self, n: int) -> "Ring | None":
+    def modulo(self, n: int) -> Ring | None:
         """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
         return None
 
     @property
-    def residues_of(self) -> tuple["Ring", Any] | None:
+    def residues_of(self) -> tuple[Ring, Any] | None:
         """The Euclidean ring R and the m for which this is R/m, None for any other ring.
 
         :meth:`lift` then gives an element of R for each of this ring.
@@ -312,7 +324,7 @@ class Ring(ABC):
                 f"has no inverse there, for the characteristic is {shorten(self.characteristic)}"
             ) from None
 
-    def refuse(self, x: Any, hint: str = "") -> CoercionError:
+    def refuse(self, x: object, hint: str = "") -> CoercionError:
         """Return the error for a value that is not an element of this ring."""
         called, mend = describe(x, self.name, self.is_exact, self.characteristic)
         name = shorten(self.name)
@@ -337,7 +349,7 @@ class Ring(ABC):
     def _repr_latex_(self) -> str:
         return f"${self.latex_name}$"
 
-    def __reduce_ex__(self, protocol: Any) -> Any:
+    def __reduce_ex__(self, protocol: SupportsIndex) -> tuple[object, ...] | str:
         """Pickle by name; a ring whose name :func:`hfield.ring` does not know, as any object."""
         from hfield.rings import ring
 
@@ -348,13 +360,25 @@ class Ring(ABC):
         return (ring, (self.name,)) if known else super().__reduce_ex__(protocol)
 
 
+def polynomial_power(one: Any, x: Any, n: int) -> Any:
+    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
+    return x**n if is_quick(x, n) else power(one, x, n)
+
+
 def power(one: Any, x: Any, n: int) -> Any:
-    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``."""
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
+
+    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
+    unity, has powers of any size.
+    """
     result = one
+    start = bits(x) if n > FEW else None
     while n:
         if n & 1:
             result = result * x
         n >>= 1
         if n:
+            if start is not None:
+                check_growth(start, x)
             x = x * x
     return result

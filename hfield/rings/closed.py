@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from math import ceil, log
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -14,6 +14,10 @@ from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint
 from hfield.rings.radicals import FUNCTIONS, check_size, surd_of, sympy_of, times
 from hfield.rings.surds import ONE, Surd, as_surd, from_rational
+
+if TYPE_CHECKING:
+    import sympy
+
 
 LARGEST_EXPONENT = 10**6
 SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
@@ -33,7 +37,7 @@ class Closed:
         self._make = make
 
     @cached_property
-    def expr(self) -> Any:
+    def expr(self) -> sympy.Expr:
         """The sympy expression."""
         return self._make()
 
@@ -44,42 +48,42 @@ class Closed:
 
         return bounds(self.expr)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return number, (self.expr,)
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def _combine(self, other: Any, operation: Callable[[Any, Any], Any]) -> Any:
+    def _combine(self, other: Any, operation: Callable[[Any, Any], Any]) -> Surd | Closed:
         o = to_sympy(other)
         return NotImplemented if o is None else number(operation(self.expr, o))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Surd | Closed:
         return self._combine(other, lambda x, y: x + y)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Surd | Closed:
         return self._combine(other, lambda x, y: x - y)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> Surd | Closed:
         return self._combine(other, lambda x, y: y - x)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Surd | Closed:
         return self._combine(other, times)
 
     __rmul__ = __mul__
 
-    def __neg__(self) -> Any:
+    def __neg__(self) -> Surd | Closed:
         return number(-self.expr)
 
     def __pos__(self) -> Closed:
         return self
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Surd | Closed:
         o = other if isinstance(other, Closed) else as_surd(other)
         return NotImplemented if o is None else self * o.inverse()
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Surd | Closed:
         return self.inverse() * other
 
     def __pow__(self, n: int) -> Any:
@@ -87,7 +91,7 @@ class Closed:
 
         return power(ONE, self if n >= 0 else self.inverse(), abs(n))
 
-    def inverse(self) -> Any:
+    def inverse(self) -> Surd | Closed:
         """Return 1/self; the caller has seen that it is not 0."""
         return number(1 / self.expr)
 
@@ -111,7 +115,7 @@ class Closed:
         value = self._fraction(HIDDEN_BITS) if self.bounds is None else self.rational(float("inf"))
         return hash(fingerprint(self.ball) if value is None else value)
 
-    def ball(self, bits: int) -> Any:
+    def ball(self, bits: int) -> flint.acb:
         """Return a complex ball of flint around the number, computed with that many bits."""
         from hfield.rings.evaluate import evaluate
 
@@ -200,7 +204,7 @@ class Closed:
         return self.text()
 
 
-def _pi() -> Any:
+def _pi() -> sympy.Expr:
     import sympy
 
     return sympy.pi
@@ -209,7 +213,7 @@ def _pi() -> Any:
 PI = Closed(_pi)
 
 
-def number(expr: Any) -> Surd | Closed:
+def number(expr: sympy.Expr) -> Surd | Closed:
     """Return a sympy number in its simplest form: a surd where it is one, else a closed form.
 
     Raises :class:`CoercionError` for what is infinite or undefined, :class:`TooLargeError`.
@@ -234,7 +238,7 @@ def number(expr: Any) -> Surd | Closed:
     return closed if value is None else from_rational(value)
 
 
-def to_sympy(x: Any) -> Any:
+def to_sympy(x: Any) -> sympy.Expr:
     """Return a number as a sympy expression; None if it is no number."""
     if isinstance(x, Closed):
         return x.expr
@@ -242,7 +246,7 @@ def to_sympy(x: Any) -> Any:
     return None if surd is None else sympy_of(surd)
 
 
-def from_sympy(x: Any) -> Surd | Closed | None:
+def from_sympy(x: object) -> Surd | Closed | None:
     """Return a sympy number that can be told from 0; None if x has symbols, floats or unknown parts.
 
     Raises :class:`UndecidedError` for a transcendental number that cannot.
@@ -262,7 +266,7 @@ def from_sympy(x: Any) -> Surd | Closed | None:
     return value
 
 
-def root(x: Any, n: int) -> Surd | Closed:
+def root(x: Surd | Closed, n: int) -> Surd | Closed:
     """Return the principal n-th root, nested square roots resolved where sympy can."""
     import sympy
 
@@ -276,7 +280,7 @@ def root(x: Any, n: int) -> Surd | Closed:
 def function(name: str) -> Callable[[Any], Surd | Closed]:
     """Return one of ``FUNCTIONS`` as a function of numbers."""
 
-    def call(x: Any) -> Surd | Closed:
+    def call(x: Surd | Closed) -> Surd | Closed:
         import sympy
 
         if name in ("exp", "cosh", "sinh") and not x.ball(64).abs_upper() < LARGEST_EXPONENT:
@@ -286,7 +290,7 @@ def function(name: str) -> Callable[[Any], Surd | Closed]:
     return call
 
 
-def _simplifies_to_zero(expr: Any) -> bool:
+def _simplifies_to_zero(expr: sympy.Expr) -> bool:
     import sympy
 
     return bool(expr.count_ops() <= SIMPLIFIED and sympy.simplify(expr) == 0)

@@ -1,7 +1,5 @@
 """Closed forms as text that RR and CC read back."""
 
-from typing import Any
-
 import sympy
 
 from hfield.rings.printing import is_sum, number_text, parentheses, power_text
@@ -10,7 +8,7 @@ from hfield.rings.radicals import FUNCTIONS
 _FUNCTIONS = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
 
-def closed_text(expr: Any, style: str = "plain") -> str:
+def closed_text(expr: sympy.Expr, style: str = "plain") -> str:
     """Write a sympy number with ``sqrt``, ``root(x,n)``, ``cos`` …, ``pi`` and ``I``."""
     if style == "latex":
         return str(sympy.latex(expr, imaginary_unit="I"))
@@ -20,7 +18,7 @@ def closed_text(expr: Any, style: str = "plain") -> str:
     return plain.replace("-", "−").replace("*", "·").replace("sqrt(", "√(").replace("pi", "π")
 
 
-def _text(expr: Any) -> str:
+def _text(expr: sympy.Expr) -> str:
     if expr.is_Add:
         out = ""
         for arg in expr.as_ordered_terms():
@@ -40,7 +38,7 @@ def _text(expr: Any) -> str:
     return str(expr)  # pi, I
 
 
-def _product(expr: Any) -> str:
+def _product(expr: sympy.Expr) -> str:
     """Write a product, its inverse factors behind one slash each."""
     sign, factors = "", []
     for n, arg in enumerate(expr.as_ordered_factors()):
@@ -53,7 +51,7 @@ def _product(expr: Any) -> str:
     return sign + "*".join(factors)
 
 
-def _power(expr: Any) -> str:
+def _power(expr: sympy.Expr) -> str:
     base, exponent = expr.as_base_exp()
     if not exponent.is_Rational:
         return f"exp({_text(exponent * sympy.log(base))})"

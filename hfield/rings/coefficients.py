@@ -41,5 +41,5 @@ class Coefficients(tuple[Any, ...]):
     def _repr_latex_(self) -> str:
         return f"${self.text('latex')}$"
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return tuple, (list(self),)  # what travels is the tuple

@@ -1,7 +1,5 @@
 """sympy numbers in flint's complex balls, to any precision and with rigorous error bounds."""
 
-from typing import Any
-
 import flint
 import sympy
 
@@ -10,7 +8,7 @@ from hfield.rings.radicals import FUNCTIONS
 _FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
 
 
-def is_known(expr: Any) -> bool:
+def is_known(expr: sympy.Expr) -> bool:
     """Tell whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
     if expr.is_Rational or expr is sympy.I or expr is sympy.pi or expr is sympy.E:
         return True
@@ -19,7 +17,7 @@ def is_known(expr: Any) -> bool:
     return False
 
 
-def evaluate(expr: Any) -> Any:
+def evaluate(expr: sympy.Expr) -> flint.acb:
     """Return a ball around a number of known parts, at flint's current precision."""
     if expr.is_Rational:
         return flint.acb(flint.arb(flint.fmpq(int(expr.p), int(expr.q))))
@@ -39,7 +37,7 @@ def evaluate(expr: Any) -> Any:
     return getattr(evaluate(expr.args[0]), _FUNCTIONS[expr.func])()
 
 
-def _power(expr: Any) -> Any:
+def _power(expr: sympy.Expr) -> flint.acb:
     """Enclose baseᵉˣᵖ, the principal value."""
     base = evaluate(expr.base)
     if expr.exp.is_Integer:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield import syntax
 from hfield.errors import (
@@ -18,18 +18,23 @@ from hfield.errors import (
 from hfield.rings.base import Known, Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.functions import FunctionField
+from hfield.rings.operators import Element
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.several_variables import RationalFunctions, listed
 
+if TYPE_CHECKING:
+    from hfield.rings.quotient import Quotient
+
+
 MAX_DEGREE = 20
 
 
-class ExtensionElement:
+class ExtensionElement(Element):
     """An element Σ cₙ·uⁿ of F[u]/(f): as many coefficients in F as the degree of f. Immutable."""
 
-    __slots__ = ("coefficients", "field")
+    __slots__ = ("coefficients",)
 
     field: SimpleExtension
     coefficients: tuple[Any, ...]
@@ -38,74 +43,22 @@ class ExtensionElement:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError("elements of extensions are immutable")
-
-    def _other(self, other: Any) -> Any:
-        if type(other) is ExtensionElement:
-            if other.field is self.field or other.field == self.field:
-                return other
-            raise CoercionError(
-                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
-            )
-        number = rational(other)
-        return None if number is None else self.field(number)
-
-    def __add__(self, other: Any) -> Any:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        pairs = zip(self.coefficients, o.coefficients, strict=True)
+    def plus(self, other: ExtensionElement) -> ExtensionElement:
+        """Return the sum."""
+        pairs = zip(self.coefficients, other.coefficients, strict=True)
         return ExtensionElement(self.field, [x + y for x, y in pairs])
-
-    __radd__ = __add__
 
     def __neg__(self) -> ExtensionElement:
         return ExtensionElement(self.field, [-x for x in self.coefficients])
 
-    def __pos__(self) -> ExtensionElement:
-        return self
+    def times(self, other: ExtensionElement) -> ExtensionElement:
+        """Return the product."""
+        product = _product(self.coefficients, other.coefficients, self.field.base.zero)
+        return self.field.reduced(product)
 
-    def __sub__(self, other: Any) -> Any:
-        o = self._other(other)
-        return NotImplemented if o is None else self + -o
-
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
-    def __mul__(self, other: Any) -> Any:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        return self.field.reduced(_product(self.coefficients, o.coefficients, self.field.base.zero))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Any) -> Any:
-        o = self._other(other)
-        return NotImplemented if o is None else self * self.field.inverse(o)
-
-    def __rtruediv__(self, other: Any) -> Any:
-        return self.field.inverse(self) * other
-
-    def __pow__(self, n: int) -> ExtensionElement:
-        result: ExtensionElement = self.field.power(self, n)
-        return result
-
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, ExtensionElement) and other.field != self.field:
-            return False
-        o = self._other(other)
-        return NotImplemented if o is None else bool(self.coefficients == o.coefficients)
-
-    def __hash__(self) -> int:
-        return hash(self.field.key(self))
-
-    def __repr__(self) -> str:
-        return self.field.text(self)
-
-    def __reduce__(self) -> Any:
-        return self.field, (self.field.text(self),)
+    def same(self, other: ExtensionElement) -> bool:
+        """Tell whether both are the same element."""
+        return self.coefficients == other.coefficients
 
 
 class SimpleExtension(Ring):
@@ -133,19 +86,19 @@ class SimpleExtension(Ring):
         return self._words
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> ExtensionElement:
         """The class of u."""
         return self.reduced([self.base.zero, self.base.one])
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, ExtensionElement]:
         """The names of the field below, and u."""
         below = {name: self._constant(x) for name, x in self.base.names().items()}
         return {**below, str(self.gen_name): self.gen}
 
-    def _constant(self, c: Any) -> ExtensionElement:
+    def _constant(self, c: Quotient) -> ExtensionElement:
         return self.reduced([c])
 
-    def reduced(self, coefficients: Sequence[Any]) -> ExtensionElement:
+    def reduced(self, coefficients: Sequence[Quotient]) -> ExtensionElement:
         """Return the class of a polynomial in u, low degree first."""
         out, n = list(coefficients), self.degree
         while len(out) > n:
@@ -156,7 +109,7 @@ class SimpleExtension(Ring):
                     out[shift + m] = out[shift + m] - top * c
         return ExtensionElement(self, [*out, *[self.base.zero] * (n - len(out))])
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Any:
         """Turn a number or an element of F into an element, read a text. Raises :class:`CoercionError`."""
         x = unwrap(x)
         if isinstance(x, ExtensionElement):
@@ -175,15 +128,15 @@ class SimpleExtension(Ring):
         """Tell whether x is 0."""
         return all(map(self.base.is_zero, x.coefficients))
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: ExtensionElement, y: ExtensionElement) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: ExtensionElement) -> Hashable:
         """Return the keys of the coefficients."""
         return tuple(map(self.base.key, x.coefficients))
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: ExtensionElement) -> ExtensionElement:
         """Return 1/x, by the extended Euclidean algorithm. Raises :class:`NotInvertibleError` for 0."""
         base = self.base
         if self.is_zero(x):
@@ -208,13 +161,13 @@ class SimpleExtension(Ring):
             return Known(1, f"it is that of {self.base.name}; there {known.reason}")
         return Known(None, f"nothing is known of the squares of {self.name}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[ExtensionElement, ...]:
         """Return a root of −1 from below."""
         return (
             tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
         )
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Any) -> ExtensionElement | None:
         """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
         if all(map(self.base.is_zero, x.coefficients[1:])):
             root = self.base.sqrt(x.coefficients[0])
@@ -222,7 +175,7 @@ class SimpleExtension(Ring):
                 return self._constant(root)
         raise UndecidedError(f"square roots in {self.name} are not decided")
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> ExtensionElement:
         """Return a random element; the same for the same seed."""
         return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
 
@@ -236,7 +189,7 @@ class SimpleExtension(Ring):
         return sum_text(reversed(list(terms)), style)
 
 
-def _product(f: Sequence[Any], g: Sequence[Any], zero: Any) -> list[Any]:
+def _product(f: Sequence[Quotient], g: Sequence[Quotient], zero: Quotient) -> list[Quotient]:
     out = [zero] * (len(f) + len(g) - 1)
     for m, x in enumerate(f):
         for n, y in enumerate(g, m):
@@ -244,14 +197,14 @@ def _product(f: Sequence[Any], g: Sequence[Any], zero: Any) -> list[Any]:
     return out
 
 
-def _stripped(base: Ring, f: Sequence[Any]) -> list[Any]:
+def _stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
     out = list(f)
     while out and base.is_zero(out[-1]):
         out.pop()
     return out
 
 
-def _divmod(base: Ring, f: list[Any], g: list[Any]) -> tuple[list[Any], list[Any]]:
+def _divmod(base: Ring, f: list[Quotient], g: list[Quotient]) -> tuple[list[Any], list[Any]]:
     """Return quotient and rest of polynomials without leading zeros, low degree first."""
     rest, scale = list(f), base.inverse(g[-1])
     quotient = [base.zero] * max(len(f) - len(g) + 1, 1)
@@ -300,16 +253,16 @@ def build(base: Ring, variable: str, text: str) -> SimpleExtension:
     return ring
 
 
-def _read(base: Ring, variable: str, text: str, what: str) -> list[Any]:
+def _read(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
     """Read a polynomial in the variable over F, low degree first."""
     free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
 
-    def divided(x: Any, y: Any) -> Any:
+    def divided(x: ExtensionElement, y: ExtensionElement) -> Any:
         if not all(map(base.is_zero, y.coefficients[1:])):
             raise CoercionError(f"a polynomial in {variable} has no {variable} in a denominator")
         return x * free(base.inverse(y.coefficients[0]))
 
-    def power(x: Any, n: int) -> Any:
+    def power(x: ExtensionElement, n: int) -> Any:
         size = len(_stripped(base, x.coefficients)) - 1
         if n < 0 or size * n > MAX_DEGREE:
             raise CoercionError(f"its degree is not from 2 to {MAX_DEGREE}")
@@ -322,7 +275,7 @@ def _read(base: Ring, variable: str, text: str, what: str) -> list[Any]:
         raise RingError(f"{what} cannot be read: {error}") from error
 
 
-def _check_irreducible(base: Any, variable: str, f: list[Any], what: str) -> None:
+def _check_irreducible(base: Any, variable: str, f: list[Quotient], what: str) -> None:
     """Raise :class:`RingError` unless f is irreducible over the field of rational functions."""
     if base.characteristic == 0 or (
         isinstance(base.base, Ring) and base.base.order == base.characteristic
@@ -341,7 +294,7 @@ def _check_irreducible(base: Any, variable: str, f: list[Any], what: str) -> Non
     )
 
 
-def _factors(base: Any, variable: str, f: list[Any]) -> list[tuple[Any, int]]:
+def _factors(base: Any, variable: str, f: list[Quotient]) -> list[tuple[Any, int]]:
     """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
     several = isinstance(base, RationalFunctions)
     names = base.variables if several else (base.gen_name,)

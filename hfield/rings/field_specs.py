@@ -136,24 +136,24 @@ def _with_modulus(p: int, n: int, modulus: Any) -> FiniteField:
     return ExtensionField(p, n, [int(c) for c in m.coeffs()])
 
 
-def _polynomial(p: int, coefficients: list[int]) -> Any:
+def _polynomial(p: int, coefficients: list[int]) -> flint.nmod_poly:
     """Return flint's polynomial over GF(p), low degree first."""
     if p < WORD:
         return flint.nmod_poly([c % p for c in coefficients], p)
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(coefficients)
 
 
-def _constant(p: int, c: int | Fraction) -> Any:
+def _constant(p: int, c: int | Fraction) -> flint.nmod_poly:
     if isinstance(c, Fraction):
         raise NotationError(f"the coefficient {c} is not an integer")
     return _polynomial(p, [c])
 
 
-def _quotient(x: Any, y: Any) -> Any:
+def _quotient(x: flint.nmod_poly, y: flint.nmod_poly) -> Any:
     raise NotationError("its coefficients must be integers, without a division")
 
 
-def _power(x: Any, n: int) -> Any:
+def _power(x: flint.nmod_poly, n: int) -> flint.nmod_poly:
     if n < 0:
         raise NotationError(f"a polynomial has no terms of degree {n}")
     return x**n

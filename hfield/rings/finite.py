@@ -1,11 +1,13 @@
 """Finite fields: GF(p) on flint's residues, GF(pⁿ) on flint's ``fq_default``."""
 
+from __future__ import annotations
+
 from abc import abstractmethod
 from collections.abc import Hashable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -18,6 +20,14 @@ from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
+
+if TYPE_CHECKING:
+    import galois
+    import numpy as np
+
+    from hfield.rings.arrays import Objects
+    from hfield.rings.flint_types import Coefficient
+
 
 CONWAY_BELOW = (
     2**32
@@ -49,7 +59,7 @@ class FiniteField(Ring):
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
         return _arrays().array(self, values)
 
-    def array_of_labels(self, row: Any) -> Any:
+    def array_of_labels(self, row: np.ndarray) -> galois.FieldArray:
         """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
         return _arrays().of_labels(self, row)
 
@@ -59,15 +69,15 @@ class FiniteField(Ring):
 
         return array_holding(self, constants)
 
-    def scalar(self, x: Any) -> Any:
+    def scalar(self, x: Any) -> Coefficient:
         """Turn an entry of ``array`` back into an element."""
         return _arrays().scalar(self, x)
 
-    def array_units(self, values: Any) -> Any:
+    def array_units(self, values: Objects) -> Any:
         """Return a bool array: which entries are not 0."""
         return _arrays().units(self, values)
 
-    def array_inverse(self, values: Any) -> Any:
+    def array_inverse(self, values: Objects) -> Any:
         """Invert an array of nonzero entries elementwise."""
         return _arrays().inverse(self, values)
 
@@ -80,21 +90,21 @@ class PrimeField(FiniteField, Modular):
     def __init__(self, p: int) -> None:
         Modular.__init__(self, f"GF({p})", p, True)
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
         """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar."""
         if is_galois(x):
             return _arrays().from_galois(self, x)
         return super().__call__(x)
 
-    def state(self, x: Any) -> Any:
+    def state(self, x: flint.nmod | flint.fmpz_mod) -> object:
         """Return the residue as an int."""
         return int(x)
 
-    def label(self, x: Any) -> int:
+    def label(self, x: flint.nmod) -> int:
         """Return galois's integer label of x."""
         return int(x)
 
-    def from_label(self, n: int) -> Any:
+    def from_label(self, n: int) -> flint.nmod:
         """Return the element with galois's integer label n."""
         return self.residue(n)
 
@@ -138,11 +148,11 @@ class ExtensionField(FiniteField):
         return "Conway" if conway == self.coefficients else "sparse"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> flint.fq_default:
         """The class of x."""
         return self._gen
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> flint.fq_default:
         """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar.
 
         Raises :class:`CoercionError` for an element of another field or of another modulus.
@@ -168,14 +178,14 @@ class ExtensionField(FiniteField):
             return self.ratio(number)
         return self._integer(number)
 
-    def _integer(self, n: int) -> Any:
+    def _integer(self, n: int) -> flint.fq_default:
         return self.context(n % self.characteristic)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: flint.fq_default) -> bool:
         """Tell whether x is 0."""
         return bool(x.is_zero())
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: flint.fq_default, y: flint.fq_default) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
@@ -183,17 +193,17 @@ class ExtensionField(FiniteField):
         """Return x itself: flint's elements are hashable."""
         return x
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: flint.fq_default) -> flint.fq_default:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x.is_zero():  # flint itself aborts the whole process on inverse() of 0
             raise NotInvertibleError(f"cannot divide by 0 in {shorten(self.name)}")
         return x.inverse()
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: flint.fq_default) -> flint.fq_default | None:
         """Return some y with y² = x, or None; in characteristic 2 the only one."""
         return x.sqrt() if x.is_zero() or x.is_square() else None
 
-    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+    def roots(self, coefficients: Sequence[flint.fq_default]) -> list[flint.fq_default]:
         """Return the roots of a polynomial that is not 0."""
         polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
         return [root for root, _ in polynomial.roots()]
@@ -206,7 +216,7 @@ class ExtensionField(FiniteField):
         more = "" if len(squares) == 1 else ", and −1 itself is no square"
         return Known(len(squares), f"−1 = {shown} in {self.name}{more}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[flint.fq_default, ...]:
         """Return one or two elements whose squares add up to −1: first 0, then every x is tried."""
         for x in self.elements():
             y = self.sqrt(self.context(-1) - x * x)
@@ -225,30 +235,30 @@ class ExtensionField(FiniteField):
         """What a small field knows by heart: its sums, products and inverses, of labels."""
         return tables.tables(self)
 
-    def elements(self) -> Iterator[Any]:
+    def elements(self) -> Iterator[flint.fq_default]:
         """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
         return (self.from_label(n) for n in range(self.order))
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> flint.fq_default:
         """Return a random element; the same for the same seed."""
         return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: flint.fq_default, n: int) -> flint.fq_default:
         """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
         return (x if n >= 0 else self.inverse(x)) ** abs(n)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: flint.fq_default, style: str = "plain") -> str:
         """Write x as a polynomial in x, such as ``2*x+1``."""
         return modulus_text([int(c) for c in x.to_list()], style)
 
-    def label(self, x: Any) -> int:
+    def label(self, x: flint.fq_default) -> int:
         """Return galois's integer label of x: its coefficients as digits in base p."""
         n = 0
         for c in reversed(x.to_list()):
             n = n * self.characteristic + int(c)
         return n
 
-    def from_label(self, n: int) -> Any:
+    def from_label(self, n: int) -> flint.fq_default:
         """Return the element with galois's integer label n."""
         digits = []
         for _ in range(self.degree):

@@ -1,15 +1,21 @@
 """Floats as a ring: RDF, the real numbers as far as float64 goes. It computes, but proves nothing."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
 from hfield.rings.base import Known
 from hfield.rings.printing import number_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.values import ValueRing
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 _FUNCTIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt, "cbrt": math.cbrt, "cos": math.cos, "sin": math.sin, "tan": math.tan,
@@ -34,7 +40,7 @@ class Floats(ValueRing):
         """Say what the ring is."""
         return "floating-point numbers, which are inexact"
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: Any) -> float:
         """Turn a real number into the nearest float, read a text.
 
         Raises :class:`CoercionError`; NaN and infinity are refused.
@@ -67,7 +73,7 @@ class Floats(ValueRing):
     def _not_finite(self, shown: str) -> CoercionError:
         return CoercionError(f"{shown} is not an element of RDF: expected a finite float64")
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: float) -> float:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""
         if x == 0:
             raise NotInvertibleError("cannot divide by 0 in RDF")
@@ -75,13 +81,13 @@ class Floats(ValueRing):
             raise NotInvertibleError(f"1/{x} is too large for RDF")
         return 1.0 / x
 
-    def divide(self, x: Any, y: Any) -> Any:
+    def divide(self, x: float, y: float) -> float:
         """Return x/y, rounded once. Raises :class:`NotInvertibleError` for y = 0."""
         if y == 0:
             raise NotInvertibleError("cannot divide by 0 in RDF")
         return x / y
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: float, n: int) -> Any:
         """Return xⁿ. Raises :class:`NotInvertibleError` for 0 to a negative power."""
         try:
             return float(x**n)
@@ -125,7 +131,7 @@ class Floats(ValueRing):
             return rf"{mantissa} \cdot 10^{{{int(exponent)}}}"
         return text.replace("-", "−") if style == "unicode" else text
 
-    def array(self, values: Any) -> Any:
+    def array(self, values: Any) -> np.ndarray:
         """Return a float64 array. Raises :class:`CoercionError` where an entry is not a finite real."""
         import numpy as np
 
@@ -150,7 +156,7 @@ class Floats(ValueRing):
         """Invert an array of nonzero entries elementwise."""
         return 1.0 / values
 
-    def scalar(self, x: Any) -> Any:
+    def scalar(self, x: Any) -> float:
         """Turn an entry of an array into a Python float."""
         return float(x)
 

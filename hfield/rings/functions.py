@@ -10,7 +10,7 @@ import atexit
 import gc
 from collections.abc import Callable, Hashable, Iterator
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -23,6 +23,10 @@ from hfield.rings.modular import WORD
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.quotient import Quotient
 from hfield.rings.rational import rational, unwrap
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Coefficient, Polynomial
+
 
 __all__ = ["FunctionField", "Quotient", "build"]
 
@@ -58,20 +62,20 @@ class FunctionField(Ring):
         return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> Quotient:
         """The variable."""
         return self._gen
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, Quotient]:
         """The variable and the generator of the base field."""
         lifted = {name: self.constant(x) for name, x in self.base.names().items()}
         return {**lifted, self.gen_name or "": self._gen}
 
-    def constant(self, c: Any) -> Quotient:
+    def constant(self, c: Coefficient) -> Quotient:
         """Return the constant function of an element of the base field."""
         return Quotient(self, self._polynomial([c]), self._one)
 
-    def quotient(self, num: Any, den: Any) -> Quotient:
+    def quotient(self, num: Polynomial, den: Polynomial) -> Quotient:
         """Return num/den in lowest terms; den is not 0."""
         common = num.gcd(den)
         if not self.is_one(common):
@@ -82,15 +86,15 @@ class FunctionField(Ring):
             num, den = num * scale, den * scale
         return Quotient(self, num, den)
 
-    def is_one(self, poly: Any) -> bool:
+    def is_one(self, poly: Polynomial) -> bool:
         """Tell whether a flint polynomial is 1."""
         return bool(poly == self._one)
 
-    def base_element(self, c: Any) -> Any:
+    def base_element(self, c: Coefficient) -> Coefficient:
         """Return a coefficient as flint gives it as an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Any:
         """Turn a number or an element of the base field into a constant, read a text.
 
         Raises :class:`CoercionError`.
@@ -114,23 +118,23 @@ class FunctionField(Ring):
         """Tell whether x is 0."""
         return bool(x.num == 0)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: Quotient, y: Quotient) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Quotient) -> Hashable:
         """Return the coefficients of numerator and denominator."""
         return tuple(
             tuple(self.base.key(self.base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
         )
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Quotient) -> Quotient:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x.num == 0:
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         return self.quotient(x.den, x.num)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Quotient, n: int) -> Quotient:
         """Return xⁿ; n < 0 inverts first."""
         return x**n
 
@@ -161,7 +165,7 @@ class FunctionField(Ring):
         shown = f"it is the level of {self.base.name}, for −1 is as many squares in F(t) as in F"
         return Known(known.value, f"{shown}; there {known.reason}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
         """Return constants whose squares add up to −1."""
         return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
 
@@ -172,13 +176,13 @@ class FunctionField(Ring):
             return super().orderings
         return Known(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: Quotient, ordering: int = 0) -> int:
         """Return the sign of x in the ordering in which the variable is infinitely large."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
         return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> Quotient:
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
@@ -195,7 +199,7 @@ class FunctionField(Ring):
 
         return all_places(self)
 
-    def completion(self, place: Any) -> Ring:
+    def completion(self, place: object) -> Ring:
         """Return a field of Laurent series, over a finite field of constants."""
         from hfield.rings.local.completions import completion_of_functions
 
@@ -205,7 +209,7 @@ class FunctionField(Ring):
         """Write x, such as ``(x+1)/(x^2+2)``."""
         return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
 
-    def _sum(self, poly: Any, style: str) -> str:
+    def _sum(self, poly: Polynomial, style: str) -> str:
         terms = [
             (self.base.text(self.base_element(c), style), [(self.gen_name or "", n)])
             for n, c in enumerate(poly.coeffs())
@@ -246,7 +250,7 @@ def polynomials_modulo(p: int) -> Callable[[list[Any]], Any]:
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]
 
 
-def _root(poly: Any) -> Any:
+def _root(poly: Polynomial) -> Polynomial | None:
     """Return the square root of a monic polynomial, or None."""
     if poly.degree() % 2:
         return None

@@ -17,7 +17,7 @@ TABLES_BELOW = 2**16  # from here on its tables would take seconds to build
 
 
 @lru_cache(maxsize=256)
-def field_class(F: Any) -> Any:
+def field_class(F: Any) -> galois.FieldArray | None:
     """Return galois's array class for the finite field F, with F's modulus; None if F is too large."""
     if F.order >= GALOIS_BELOW:
         return None
@@ -44,7 +44,7 @@ def array(F: Any, values: Any) -> Any:
     return of_labels(F, labels(F, values, cls.dtypes[0].__name__))
 
 
-def of_labels(F: Any, row: Any) -> Any:
+def of_labels(F: Any, row: np.ndarray) -> Any:
     """Return labels as an array over F, without a copy where galois takes their type."""
     cls = field_class(F)
     if cls is None:
@@ -52,7 +52,7 @@ def of_labels(F: Any, row: Any) -> Any:
     return row.astype(cls.dtypes[0], copy=False).view(cls)
 
 
-def from_galois(F: Any, x: Any) -> Any:
+def from_galois(F: Any, x: galois.FieldArray) -> Any:
     """Turn a galois scalar over F into an element. Raises :class:`CoercionError`."""
     check_galois(F, x)
     if x.ndim:
@@ -69,14 +69,14 @@ def scalar(F: Any, x: Any) -> Any:
     return from_galois(F, x) if hasattr(type(x), "irreducible_poly") else x
 
 
-def units(F: Any, values: Any) -> Any:
+def units(F: Any, values: Objects) -> np.ndarray:
     """Return a bool array: which entries are not 0."""
     if isinstance(values, Objects):
         return Ring.array_units(F, values)
     return np.asarray(values.view(np.ndarray) != 0)
 
 
-def inverse(F: Any, values: Any) -> Any:
+def inverse(F: Any, values: Objects) -> Any:
     """Invert an array of nonzero entries elementwise."""
     if isinstance(values, Objects):
         return Ring.array_inverse(F, values)

@@ -32,7 +32,7 @@ class Bounds:
         return prod(self.roots.values()) * int(sympy.totient(self.order))
 
 
-def bounds(expr: Any) -> Bounds | None:
+def bounds(expr: sympy.Expr) -> Bounds | None:
     """Return the bounds of a sympy number, or None if it is not seen to be algebraic."""
     found = Bounds()
     height = _height(expr, found)
@@ -42,7 +42,7 @@ def bounds(expr: Any) -> Bounds | None:
     return found
 
 
-def _height(expr: Any, found: Bounds) -> float | None:
+def _height(expr: sympy.Expr, found: Bounds) -> float | None:
     """Return a bound of the logarithmic height; add to ``found`` what the degree comes from."""
     if expr.is_Rational:
         return log(max(abs(int(expr.p)), int(expr.q)))
@@ -67,7 +67,7 @@ def _height(expr: Any, found: Bounds) -> float | None:
     return _cyclotomic(expr, found)
 
 
-def _cyclotomic(expr: Any, found: Bounds) -> float | None:
+def _cyclotomic(expr: sympy.Expr, found: Bounds) -> float | None:
     """Bound values of cos, sin, tan and exp at rational multiples of π: sums of roots of unity."""
     angle = _angle(expr)
     if angle is None:
@@ -77,7 +77,7 @@ def _cyclotomic(expr: Any, found: Bounds) -> float | None:
     return {sympy.cos: 2, sympy.sin: 2, sympy.tan: 4}.get(expr.func, 0) * log(2)
 
 
-def _angle(expr: Any) -> Any:
+def _angle(expr: sympy.Expr) -> sympy.Expr | None:
     """Return r where expr is a function of cos, sin, tan at r·π, or exp(i·r·π); else None."""
     if expr.func in (sympy.cos, sympy.sin, sympy.tan):
         ratio = expr.args[0] / sympy.pi

@@ -156,7 +156,7 @@ class Batch(Holding):
         shape: tuple[int, ...] = getattr(self.coordinates(p)[0], "shape", ())
         return shape
 
-    def part(self, p: Any, index: Any) -> Any:
+    def part(self, p: Any, index: object) -> Any:
         """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
         w, x, y, z = (c[index] for c in self.coordinates(p))
         return self.hold((w, x, y, z))

@@ -1,10 +1,12 @@
 """The integers, the rationals and the residue rings ZZ/n, on flint's ``fmpz``, ``fmpq``, ``nmod``."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -18,6 +20,10 @@ from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import rational_roots
 from hfield.rings.values import ValueRing
+
+if TYPE_CHECKING:
+    import numpy as np
+
 
 _ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
 
@@ -37,12 +43,12 @@ class _Ordered(ValueRing):
         """The usual ordering is the only one."""
         return Known(1, "every positive number is a sum of four squares over one square")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: flint.fmpz | flint.fmpq, ordering: int = 0) -> int:
         """Return −1, 0 or 1."""
         self.check_ordering(ordering)
         return int(x > 0) - int(x < 0)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: flint.fmpz | flint.fmpq, style: str = "plain") -> str:
         """Write x, such as ``-1/2``."""
         return number_text(x, style)
 
@@ -60,7 +66,7 @@ class Integers(_Ordered):
         """Say what ℤ is."""
         return "the integers ℤ"
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> flint.fmpz:
         """Turn a whole number into an element, read a text. Raises :class:`CoercionError`."""
         x = unwrap(x)
         if isinstance(x, flint.fmpz):
@@ -100,7 +106,7 @@ class Integers(_Ordered):
 
         return WholeArrays(self, constants)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: flint.fmpz) -> flint.fmpz:
         """Return 1/x for x = 1 or −1. Raises :class:`NotInvertibleError`."""
         if x == 1 or x == -1:
             return x
@@ -110,22 +116,22 @@ class Integers(_Ordered):
             f"{shorten(x)} has no inverse in ZZ, only 1 and -1 have; QQ has 1/x"
         )
 
-    def divide(self, x: Any, y: Any) -> Any:
+    def divide(self, x: flint.fmpz, y: flint.fmpz) -> flint.fmpz:
         """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""
         if y == 0 or x % y != 0:
             self.inverse(y)
         return x // y
 
-    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+    def euclid(self, x: flint.fmpz, y: flint.fmpz) -> tuple[flint.fmpz, flint.fmpz]:
         """Return quotient and remainder, which has the sign of y."""
         quotient, remainder = divmod(x, y)
         return quotient, remainder
 
-    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+    def roots(self, coefficients: Sequence[flint.fmpz]) -> list[flint.fmpz]:
         """Return the integer roots of a polynomial that is not 0."""
         return [flint.fmpz(x.p) for x in rational_roots(coefficients) if x.q == 1]
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: flint.fmpz) -> flint.fmpz | None:
         """Return the root y ≥ 0 with y² = x, or None."""
         return x.isqrt() if x >= 0 and x.is_square() else None
 
@@ -145,7 +151,7 @@ class Rationals(_Ordered):
         """Say what ℚ is."""
         return "the rational numbers ℚ"
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> flint.fmpq:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
         if type(x) is int:
             return flint.fmpq(x)
@@ -165,23 +171,23 @@ class Rationals(_Ordered):
 
         return FractionArrays(self, constants)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: flint.fmpq) -> flint.fmpq:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x == 0:
             raise NotInvertibleError("cannot divide by 0 in QQ")
         return 1 / x
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: flint.fmpq) -> flint.fmpq | None:
         """Return the root y ≥ 0 with y² = x, or None."""
         if x < 0 or not (x.p.is_square() and x.q.is_square()):
             return None
         return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
-    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+    def roots(self, coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
         """Return the rational roots of a polynomial that is not 0."""
         return rational_roots(coefficients)
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> flint.fmpq:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 
@@ -196,7 +202,7 @@ class Rationals(_Ordered):
         yield "inf"
         yield from filter(is_prime, itertools.count(2))
 
-    def completion(self, place: Any) -> Ring:
+    def completion(self, place: object) -> Ring:
         """Return ℚ_p, or RR at infinity."""
         from hfield.rings.local.completions import completion_of_rationals
 
@@ -209,15 +215,15 @@ class Residues(Modular):
     def __init__(self, n: int) -> None:
         super().__init__(f"ZZ/{n}", n, is_prime(n))
 
-    def label(self, x: Any) -> int:
+    def label(self, x: flint.nmod) -> int:
         """Return the residue between 0 and n − 1."""
         return int(x)
 
-    def from_label(self, n: int) -> Any:
+    def from_label(self, n: int) -> flint.nmod:
         """Return the element with a residue."""
         return self(n)
 
-    def array_of_labels(self, row: Any) -> Any:
+    def array_of_labels(self, row: np.ndarray) -> Any:
         """Return an array of residues as ``array`` returns arrays."""
         from hfield.rings.arrays import objects
 
@@ -233,7 +239,7 @@ class Residues(Modular):
         """Say what ℤ/n is."""
         return f"the integers modulo {shorten(self.modulus)}"
 
-    def state(self, x: Any) -> Any:
+    def state(self, x: flint.nmod) -> int:
         """Return the residue as an int."""
         return int(x)
 

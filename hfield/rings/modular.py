@@ -1,10 +1,12 @@
 """Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -18,6 +20,10 @@ from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import residue_roots
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Coefficient
+
 
 WORD = 2**63
 SEARCH = 2_000  # the largest modulus over which squares are searched one by one
@@ -39,7 +45,7 @@ class Modular(Ring):
             self.residue = flint.fmpz_mod_ctx(modulus)
         self._type = type(self.residue(0))
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
         """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text.
 
         Raises :class:`CoercionError`, and :class:`NotInvertibleError` where b is not a unit.
@@ -58,7 +64,7 @@ class Modular(Ring):
             return self.ratio(number)
         return self.residue(number)
 
-    def _modulus_of(self, x: Any) -> int:
+    def _modulus_of(self, x: Coefficient) -> int:
         """Return the modulus of a residue; flint's fmpz_mod tells its own only through −1."""
         return int(x.modulus()) if self.modulus < WORD else int(-(x - x + 1)) + 1
 
@@ -75,23 +81,23 @@ class Modular(Ring):
 
         return None if self.modulus % n else ring(f"ZZ/{n}")
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: flint.nmod | flint.fmpz_mod) -> Any:
         """Return the residue between 0 and n − 1 as an integer."""
         return flint.fmpz(int(x))
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: flint.nmod | flint.fmpz_mod) -> bool:
         """Tell whether x is 0."""
         return bool(x == 0)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: flint.nmod | flint.fmpz_mod, y: flint.nmod | flint.fmpz_mod) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: flint.nmod | flint.fmpz_mod) -> Hashable:
         """Return the residue between 0 and n − 1."""
         return int(x)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod:
         """Return 1/x. Raises :class:`NotInvertibleError`, which names a zero divisor's partner."""
         value = int(x)
         common = gcd(value, self.modulus)
@@ -104,16 +110,16 @@ class Modular(Ring):
             f"times {shorten(self.modulus // common, 24)} it gives 0"
         )
 
-    def is_unit(self, x: Any) -> bool:
+    def is_unit(self, x: flint.nmod | flint.fmpz_mod) -> bool:
         """Tell whether x has an inverse."""
         return gcd(int(x), self.modulus) == 1
 
-    def annihilator(self, x: Any) -> Any:
+    def annihilator(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod | None:
         """Return some nonzero y with x·y = 0, or None."""
         common = gcd(int(x), self.modulus)
         return None if common == 1 else self.residue(self.modulus // common)
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod | None:
         """Return the smallest y with y² = x, or None. Raises :class:`UndecidedError`, if n is too large."""
         if self.is_zero(x):
             return x
@@ -129,7 +135,7 @@ class Modular(Ring):
                 return y
         return None
 
-    def _field_sqrt(self, x: Any) -> Any:
+    def _field_sqrt(self, x: Coefficient) -> Coefficient | None:
         if self.modulus == 2:
             return x
         value = flint.fmpz(int(x))
@@ -138,7 +144,9 @@ class Modular(Ring):
         root = int(value.sqrtmod(self.modulus))
         return self.residue(min(root, self.modulus - root))
 
-    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+    def roots(
+        self, coefficients: Sequence[flint.nmod | flint.fmpz_mod]
+    ) -> list[flint.nmod | flint.fmpz_mod]:
         """Return the roots of a polynomial that is not 0. Raises :class:`UndecidedError`."""
         return [
             self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)
@@ -154,7 +162,7 @@ class Modular(Ring):
         fewer = ", and fewer squares do not do" if len(squares) > 1 else ""
         return Known(len(squares), f"−1 = {shown} in {shorten(self.name)}{fewer}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[flint.nmod | flint.fmpz_mod, ...]:
         """Return as few elements as possible whose squares add up to −1; () if n is too large."""
         minus_one = self.residue(-1)
         if self.is_field:
@@ -164,7 +172,7 @@ class Modular(Ring):
             return ()
         return self._fewest_squares()
 
-    def _two_squares(self) -> tuple[Any, ...]:
+    def _two_squares(self) -> tuple[Coefficient, ...]:
         """Return x, y with x² + y² = −1 in a prime field; about every second x will do."""
         for n in range(1, self.modulus):
             x = self.residue(n)
@@ -173,7 +181,7 @@ class Modular(Ring):
                 return x, y
         raise AssertionError("every finite field of odd characteristic has two such squares")
 
-    def _fewest_squares(self) -> tuple[Any, ...]:
+    def _fewest_squares(self) -> tuple[flint.nmod, ...]:
         """Search sums of 1, 2, 3 and 4 squares; four suffice (Lagrange)."""
         n = self.modulus
         roots: dict[int, int] = {}
@@ -198,19 +206,19 @@ class Modular(Ring):
 
         return Residues(self, constants)
 
-    def elements(self) -> Iterator[Any]:
+    def elements(self) -> Iterator[flint.nmod | flint.fmpz_mod]:
         """Run through 0, 1, …, n − 1."""
         return (self.residue(n) for n in range(self.modulus))
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> flint.nmod | flint.fmpz_mod:
         """Return a random element; the same for the same seed."""
         return self.residue(rng.randrange(self.modulus))
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: flint.nmod | flint.fmpz_mod, n: int) -> flint.nmod | flint.fmpz_mod:
         """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
         base = x if n >= 0 else self.inverse(x)
         return self.residue(pow(int(base), abs(n), self.modulus))
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: flint.nmod | flint.fmpz_mod, style: str = "plain") -> str:
         """Write the residue between 0 and n − 1."""
         return str(int(x))

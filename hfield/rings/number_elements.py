@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.product import Scalar
 from hfield.rings.rational import rational
 
 if TYPE_CHECKING:
@@ -26,11 +27,11 @@ class FieldElement:
 
     __slots__ = ("field", "poly")
 
-    def __init__(self, field: NumberField, poly: Any) -> None:
+    def __init__(self, field: NumberField, poly: flint.fmpq_poly) -> None:
         self.field = field
         self.poly = poly
 
-    def _other(self, x: Any) -> Any:
+    def _other(self, x: Scalar) -> Any:
         """Return what to compute with in the place of x: a polynomial, a number of flint, or None."""
         if type(x) is FieldElement:
             return x.poly if x.field is self.field or x.field == self.field else None
@@ -39,17 +40,17 @@ class FieldElement:
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Any) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else FieldElement(self.field, self.poly + y)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: Any) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else FieldElement(self.field, self.poly - y)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: Any) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else FieldElement(self.field, y - self.poly)
 
@@ -59,7 +60,7 @@ class FieldElement:
     def __pos__(self) -> FieldElement:
         return self
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Any) -> FieldElement:
         field = self.field
         if type(other) is FieldElement and other.field is field:
             return FieldElement(field, self.poly * other.poly % field.polynomial)
@@ -70,11 +71,11 @@ class FieldElement:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Any) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else self * self.field(other).inverse()
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Any) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else self.inverse() * other
 
@@ -106,7 +107,7 @@ class FieldElement:
     def __bool__(self) -> bool:
         return bool(self.poly)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return _restore, (self.field, [(int(c.p), int(c.q)) for c in self.poly.coeffs()])
 
     def __repr__(self) -> str:
@@ -118,18 +119,18 @@ class FieldElement:
         """Tell whether the number is rational."""
         return bool(self.poly.degree() < 1)
 
-    def norm(self) -> Any:
+    def norm(self) -> flint.fmpq:
         """Return the norm down to ℚ, the product of the conjugates."""
         return self.field.polynomial.resultant(self.poly)
 
-    def trace(self) -> Any:
+    def trace(self) -> flint.fmpq:
         """Return the trace down to ℚ, the sum of the conjugates."""
         return sum(
             (c * t for c, t in zip(self.poly.coeffs(), self.field.traces, strict=False)),
             flint.fmpq(0),
         )
 
-    def minimal_polynomial(self) -> list[Any]:
+    def minimal_polynomial(self) -> list[flint.fmpq]:
         """Return the coefficients of the minimal polynomial over ℚ, low degree first, monic."""
         return list(self.field.multiplication(self).minpoly().coeffs())
 
@@ -142,7 +143,7 @@ class FieldElement:
         """Return the sign at a real place, numbered from 0 in the order of the roots."""
         return self.field.sign(self, ordering)
 
-    def complex(self, place: int | None = None, digits: int = 15) -> Any:
+    def complex(self, place: int | None = None, digits: int = 15) -> flint.acb:
         """Return the value at an infinite place, a complex ball of flint with so many correct digits.
 
         Places are numbered as in :meth:`NumberField.infinite_places`; by default it is the embedding that

@@ -64,7 +64,7 @@ class NumberField(ValueRing):
         return f"the number field {blackboard(self.name)} of degree {self.degree}"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> FieldElement:
         """The root s that generates the field."""
         return FieldElement(self, flint.fmpq_poly([0, 1]))
 
@@ -85,13 +85,13 @@ class NumberField(ValueRing):
         return max(self.embeddings.real_count, 1) - 1
 
     @cached_property
-    def traces(self) -> list[Any]:
+    def traces(self) -> list[flint.fmpq]:
         """The traces of the powers 1, s, … of the generator."""
         powers = [FieldElement(self, flint.fmpq_poly([0] * n + [1])) for n in range(self.degree)]
         matrices = [self.multiplication(x) for x in powers]
         return [sum((m[k, k] for k in range(self.degree)), flint.fmpq(0)) for m in matrices]
 
-    def multiplication(self, x: FieldElement) -> Any:
+    def multiplication(self, x: FieldElement) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by x: row n has the coefficients of sⁿ·x."""
         n, y, rows = self.degree, x, []
         for _ in range(n):
@@ -102,7 +102,7 @@ class NumberField(ValueRing):
 
     # --- elements ------------------------------------------------------------------------------
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Any:
         """Turn a rational number or an element into an element, read a text.
 
         Raises :class:`CoercionError`.
@@ -123,7 +123,7 @@ class NumberField(ValueRing):
         """The square root of what has one in the field."""
         return {"sqrt": self._sqrt_here}
 
-    def _sqrt_here(self, x: Any) -> Any:
+    def _sqrt_here(self, x: FieldElement) -> FieldElement | None:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(
@@ -139,13 +139,13 @@ class NumberField(ValueRing):
         """Return the coefficients of x."""
         return tuple(x.poly.coeffs())
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: FieldElement) -> FieldElement:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if not x.poly:
             raise NotInvertibleError(f"cannot divide by 0 in {shorten(self.name)}")
         return FieldElement(self, x.poly.xgcd(self.polynomial)[1])
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Any) -> FieldElement | None:
         """Return the square root whose value at the principal embedding is principal, or None."""
         y = square_root(self, x)
         return None if y is None else y if self._is_principal(y) else -y
@@ -180,7 +180,7 @@ class NumberField(ValueRing):
 
         return number_fields.holding(self, constants)
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> FieldElement:
         """Return a small random element; the same for the same seed."""
         from hfield.rings.integers import QQ
 
@@ -202,7 +202,7 @@ class NumberField(ValueRing):
         """Return the trace of x down to ℚ."""
         return self(x).trace()
 
-    def embed(self, x: Any, place: int | None = None, digits: int = 15) -> Any:
+    def embed(self, x: FieldElement, place: int | None = None, digits: int = 15) -> flint.acb:
         """Return the value of x at an infinite place, a complex ball of flint. Raises :class:`RingError`."""
         index = self.principal if place is None else place
         if not 0 <= index < self.embeddings.count:
@@ -220,7 +220,7 @@ class NumberField(ValueRing):
             return super().orderings
         return Known(real, f"the polynomial of {self.name} has so many real roots")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: FieldElement, ordering: int = 0) -> int:
         """Return the sign of x where s is the real root of that number, ascending from 0."""
         self.check_ordering(ordering)
         x = self(x)
@@ -255,7 +255,7 @@ class NumberField(ValueRing):
             return Known(4, fewer)
         return Known(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[FieldElement, ...]:
         """Return as few elements as the level says whose squares add up to −1, if some are small; else ()."""
         return self._minus_one
 
@@ -273,7 +273,7 @@ class NumberField(ValueRing):
                 if root is not None:
                     return minus_one(m, root)
         others, rng = (3 if odd else 1), Random(1)
-        for trial in range(SEARCHED // others):
+        for trial in range(SEARCHED // others // max(1, self.degree // 8) ** 3):
             chosen = [self._small(1 + trial // 2000, rng) for _ in range(others)]
             below = self._small(1, rng) if trial > 500 else self.one
             y = self.sqrt(sum((-x * x for x in chosen), -below * below)) if below else None
@@ -290,7 +290,7 @@ class NumberField(ValueRing):
 
     # --- integers and places ---------------------------------------------------------------------
 
-    def integral_basis(self) -> tuple[Any, ...]:
+    def integral_basis(self) -> tuple[FieldElement, ...]:
         """Return a basis over ℤ of the integers of the field, 1 first; the discriminant must be factored.
 
         Raises :class:`UnfactoredError`.
@@ -305,11 +305,11 @@ class NumberField(ValueRing):
 
         return discriminant(self)
 
-    def is_integral(self, x: Any) -> bool:
+    def is_integral(self, x: FieldElement) -> bool:
         """Tell whether x is an algebraic integer."""
         return all(c.q == 1 for c in self(x).minimal_polynomial())
 
-    def primes_above(self, p: Any) -> tuple[PrimeIdeal, ...]:
+    def primes_above(self, p: int) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals above a prime number, always in the same order.
 
         Each has ``p, e, f, generators, x in P, valuation(x), reduce(x)`` and ``residue_field``. Raises
@@ -341,7 +341,7 @@ class NumberField(ValueRing):
 
         return all_places(self)
 
-    def completion(self, place: Any) -> Ring:
+    def completion(self, place: object) -> Ring:
         """Return an extension of ℚ_p at a prime ideal, RR or CC at an infinite place."""
         from hfield.rings.local.completions import completion_of_number_field
 

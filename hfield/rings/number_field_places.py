@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.factorisation import is_prime
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_primes import PrimeIdeal, primes_above
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.number_elements import FieldElement
 
 
 @dataclass(frozen=True)
@@ -27,7 +32,7 @@ class _InfinitePlace:
     def __repr__(self) -> str:
         return str(self)
 
-    def value(self, x: Any, digits: int = 15) -> Any:
+    def value(self, x: FieldElement, digits: int = 15) -> flint.acb:
         """Return the image of x, a complex ball of flint with so many correct digits."""
         return self.field.embed(x, self.index, digits)
 
@@ -35,7 +40,7 @@ class _InfinitePlace:
 class RealPlace(_InfinitePlace):
     """A real place: ``index`` counts the real roots of the polynomial from 0, ascending."""
 
-    def sign(self, x: Any) -> int:
+    def sign(self, x: FieldElement) -> int:
         """Return the sign of x there: −1, 0 or 1."""
         return self.field.sign(x, self.index)
 

@@ -26,7 +26,7 @@ class Embeddings:
     one root each, and keep their number at every precision.
     """
 
-    def __init__(self, polynomial: Any) -> None:
+    def __init__(self, polynomial: flint.fmpq_poly) -> None:
         self._whole = polynomial.numer()
         first = self._isolated(START)
         real = sorted((z for z in first if z.imag == 0), key=lambda z: float(z.real.mid()))
@@ -35,11 +35,11 @@ class Embeddings:
         self.real_count, self.count = len(real), len(real) + len(upper)
         self._at: dict[int, list[Any]] = {START: real + upper}
 
-    def _isolated(self, bits: int) -> list[Any]:
+    def _isolated(self, bits: int) -> list[flint.acb]:
         with flint.ctx.workprec(bits):
             return [flint.acb(z) for z, _ in self._whole.complex_roots()]
 
-    def at(self, bits: int) -> list[Any]:
+    def at(self, bits: int) -> list[flint.acb]:
         """Return the roots with so many bits."""
         if bits not in self._at:
             finer = self._isolated(bits)
@@ -48,7 +48,7 @@ class Embeddings:
             ]
         return self._at[bits]
 
-    def value(self, poly: Any, index: int, bits: int) -> Any:
+    def value(self, poly: flint.fmpq_poly, index: int, bits: int) -> flint.acb:
         """Return a ball around the value of a polynomial at a root."""
         root = self.at(bits)[index]
         with flint.ctx.workprec(bits):
@@ -57,7 +57,7 @@ class Embeddings:
                 value = value * root + flint.acb(c)
         return value
 
-    def sign(self, poly: Any, index: int) -> int:
+    def sign(self, poly: flint.fmpq_poly, index: int) -> int:
         """Return the sign of a polynomial, not divisible by that of the roots, at a real root."""
         bits = START
         while bits <= MAX_BITS:
@@ -69,7 +69,7 @@ class Embeddings:
             bits *= 2
         raise UndecidedError(f"a sign was not decided with {MAX_BITS} bits")
 
-    def close(self, poly: Any, index: int, digits: int) -> Any:
+    def close(self, poly: flint.fmpq_poly, index: int, digits: int) -> flint.acb:
         """Return a ball around the value with so many correct decimal digits."""
         wanted = int(digits * 3.33) + 2
         bits = max(START, wanted + 32)
@@ -102,7 +102,9 @@ def square_root(field: NumberField, x: FieldElement) -> FieldElement | None:
     raise UndecidedError(f"no multiple of {x} by a square was found that generates {field.name}")
 
 
-def _root_of_generator(field: NumberField, x: FieldElement, minimal: Any) -> FieldElement | None:
+def _root_of_generator(
+    field: NumberField, x: FieldElement, minimal: flint.fmpq_poly
+) -> FieldElement | None:
     doubled: list[Any] = []
     for c in minimal.coeffs():
         doubled += [c, 0]
@@ -120,7 +122,7 @@ def _root_of_generator(field: NumberField, x: FieldElement, minimal: Any) -> Fie
     return root
 
 
-def _is_square(x: Any) -> bool:
+def _is_square(x: flint.fmpq) -> bool:
     return bool(x > 0 and x.p.is_square() and x.q.is_square())
 
 
@@ -140,7 +142,7 @@ def _tests(field: NumberField) -> list[tuple[int, Any]]:
     return out
 
 
-def _square_at(x: FieldElement, p: int, g: Any) -> bool:
+def _square_at(x: FieldElement, p: int, g: flint.nmod_poly) -> bool:
     """Tell whether x may be a square, from its residue in GF(p)[s]/g."""
     den = int(x.poly.denom()) % p
     if not den:

@@ -20,7 +20,7 @@ from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
-from hfield.rings.number_field_specs import MAX_CONDUCTOR, MAX_DEGREE
+from hfield.rings.number_field_specs import LARGEST_DEGREE, MAX_CONDUCTOR, MAX_DEGREE
 from hfield.rings.number_sums import Value, common_root, evaluate, factor_at, sums_of_roots
 from hfield.rings.printing import number_text, sum_text
 from hfield.rings.rational import rational
@@ -54,6 +54,10 @@ class SpelledField(NumberField):
             images = self._adjoin(images, number)
         if self.degree < 2:
             raise RingError(f"{shorten(name)} is QQ itself: write QQ")
+        if self.degree > LARGEST_DEGREE:
+            raise RingError(
+                f"{shorten(name)} has degree {self.degree}; at most {LARGEST_DEGREE} is taken"
+            )
         self._images = images
         self.gen_name = self.text(self.gen)
 
@@ -80,7 +84,7 @@ class SpelledField(NumberField):
         return [*(evaluate(larger, image, alpha).poly for image in images), beta.poly]
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> FieldElement:
         """The number in the name, or the sum θ of multiples of them that generates the field."""
         return FieldElement(self, flint.fmpq_poly([0, 1]))
 
@@ -176,7 +180,8 @@ class SpelledField(NumberField):
 def adjoined(s: str, inner: str) -> Ring:
     """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
     texts = _split(inner)
-    numbers = [read_number(s, text) for text in texts]
+    once = {n.text: n for n in (read_number(s, text) for text in texts)}
+    numbers = list(once.values())
     quadratic = [n.radicand for n in numbers if n.radicand is not None and n.radicand[1] == 2]
     if len(numbers) == 1 and quadratic:
         from hfield.rings.quadratic import build
@@ -265,14 +270,14 @@ def _split(inner: str) -> list[str]:
 
 
 def _precise(value: Value) -> Value:
-    def at(bits: int) -> Any:
+    def at(bits: int) -> flint.acb:
         with flint.ctx.workprec(bits + 16):
             return value(bits)
 
     return at
 
 
-def _rational_root(x: Any, n: int) -> Any:
+def _rational_root(x: flint.fmpq, n: int) -> flint.fmpq:
     """Return the positive rational n-th root of x, or None."""
     if x <= 0:
         return None

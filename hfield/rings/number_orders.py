@@ -15,6 +15,7 @@ import flint
 
 from hfield.errors import TooLargeError, shorten
 from hfield.factorisation import factorise, remove
+from hfield.product import Scalar
 from hfield.rings.modular import WORD
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
@@ -38,7 +39,7 @@ class LocalOrder:
         return _elements(self.field, self.rows)
 
     @cached_property
-    def _inverse(self) -> Any:
+    def _inverse(self) -> flint.fmpq_mat:
         return self.rows.inv()
 
     def coordinates(self, x: FieldElement) -> tuple[list[int], int]:
@@ -93,7 +94,7 @@ def integral_generator(field: NumberField) -> tuple[int, Any]:
     return scale, flint.fmpz_poly([int(c.p) for c in whole])
 
 
-def dedekind(whole: Any, p: int) -> bool:
+def dedekind(whole: flint.fmpz_poly, p: int) -> bool:
     """Tell by Dedekind's criterion whether ℤ[s] is maximal at p (Cohen, theorem 6.1.4)."""
     from hfield.rings.residue_polynomials import residues
 
@@ -111,7 +112,7 @@ def dedekind(whole: Any, p: int) -> bool:
     return bool(rest.gcd(g).gcd(h).degree() == 0)
 
 
-def _p_maximal(field: NumberField, p: int) -> Any:
+def _p_maximal(field: NumberField, p: int) -> flint.fmpq_mat:
     """Return the rows of an order that is maximal at p, by Round 2 from ℤ[c·s] (Cohen, algorithm 6.1.8)."""
     if p >= WORD:
         raise TooLargeError(
@@ -127,7 +128,7 @@ def _p_maximal(field: NumberField, p: int) -> Any:
         rows = larger
 
 
-def _enlarged(field: NumberField, rows: Any, p: int) -> Any:
+def _enlarged(field: NumberField, rows: flint.fmpq_mat, p: int) -> flint.fmpq_mat | None:
     """Return the multiplier ring of the p-radical of an order, or None if it is the order itself."""
     n = field.degree
     table = multiplication_tables(field, rows)
@@ -146,7 +147,7 @@ def _enlarged(field: NumberField, rows: Any, p: int) -> Any:
     return flint.fmpq_mat(finer) * rows * flint.fmpq(1, p)
 
 
-def multiplication_tables(field: NumberField, rows: Any) -> list[Any]:
+def multiplication_tables(field: NumberField, rows: flint.fmpq_mat) -> list[flint.fmpz_mat]:
     """Return integer matrices: row j of the i-th has the coordinates of ωⱼ·ωᵢ in the basis ω."""
     n, basis, inverse = field.degree, _elements(field, rows), rows.inv()
     out = []
@@ -158,7 +159,7 @@ def multiplication_tables(field: NumberField, rows: Any) -> list[Any]:
     return out
 
 
-def p_radical(table: list[Any], p: int, rows: Any) -> list[list[int]]:
+def p_radical(table: list[flint.fmpz_mat], p: int, rows: flint.fmpq_mat) -> list[list[int]]:
     """Return vectors that span, modulo p, the nilpotent elements: those with x^(pʲ) = 0, pʲ ≥ n."""
     n = len(table)
     power = p
@@ -172,18 +173,18 @@ def p_radical(table: list[Any], p: int, rows: Any) -> list[list[int]]:
     return left_kernel(flint.nmod_mat(n, n, [int(c) for row in images for c in row], p))
 
 
-def one_in(rows: Any) -> list[int]:
+def one_in(rows: flint.fmpq_mat) -> list[int]:
     """Return the coordinates of 1 in an order."""
     n = rows.nrows()
     return [int(c.p) for c in (flint.fmpq_mat(1, n, [1] + [0] * (n - 1)) * rows.inv()).entries()]
 
 
-def residue_matrix(matrix: Any, p: int) -> Any:
+def residue_matrix(matrix: flint.fmpz_mat, p: int) -> flint.nmod_mat:
     """Return an integer matrix modulo p."""
     return flint.nmod_mat(matrix.nrows(), matrix.ncols(), [int(c) % p for c in matrix.entries()], p)
 
 
-def left_kernel(matrix: Any) -> list[list[int]]:
+def left_kernel(matrix: flint.nmod_mat) -> list[list[int]]:
     """Return a basis of the row vectors v with v·M = 0 modulo p."""
     kernel, rank = matrix.transpose().nullspace()
     columns = kernel.transpose().tolist()[:rank]
@@ -194,13 +195,13 @@ def _multiples(n: int, p: int) -> list[list[int]]:
     return [[p if i == j else 0 for j in range(n)] for i in range(n)]
 
 
-def _lattice(rows: list[list[int]], n: int) -> Any:
+def _lattice(rows: list[list[int]], n: int) -> flint.fmpz_mat:
     """Return a basis, as an n × n matrix in Hermite normal form, of what integer rows of rank n span."""
     whole = flint.fmpz_mat(len(rows), n, [c for row in rows for c in row]).hnf()
     return flint.fmpz_mat(n, n, whole.entries()[: n * n])
 
 
-def _by_degrees(rows: list[list[Any]], n: int) -> Any:
+def _by_degrees(rows: list[list[Any]], n: int) -> flint.fmpq_mat:
     """Return the basis in Hermite's form of what rational rows span: elements of degrees 0, 1, … in s."""
     below = math.lcm(*(int(flint.fmpq(c).q) for row in rows for c in row))
     integers = [[int(flint.fmpq(c) * below) for c in reversed(row)] for row in rows]
@@ -208,11 +209,11 @@ def _by_degrees(rows: list[list[Any]], n: int) -> Any:
     return flint.fmpq_mat(flint.fmpz_mat(n, n, basis)) * flint.fmpq(1, below)
 
 
-def _padded(coefficients: list[Any], n: int) -> list[Any]:
+def _padded(coefficients: list[flint.fmpq], n: int) -> list[Scalar]:
     return [*coefficients, *[0] * (n - len(coefficients))]
 
 
-def _elements(field: NumberField, rows: Any) -> list[FieldElement]:
+def _elements(field: NumberField, rows: flint.fmpq_mat) -> list[FieldElement]:
     return [FieldElement(field, flint.fmpq_poly(row)) for row in rows.tolist()]
 
 

@@ -57,9 +57,9 @@ class PrimeIdeal:
         pi: FieldElement,
         beta: FieldElement,
         epsilon: FieldElement,
-        residue: Any,
+        residue: flint.nmod_poly,
         residue_gen: FieldElement,
-        images: Any = None,
+        images: flint.nmod_mat = None,
     ) -> None:
         self.field, self.order, self.p, self.e, self.f = order.field, order, order.p, e, f
         self.pi, self.beta, self.idempotent = pi, beta, epsilon
@@ -101,7 +101,7 @@ class PrimeIdeal:
     def __hash__(self) -> int:
         return hash((self.field, self.p, self.pi))
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         from hfield.rings.number_field_places import place_of_number_field
 
         return place_of_number_field, (self.field, str(self))
@@ -110,7 +110,7 @@ class PrimeIdeal:
         y = self.field(x)
         return not y or (self.field.is_integral(y) and self.valuation(y) > 0)
 
-    def valuation(self, x: Any) -> int:
+    def valuation(self, x: FieldElement) -> int:
         """Return the order of x ≠ 0 at P. Raises :class:`RingError` for 0."""
         return self.unit_part(self.field(x))[0]
 
@@ -160,7 +160,7 @@ class PrimeIdeal:
             total = total * gen + field(c)
         return total
 
-    def residue_of(self, x: FieldElement) -> Any:
+    def residue_of(self, x: FieldElement) -> flint.nmod_poly:
         """Return the class of x as a polynomial over GF(p) reduced modulo ``residue``."""
         if not x:
             return residues(self.p, [])
@@ -174,7 +174,7 @@ class PrimeIdeal:
             x = x * self.idempotent * self.idempotent
         return x
 
-    def _residue(self, x: FieldElement) -> Any:
+    def _residue(self, x: FieldElement) -> flint.nmod_poly:
         numerators, below = self.order.coordinates(x)
         scale = pow(below, -1, self.p)
         values = [c * scale % self.p for c in numerators]
@@ -183,7 +183,7 @@ class PrimeIdeal:
         row = flint.nmod_mat(1, len(values), values, self.p) * self._images
         return residues(self.p, row.entries())
 
-    def lift(self, residue: Any) -> FieldElement:
+    def lift(self, residue: flint.nmod_poly) -> FieldElement:
         """Return an integer of the field with the given residue, a polynomial over GF(p)."""
         total: FieldElement = self.field.zero
         for c in reversed(coefficients(residue)):
@@ -191,7 +191,7 @@ class PrimeIdeal:
         return total
 
 
-def primes_above(field: NumberField, p: Any) -> tuple[PrimeIdeal, ...]:
+def primes_above(field: NumberField, p: object) -> tuple[PrimeIdeal, ...]:
     """Return the prime ideals above a prime number, in a fixed order. Raises :class:`RingError`."""
     number = rational(p)
     if not isinstance(number, int) or not is_prime(number):
@@ -259,10 +259,10 @@ class _ResidueAlgebra:
         self.one = self.row(one_in(order.rows))
         self.radical = p_radical(table, self.p, order.rows)
 
-    def row(self, values: list[int]) -> Any:
+    def row(self, values: list[int]) -> flint.nmod_mat:
         return flint.nmod_mat(1, self.n, [v % self.p for v in values], self.p)
 
-    def matrix(self, x: Any) -> Any:
+    def matrix(self, x: flint.nmod_mat) -> flint.nmod_mat:
         """Return the matrix of the multiplication by x."""
         total = flint.nmod_mat(self.n, self.n, [0] * self.n**2, self.p)
         for c, m in zip(x.entries(), self.table, strict=True):
@@ -270,26 +270,26 @@ class _ResidueAlgebra:
                 total = total + m * int(c)
         return total
 
-    def at(self, f: Any, x: Any) -> Any:
+    def at(self, f: flint.nmod_poly, x: flint.nmod_mat) -> flint.nmod_mat:
         """Return f(x) for a polynomial f over GF(p)."""
         m, total = self.matrix(x), self.one * 0
         for c in reversed(coefficients(f)):
             total = total * m + self.one * c
         return total
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> flint.nmod_mat:
         return self.row([rng.randrange(self.p) for _ in range(self.n)])
 
-    def lift(self, x: Any) -> FieldElement:
+    def lift(self, x: flint.nmod_mat) -> FieldElement:
         return self.order.element(int(c) for c in x.entries())
 
-    def span(self, rows: list[Any]) -> Any:
+    def span(self, rows: list[flint.nmod_mat]) -> Any:
         """Return a basis, in reduced echelon form, of what rows span."""
         entries = [int(c) for row in rows for c in row.entries()]
         reduced, rank = flint.nmod_mat(len(rows), self.n, entries, self.p).rref()
         return [self.row([int(c) for c in r]) for r in reduced.tolist()[:rank]]
 
-    def idempotents(self, count: int) -> list[Any]:
+    def idempotents(self, count: int) -> list[flint.nmod_mat]:
         """Return the primitive idempotents, as many as said."""
         rng, found = Random(1), [self.one]
         while len(found) < count:
@@ -325,7 +325,7 @@ def _by_idempotents(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
     return tuple(out)
 
 
-def _at_idempotent(algebra: _ResidueAlgebra, epsilon: Any) -> PrimeIdeal:
+def _at_idempotent(algebra: _ResidueAlgebra, epsilon: flint.nmod_mat) -> PrimeIdeal:
     """Return the prime whose local algebra a primitive idempotent cuts out."""
     order, p, n = algebra.order, algebra.p, algebra.n
     project = algebra.matrix(epsilon)
@@ -356,7 +356,7 @@ def _at_idempotent(algebra: _ResidueAlgebra, epsilon: Any) -> PrimeIdeal:
 
 
 def _residue_field(
-    algebra: _ResidueAlgebra, epsilon: Any, inside: list[Any], f: int
+    algebra: _ResidueAlgebra, epsilon: flint.nmod_mat, inside: list[flint.nmod_mat], f: int
 ) -> tuple[Any, Any, Any]:
     """Return a polynomial that makes the residue field, its root, and the matrix that takes residues."""
     p, n, rng = algebra.p, algebra.n, Random(1)
@@ -381,7 +381,9 @@ def _residue_field(
     return residue, gen, images
 
 
-def _combination(algebra: _ResidueAlgebra, basis: list[Any], target: Any) -> list[int]:
+def _combination(
+    algebra: _ResidueAlgebra, basis: list[flint.nmod_mat], target: flint.nmod_mat
+) -> list[int]:
     """Return coefficients of a vector in linearly independent ones."""
     rows = [*basis, target]
     entries = [int(c) for v in rows for c in v.entries()]

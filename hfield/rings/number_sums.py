@@ -16,7 +16,7 @@ BITS = 256
 Value = Callable[[int], Any]
 
 
-def factor_at(polynomial: Any, value: Value) -> Any:
+def factor_at(polynomial: flint.fmpq_poly, value: Value) -> flint.fmpq_poly:
     """Return the irreducible factor, monic, of which a number is a root."""
     factors = [g / g.leading_coefficient() for g, _ in polynomial.factor()[1]]
     bits = BITS
@@ -28,14 +28,14 @@ def factor_at(polynomial: Any, value: Value) -> Any:
     return factors[0]
 
 
-def _at(polynomial: Any, z: Any) -> Any:
+def _at(polynomial: flint.fmpq_poly, z: flint.acb) -> flint.acb:
     total = flint.acb(0)
     for c in reversed(polynomial.coeffs()):
         total = total * z + flint.acb(c)
     return total
 
 
-def roots_in(field: NumberField, f: Any) -> list[FieldElement]:
+def roots_in(field: NumberField, f: flint.fmpq_poly) -> list[FieldElement]:
     """Return the roots in the field of an irreducible polynomial over ℚ (Trager, 1976).
 
     The polynomial of all sums of a root of f and a multiple of s has a factor of the degree of the field for
@@ -55,7 +55,7 @@ def roots_in(field: NumberField, f: Any) -> list[FieldElement]:
     return out
 
 
-def sums_of_roots(f: Any, g: Any, scale: int) -> Any:
+def sums_of_roots(f: flint.fmpq_poly, g: flint.fmpq_poly, scale: int) -> flint.fmpq_poly:
     """Return the polynomial whose roots are α + scale·β for the roots α of f and β of g, by Newton's sums."""
     m, n = int(f.degree()), int(g.degree())
     size = m * n
@@ -75,7 +75,7 @@ def sums_of_roots(f: Any, g: Any, scale: int) -> Any:
     return flint.fmpq_poly([(-1) ** k * e[k] for k in range(size, -1, -1)])
 
 
-def _newton_sums(f: Any, count: int) -> list[Any]:
+def _newton_sums(f: flint.fmpq_poly, count: int) -> list[flint.fmpq]:
     """Return the sums of the k-th powers of the roots of a monic polynomial, for k up to ``count``."""
     n = int(f.degree())
     e = [(-1) ** k * f[n - k] for k in range(n + 1)]
@@ -88,7 +88,9 @@ def _newton_sums(f: Any, count: int) -> list[Any]:
     return sums
 
 
-def common_root(field: NumberField, f: Any, g: Any, scale: Any) -> FieldElement:
+def common_root(
+    field: NumberField, f: flint.fmpq_poly, g: flint.fmpq_poly, scale: Any
+) -> FieldElement:
     """Return the one common root β of f(x) and g(θ − scale·x), θ the generator."""
     line = [field.gen, field(-scale)]
     first = [field(c) for c in f.coeffs()]
@@ -102,7 +104,7 @@ def common_root(field: NumberField, f: Any, g: Any, scale: Any) -> FieldElement:
     return root
 
 
-def _times(f: list[Any], g: list[Any]) -> list[Any]:
+def _times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
     out = [f[0] - f[0]] * (len(f) + len(g) - 1)
     for i, x in enumerate(f):
         for j, y in enumerate(g):
@@ -110,13 +112,13 @@ def _times(f: list[Any], g: list[Any]) -> list[Any]:
     return _trimmed(out)
 
 
-def _trimmed(f: list[Any]) -> list[Any]:
+def _trimmed(f: list[FieldElement]) -> list[FieldElement]:
     while len(f) > 1 and not f[-1]:
         f.pop()
     return f
 
 
-def _remainder(f: list[Any], g: list[Any]) -> list[Any]:
+def _remainder(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
     """Return f modulo g, [] for 0."""
     f = list(f)
     inverse = g[-1].inverse()
@@ -130,7 +132,7 @@ def _remainder(f: list[Any], g: list[Any]) -> list[Any]:
     return f
 
 
-def evaluate(field: NumberField, poly: Any, x: FieldElement) -> FieldElement:
+def evaluate(field: NumberField, poly: flint.fmpq_poly, x: FieldElement) -> FieldElement:
     """Return the value of a polynomial over ℚ at an element."""
     total: FieldElement = field.zero
     for c in reversed(poly.coeffs()):

@@ -30,7 +30,7 @@ def owner(x: Any) -> str | None:
     return None
 
 
-def describe(x: Any, ring: str, is_exact: bool, characteristic: int) -> tuple[str, str]:
+def describe(x: object, ring: str, is_exact: bool, characteristic: int) -> tuple[str, str]:
     """Return how to call x, and how to mend it where it is refused by the ring of that name."""
     found = owner(x)
     if found is not None:

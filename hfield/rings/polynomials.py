@@ -1,10 +1,12 @@
 """Polynomial rings in several variables over ZZ, QQ and GF(p), on flint's ``mpoly`` types."""
 
+from __future__ import annotations
+
 from collections.abc import Hashable
 from fractions import Fraction
 from math import comb
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -16,12 +18,16 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import INFINITY, Known, Ring, polynomial_power
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.modular import WORD
 from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import SparsePolynomial
+
 
 MAX_VARIABLES = 64
 MAX_TERMS = 200_000
@@ -52,7 +58,7 @@ class PolynomialRing(Ring):
         return f"polynomials in {', '.join(self.variables)} over {blackboard(self.base.name)}"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> SparsePolynomial:
         """The first variable."""
         return self._gens[self.variables[0]]
 
@@ -71,11 +77,11 @@ class PolynomialRing(Ring):
         base = self.base.fractions or self.base
         return ring(f"{base.name}({self.variables[0]})")
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, SparsePolynomial]:
         """The variables."""
         return dict(self._gens)
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> SparsePolynomial:
         """Turn a number or an element of the base ring into a constant, read a text.
 
         Raises :class:`CoercionError` for an element of another polynomial ring.
@@ -97,37 +103,37 @@ class PolynomialRing(Ring):
         except CoercionError:
             raise self.refuse(x) from None
 
-    def parse(self, text: str) -> Any:
+    def parse(self, text: str) -> SparsePolynomial:
         """Read a polynomial. Raises :class:`TooLargeError` where multiplying out would take too long."""
         text = from_unicode(text)
         _Size(len(self.variables)).of(syntax.parse(text))
         functions = {"/": self.divide, "**": self.power}
         return syntax.Reader(self, self.names(), functions, self.name, 10**6).read(text)
 
-    def constant(self, c: Any) -> Any:
+    def constant(self, c: Any) -> SparsePolynomial:
         """Return the constant polynomial of an element of the base ring, or of a coefficient of flint."""
         return self.context.constant(int(c) if self.characteristic else c)
 
-    def constant_part(self, x: Any) -> Any:
-        """Return the element of the base ring that a constant polynomial is."""
-        c = x.leading_coefficient() if x != 0 else 0
+    def constant_part(self, x: SparsePolynomial) -> Any:
+        """Return the leading coefficient, which a constant polynomial is, as an element of the base ring."""
+        c = x.leading_coefficient()  # 0 of the polynomial 0
         return self.base(int(c) if self.characteristic else c)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: SparsePolynomial) -> bool:
         """Tell whether x is 0."""
         return bool(x == 0)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: SparsePolynomial, y: SparsePolynomial) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: SparsePolynomial) -> Hashable:
         """Return the exponents and coefficients, in order."""
         return tuple(
             (exponents, int(c) if self.characteristic else c) for exponents, c in x.terms()
         )
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: SparsePolynomial) -> SparsePolynomial:
         """Return 1/x of a constant. Raises :class:`NotInvertibleError` for all other polynomials."""
         if not x.is_constant():
             raise NotInvertibleError(
@@ -138,7 +144,7 @@ class PolynomialRing(Ring):
         except NotInvertibleError as error:
             raise NotInvertibleError(f"{error}, nor in {self.name}") from None
 
-    def divide(self, x: Any, y: Any) -> Any:
+    def divide(self, x: SparsePolynomial, y: SparsePolynomial) -> SparsePolynomial:
         """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""
         if y == 0:
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
@@ -149,18 +155,20 @@ class PolynomialRing(Ring):
             )
         return quotient
 
-    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+    def euclid(
+        self, x: SparsePolynomial, y: SparsePolynomial
+    ) -> tuple[SparsePolynomial, SparsePolynomial]:
         """Return quotient and remainder of polynomials in one variable over a field."""
         if len(self.variables) > 1 or not self.base.is_field:
             return super().euclid(x, y)
         quotient, remainder = divmod(x, y)
         return quotient, remainder
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: SparsePolynomial, n: int) -> SparsePolynomial:
         """Return xⁿ; n < 0 inverts first."""
-        return (x if n >= 0 else self.inverse(x)) ** abs(n)
+        return polynomial_power(self.one, x if n >= 0 else self.inverse(x), abs(n))
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: SparsePolynomial) -> SparsePolynomial | None:
         """Return some y with y² = x, or None."""
         if x == 0:
             return x
@@ -177,7 +185,7 @@ class PolynomialRing(Ring):
         why = f"{known.reason}; setting all variables to 0 carries this from {self.base} to {self.name}"
         return Known(known.value, why)
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[SparsePolynomial, ...]:
         """Return constants whose squares add up to −1."""
         return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
 
@@ -188,13 +196,13 @@ class PolynomialRing(Ring):
             return super().orderings
         return Known(INFINITY, "each variable may be infinitely large or near any point")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: SparsePolynomial, ordering: int = 0) -> int:
         """Return the sign in the ordering by leading coefficients, the first variable the largest."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
-        return self.base.sign(self.constant_part(_leading(x)))
+        return self.base.sign(self.constant_part(x))
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> SparsePolynomial:
         """Return a random polynomial of at most 3 terms; the same for the same seed."""
         out = self.context.constant(0)
         for _ in range(3):
@@ -203,7 +211,7 @@ class PolynomialRing(Ring):
             out += c * self.context.from_dict({exponents: 1})
         return out
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: SparsePolynomial, style: str = "plain") -> str:
         """Write x, such as ``a^2+2*a*b+b^2``."""
         return sum_text(
             (
@@ -238,11 +246,6 @@ def _context(base: Ring, variables: tuple[str, ...]) -> Any:
     if base.characteristic < WORD:
         return flint.nmod_mpoly_ctx.get(variables, base.characteristic, order)
     return flint.fmpz_mod_mpoly_ctx.get(variables, base.characteristic, order)
-
-
-def _leading(x: Any) -> Any:
-    """Return the leading coefficient as a constant polynomial."""
-    return x.context().constant(x.leading_coefficient()) if x != 0 else x
 
 
 class _Size:

@@ -46,11 +46,11 @@ class QuadraticField(ValueRing):
         return f"the quadratic number field ℚ({root}"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> Surd:
         """The square root of d, the principal one."""
         return Surd({self.d: flint.fmpq(1)})
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, Surd]:
         """The imaginary unit I, in QQ(I)."""
         return {"I": self.gen} if self.d == -1 else {}
 
@@ -58,7 +58,7 @@ class QuadraticField(ValueRing):
         """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
         return {"sqrt": self._sqrt_here}
 
-    def _sqrt_here(self, x: Any) -> Any:
+    def _sqrt_here(self, x: Surd) -> Any:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(
@@ -67,7 +67,7 @@ class QuadraticField(ValueRing):
             )
         return y
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Any:
         """Turn a rational number or a surd in ℚ(√d) into an element, read a text.
 
         Raises :class:`CoercionError`.
@@ -94,11 +94,11 @@ class QuadraticField(ValueRing):
         """Tell whether x is 0."""
         return not x.terms
 
-    def key(self, x: Any) -> tuple[Any, Any]:
+    def key(self, x: Any) -> tuple[flint.fmpq, flint.fmpq]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Surd) -> Surd:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if not x.terms:
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
@@ -135,14 +135,14 @@ class QuadraticField(ValueRing):
             return super().orderings
         return Known(2, f"{self.gen_name} may be positive (ordering 0) or negative (ordering 1)")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: Surd, ordering: int = 0) -> int:
         """Return the sign of x with √d positive (ordering 0) or negative (ordering 1)."""
         if self.d < 0:
             return super().sign(x, ordering)
         self.check_ordering(ordering)
         return int(x.sign(self.d if ordering else 0))
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> Surd:
         """Return a small random element; the same for the same seed."""
         a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
         return a + b * self.gen
@@ -153,7 +153,7 @@ class QuadraticField(ValueRing):
 
         return Fractions(self, constants, (self.d, 0), self.key, self._element)
 
-    def _element(self, a: Any, b: Any, denominator: Any = 1) -> Surd:
+    def _element(self, a: int, b: int, denominator: int = 1) -> Surd:
         """Return (a + b·√d)/denominator for integers."""
         terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
         return Surd({n: c for n, c in terms.items() if c})
@@ -164,13 +164,13 @@ class QuadraticField(ValueRing):
         """Return the discriminant of the field: d, or 4d unless d ≡ 1 mod 4."""
         return self.d if self.d % 4 == 1 else 4 * self.d
 
-    def integral_basis(self) -> tuple[Any, Any]:
+    def integral_basis(self) -> tuple[Surd, Surd]:
         """Return a basis over ℤ of the integers of the field, 1 first."""
         from hfield.rings.quadratic_places import integers_basis
 
         return integers_basis(self.d)
 
-    def primes_above(self, p: Any) -> "tuple[QuadraticPlace, ...]":
+    def primes_above(self, p: object) -> "tuple[QuadraticPlace, ...]":
         """Return the one or two prime ideals above a prime number. Raises :class:`RingError`.
 
         >>> from hfield import ring
@@ -196,7 +196,7 @@ class QuadraticField(ValueRing):
 
         return all_places(self.d)
 
-    def completion(self, place: Any) -> Ring:
+    def completion(self, place: object) -> Ring:
         """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
         from hfield.rings.local.completions import completion_of_quadratic
 
@@ -226,7 +226,7 @@ def build(text: str) -> QuadraticField:
     return QuadraticField(free)
 
 
-def _from_sympy(x: Any) -> Any:
+def _from_sympy(x: object) -> Any:
     """Return a number of sympy as a surd, where it is one; else None."""
     if type(x).__module__.partition(".")[0] != "sympy":
         return None

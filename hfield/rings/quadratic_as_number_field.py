@@ -1,6 +1,8 @@
 """ℚ(√d) as ℚ[s]/(s² − d): the same field, elements and places there and back."""
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -10,13 +12,16 @@ from hfield.rings.number_field_places import Place
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace
 
+if TYPE_CHECKING:
+    from hfield.rings.surds import Surd
+
 
 def as_number_field(field: QuadraticField) -> NumberField:
     """Return ℚ[s]/(s² − d)."""
     return NumberField(flint.fmpq_poly([-field.d, 0, 1]))
 
 
-def into_number_field(field: NumberField, x: Any, d: int) -> FieldElement:
+def into_number_field(field: NumberField, x: Surd, d: int) -> FieldElement:
     """Return u + v·√d as u + v·s."""
     terms = x.terms
     return FieldElement(field, flint.fmpq_poly([terms.get(1, 0), terms.get(d, 0)]))

@@ -1,25 +1,31 @@
 """Between square roots of our own (:class:`Surd`) and those of sympy; and how large sympy's may grow."""
 
+from __future__ import annotations
+
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import TooLargeError
 from hfield.rings.surds import Surd, from_rational, sqrt_rational
 
+if TYPE_CHECKING:
+    import sympy
+
+
 # What closed forms are made of beside roots: the names that sympy, flint and texts share.
 FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
 MAX_OPERATIONS = 3_000
 
 
-def times(x: Any, y: Any) -> Any:
+def times(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
     """Return x·y of sympy, unless multiplying it out could become too large."""
     _check_operations(max(int(x.count_ops()), 1) * max(int(y.count_ops()), 1) // 20)
     return x * y
 
 
-def check_size(expr: Any) -> None:
+def check_size(expr: sympy.Expr) -> None:
     """Refuse a sympy expression that is too large. Raises :class:`TooLargeError`."""
     _check_operations(int(expr.count_ops()))
 
@@ -31,7 +37,7 @@ def _check_operations(operations: int) -> None:
         )
 
 
-def surd_of(expr: Any) -> Surd | None:
+def surd_of(expr: sympy.Expr) -> Surd | None:
     """Return an expression in square roots of rational numbers as a surd, or None."""
     import sympy
 
@@ -53,7 +59,7 @@ def surd_of(expr: Any) -> Surd | None:
     return out
 
 
-def sympy_of(x: Surd) -> Any:
+def sympy_of(x: Surd) -> sympy.Expr:
     """Return a surd as a sympy expression."""
     import sympy
 

@@ -29,7 +29,7 @@ def rational(x: Any) -> int | Fraction | None:
     return None
 
 
-def is_plain_array(x: Any) -> bool:
+def is_plain_array(x: object) -> bool:
     """Tell whether x is a numpy array and not one of a library with an arithmetic of its own."""
     kind = type(x)
     return kind.__name__ in ("ndarray", "Objects") and hasattr(x, "dtype")
@@ -45,6 +45,6 @@ def reduced(x: Fraction) -> int | Fraction:
     return x.numerator if x.denominator == 1 else x
 
 
-def fmpq(x: int | Fraction) -> Any:
+def fmpq(x: int | Fraction) -> flint.fmpq:
     """Turn an int or a Fraction into flint's rational."""
     return flint.fmpq(x.numerator, x.denominator)

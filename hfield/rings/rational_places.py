@@ -1,7 +1,6 @@
 """The places of ℚ: primes, as ints, and infinity, as the text ``"inf"``."""
 
 import math
-from typing import Any
 
 import flint
 
@@ -13,7 +12,7 @@ INFINITE = "inf"
 _INFINITE_NAMES = frozenset({"inf", "oo", "∞", "infinity"})
 
 
-def place_of_q(place: Any) -> Place:
+def place_of_q(place: object) -> Place:
     """Read a place of ℚ: a prime (int or text), or ``"inf"`` (also ``"oo"``, ``∞``, −1)."""
     if isinstance(place, str) and place.strip().lower() in _INFINITE_NAMES:
         return INFINITE

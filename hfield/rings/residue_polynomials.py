@@ -1,14 +1,19 @@
 """Polynomials over GF(p) of FLINT, p of any size, and idempotents modulo one of them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.rings.modular import WORD
 
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial
 
-def residues(p: int, coefficients: Iterable[Any]) -> Any:
+
+def residues(p: int, coefficients: Iterable[Any]) -> Polynomial:
     """Return the polynomial over GF(p) with integer coefficients, low degree first."""
     values = [int(c) % p for c in coefficients]
     if p < WORD:
@@ -16,18 +21,18 @@ def residues(p: int, coefficients: Iterable[Any]) -> Any:
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(values)
 
 
-def coefficients(f: Any) -> list[int]:
+def coefficients(f: Polynomial) -> list[int]:
     """Return the coefficients as numbers from 0 to p − 1, low degree first."""
     return [int(c) for c in f.coeffs()]
 
 
-def sorted_factors(f: Any) -> list[tuple[Any, int]]:
+def sorted_factors(f: flint.nmod_poly) -> list[tuple[Any, int]]:
     """Return the monic irreducible factors with multiplicities, by degree, then by coefficients."""
     factors = [(g, int(e)) for g, e in f.factor()[1]]
     return sorted(factors, key=lambda pair: (pair[0].degree(), coefficients(pair[0])[::-1]))
 
 
-def idempotent(f: Any, part: Any) -> Any:
+def idempotent(f: flint.nmod_poly, part: flint.nmod_poly) -> flint.nmod_poly:
     """Return the polynomial that is 1 modulo a factor of f prime to the rest, and 0 modulo the rest."""
     rest = f // part
     return rest * rest.xgcd(part)[1] % f if rest.degree() > 0 else rest - rest + 1

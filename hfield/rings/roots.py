@@ -14,7 +14,7 @@ MAX_DEGREE = 2_000
 MAX_LIFTS = 10_000
 
 
-def rational_roots(coefficients: Sequence[Any]) -> list[Any]:
+def rational_roots(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
     """Return the rational roots, as ``fmpq``, of a polynomial over ℚ that is not 0.
 
     >>> from hfield import ring

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.rings.base import INFINITY, Known, Ring
@@ -13,7 +13,10 @@ from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, quotient_text
 from hfield.rings.quotient import Quotient
-from hfield.rings.rational import rational, unwrap
+from hfield.rings.rational import unwrap
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import SparsePolynomial
 
 
 class RationalFunctions(Ring):
@@ -45,16 +48,16 @@ class RationalFunctions(Ring):
         return f"rational functions in {listed(self.variables)} over {blackboard(self.base.name)}"
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> Quotient:
         """The first variable."""
         return Quotient(self, self.polynomials.gen, self._one)
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, Quotient]:
         """The variables."""
         gens = self.polynomials.names()
         return {name: Quotient(self, x, self._one) for name, x in gens.items()}
 
-    def quotient(self, num: Any, den: Any) -> Quotient:
+    def quotient(self, num: SparsePolynomial, den: SparsePolynomial) -> Quotient:
         """Return num/den in lowest terms; den is not 0."""
         common = num.gcd(den)
         if not self.is_one(common):
@@ -65,11 +68,11 @@ class RationalFunctions(Ring):
             num, den = num * scale, den * scale
         return Quotient(self, num, den)
 
-    def is_one(self, poly: Any) -> bool:
+    def is_one(self, poly: SparsePolynomial) -> bool:
         """Tell whether a polynomial is 1."""
         return bool(poly == self._one)
 
-    def __call__(self, x: Any) -> Any:
+    def __call__(self, x: object) -> Any:
         """Turn a number, or an element of k or k[x, y, …], into an element; read a text.
 
         Raises :class:`CoercionError`.
@@ -81,10 +84,7 @@ class RationalFunctions(Ring):
             raise self.refuse(x)
         if isinstance(x, str):
             return self.parse(x)
-        number = rational(x)
         try:
-            if number is not None:
-                return Quotient(self, self.polynomials(self.base(number)), self._one)
             return Quotient(self, self.polynomials(x), self._one)
         except CoercionError:
             raise self.refuse(x) from None
@@ -93,25 +93,25 @@ class RationalFunctions(Ring):
         """Tell whether x is 0."""
         return bool(x.num == 0)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: Quotient, y: Quotient) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: Quotient) -> Hashable:
         """Return the terms of numerator and denominator."""
         return self.polynomials.key(x.num), self.polynomials.key(x.den)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Quotient) -> Quotient:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x.num == 0:
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         return self.quotient(x.den, x.num)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Quotient, n: int) -> Quotient:
         """Return xⁿ; n < 0 inverts first."""
         return x**n
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Any) -> Quotient | None:
         """Return some y with y² = x, or None: numerator times denominator must be a square."""
         root = self.polynomials.sqrt(x.num * x.den)
         return None if root is None else self.quotient(root, x.den)
@@ -127,7 +127,7 @@ class RationalFunctions(Ring):
         shown = f"it is the level of {self.base.name}, for −1 is as many squares in {self.name} as there"
         return Known(known.value, f"{shown}; there {known.reason}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
         """Return constants whose squares add up to −1."""
         return tuple(self(c) for c in self.base.minus_one_as_squares())
 
@@ -136,13 +136,13 @@ class RationalFunctions(Ring):
         """Infinitely many over QQ, none over GF(p)."""
         return super().orderings if self.characteristic else self.polynomials.orderings
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: Quotient, ordering: int = 0) -> int:
         """Return the sign in the ordering by leading coefficients, the first variable the largest."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
         return self.polynomials.sign(x.num)
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> Quotient:
         """Return a random fraction of polynomials of few terms; the same for the same seed."""
         num, den = self.polynomials.random(rng), self.polynomials.random(rng)
         return self.quotient(num, den if den != 0 else self._one)

@@ -41,13 +41,13 @@ class Surd:
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("numbers are immutable")
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         pairs = [(n, int(c.p), int(c.q)) for n, c in self.terms.items()]
         return _restore, (pairs,)
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Surd:
         o = as_surd(other)
         if o is None:
             return NotImplemented
@@ -68,15 +68,15 @@ class Surd:
     def __pos__(self) -> Surd:
         return self
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Surd:
         o = as_surd(other)
         return NotImplemented if o is None else self + -o
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> Surd:
         o = as_surd(other)
         return NotImplemented if o is None else o + -self
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Surd:
         o = as_surd(other)
         if o is None:
             return NotImplemented
@@ -95,11 +95,11 @@ class Surd:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Surd:
         o = as_surd(other)
         return NotImplemented if o is None else self * o.inverse()
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Surd:
         o = as_surd(other)
         return NotImplemented if o is None else o * self.inverse()
 
@@ -169,7 +169,7 @@ class Surd:
                 terms[d] = c * flint.fmpq(*same)
         return Surd(terms)
 
-    def ball(self, bits: int) -> Any:
+    def ball(self, bits: int) -> flint.acb:
         """Return a complex ball of flint around the number, computed with that many bits."""
         with flint.ctx.workprec(bits):
             re, im = flint.arb(0), flint.arb(0)
@@ -230,7 +230,7 @@ class Surd:
 ONE = Surd({1: flint.fmpq(1)})
 
 
-def as_surd(x: Any) -> Surd | None:
+def as_surd(x: object) -> Surd | None:
     """Return a surd or a rational number as a surd; None for all else."""
     if type(x) is Surd:
         return x
@@ -243,7 +243,7 @@ def from_rational(x: int | Fraction) -> Surd:
     return Surd({1: fmpq(x)} if x else {})
 
 
-def sqrt_rational(x: Any, near: int = 1) -> Surd:
+def sqrt_rational(x: flint.fmpq, near: int = 1) -> Surd:
     """Return the principal root of flint's rational x; ``√−n`` is ``i·√n``.
 
     Nothing is factored where it is a rational multiple of ``√near``.
@@ -255,7 +255,7 @@ def sqrt_rational(x: Any, near: int = 1) -> Surd:
     return Surd({inside: flint.fmpq(outside, int(x.q))})
 
 
-def root_near(x: Any, n: int) -> Surd | None:
+def root_near(x: flint.fmpq, n: int) -> Surd | None:
     """Return the principal root of flint's rational x if it is a rational multiple of √n; else None."""
     if x == 0:
         return Surd({})
@@ -273,7 +273,7 @@ def _restore(pairs: list[tuple[int, int, int]]) -> Surd:
     return Surd({n: flint.fmpq(p, q) for n, p, q in pairs})
 
 
-def _rational_root(x: Any) -> Any:
+def _rational_root(x: flint.fmpq) -> flint.fmpq | None:
     if x < 0 or not (x.p.is_square() and x.q.is_square()):
         return None
     return flint.fmpq(x.p.isqrt(), x.q.isqrt())

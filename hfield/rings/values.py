@@ -3,6 +3,7 @@
 from collections.abc import Hashable
 from typing import Any
 
+from hfield.product import Scalar
 from hfield.rings.base import Ring
 
 
@@ -13,7 +14,7 @@ class ValueRing(Ring):
         """Tell whether x is 0."""
         return bool(x == 0)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: Scalar, y: Scalar) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
@@ -21,6 +22,6 @@ class ValueRing(Ring):
         """Return x itself."""
         return x
 
-    def state(self, x: Any) -> Any:
+    def state(self, x: Scalar) -> object:
         """Return x itself."""
         return x

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 
 
@@ -65,7 +65,7 @@ def _same(q: Coordinates) -> Coordinates:
     return q
 
 
-def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Any]) -> Coordinates:
+def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Scalar]) -> Coordinates:
     """Return the q with ``tr(q·conj(u)) =`` the given scalars for u = e, i, j, k; the algebra is simple.
 
     On (e, i) the form has the matrix ``((2, t), (t, −2a))``, on (j, k) −b times that, and no more.

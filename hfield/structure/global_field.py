@@ -7,20 +7,23 @@ A kind is a class of rings that names, as its ``arithmetic``, the class of :clas
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from importlib import import_module
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
+
+if TYPE_CHECKING:
+    from hfield.rings.residues.kinds import FinitePlace
 
 
 def global_field(ring: Ring) -> GlobalField | None:
@@ -36,7 +39,7 @@ def known_field(ring: Ring) -> GlobalField:
     return field
 
 
-def field_named_by(*things: Any) -> Ring | None:
+def field_named_by(*things: object) -> Ring | None:
     """Return the field with places that the first of some elements and places belongs to."""
     fields = (getattr(x, "field", None) for x in things)
     return next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
@@ -73,11 +76,13 @@ class GlobalField(ABC):
     # --- places and symbols --------------------------------------------------------------------
 
     @abstractmethod
-    def read_place(self, text: Any) -> Any:
+    def read_place(self, text: object) -> Hashable:
         """Return the place that a text names; a place is returned as it is. Raises :class:`RingError`."""
 
     @abstractmethod
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
 
         ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
@@ -85,7 +90,7 @@ class GlobalField(ABC):
         """
 
     @abstractmethod
-    def ramified(self, form: NormalForm) -> tuple[Any, ...]:
+    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return the places where a form does not split: finite ones ascending, then infinite ones.
 
         Where the field is no global field in the strict sense, the places with a residue (Faddeev).
@@ -95,14 +100,14 @@ class GlobalField(ABC):
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
 
-    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
         """Say why an algebra that ramifies at the places has no zero divisors."""
         shown = ", ".join(map(str, places))
         return (
             f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
         )
 
-    def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
+    def with_ramification(self, places: Iterable[object]) -> tuple[Scalar, Scalar]:
         """Return constants (a, b) of an algebra that ramifies exactly at the places.
 
         Raises :class:`RingError` where the field does not know how, or where there is none.
@@ -111,7 +116,7 @@ class GlobalField(ABC):
             f"algebras are made from their ramification over number fields, not over {self.ring}"
         )
 
-    def ramified_at_small_places(self, form: NormalForm) -> tuple[Any, ...]:
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return some places where a form does not split, without factoring anything."""
         return ()
 
@@ -126,7 +131,7 @@ class GlobalField(ABC):
         """
 
     @abstractmethod
-    def residues(self, place: Any) -> Any:
+    def residues(self, place: Any) -> FinitePlace | None:
         """Return a finite place with its residue field, as in :mod:`hfield.rings.residues`.
 
         None for an infinite place of a number field, and where the residue field is not finite.
@@ -148,11 +153,11 @@ class GlobalField(ABC):
         at = self.residues(place)
         return None if at is None else hyperbolic_plane(at, *self._exact(c))
 
-    def _exact(self, c: Constants) -> tuple[Constants, Any]:
+    def _exact(self, c: Constants) -> tuple[Constants, Scalar]:
         """Return the constants and 1 as numbers that the place computes with."""
         return c, self.ring.one
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
         """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""
         for place in places:
             found = self.unit_and_prime(c, place)
@@ -186,11 +191,11 @@ class GlobalField(ABC):
 
     # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
 
-    def square_parts(self, x: Any) -> tuple[Any, Any]:
+    def square_parts(self, x: Any) -> tuple[Scalar, Scalar]:
         """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 
-    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+    def as_norm(self, x: Any, s: Any) -> tuple[Scalar, Scalar]:
         """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 

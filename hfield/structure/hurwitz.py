@@ -31,7 +31,7 @@ def is_hurwitz(q: Sequence[Any]) -> bool:
     return all(x.denominator == 1 for x in doubled) and len({int(x) % 2 for x in doubled}) == 1
 
 
-def nearest(q: Sequence[Any]) -> Vector:
+def nearest(q: Sequence[Fraction | int]) -> Vector:
     """Return the nearest Hurwitz quaternion; the distance has norm at most 1/2."""
     v = _vector(q)
     h = Fraction(1, 2)
@@ -40,7 +40,9 @@ def nearest(q: Sequence[Any]) -> Vector:
     return min((whole, halves), key=lambda u: sum((x - y) ** 2 for x, y in zip(u, v, strict=True)))
 
 
-def divide(a: Sequence[Any], b: Sequence[Any], side: str = "right") -> tuple[Vector, Vector]:
+def divide(
+    a: Sequence[Fraction | int], b: Sequence[Fraction | int], side: str = "right"
+) -> tuple[Vector, Vector]:
     """Return ``(q, r)`` with ``a = q·b + r`` (right) or ``a = b·q + r`` (left) and N(r) ≤ N(b)/2.
 
     All are Hurwitz quaternions. Raises :class:`CoercionError` for others, and
@@ -58,7 +60,7 @@ def divide(a: Sequence[Any], b: Sequence[Any], side: str = "right") -> tuple[Vec
     return q, r
 
 
-def gcd(a: Sequence[Any], b: Sequence[Any], side: str = "right") -> Vector:
+def gcd(a: Sequence[Fraction | int], b: Sequence[Fraction | int], side: str = "right") -> Vector:
     """Return a greatest common right (or left) divisor of two Hurwitz quaternions, up to a unit."""
     p, q = _checked(a), _checked(b)
     while any(q):
@@ -71,7 +73,7 @@ def _times(p: Sequence[Fraction], q: Sequence[Fraction]) -> Vector:
     return w, x, y, z
 
 
-def _checked(q: Sequence[Any]) -> Vector:
+def _checked(q: Sequence[Fraction | int]) -> Vector:
     if len(q) != 4 or not is_hurwitz(q):
         raise CoercionError(
             "expected a Hurwitz quaternion: four integers, or four halves of odd integers"
@@ -79,7 +81,7 @@ def _checked(q: Sequence[Any]) -> Vector:
     return _vector(q)
 
 
-def lipschitz_associate(q: Sequence[Any]) -> Vector:
+def lipschitz_associate(q: Sequence[Fraction | int]) -> Vector:
     """Return q times a unit, with integer coordinates: every Hurwitz quaternion has such an associate."""
     v = _checked(q)
     h = Fraction(1, 2)

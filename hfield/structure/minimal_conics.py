@@ -8,10 +8,17 @@ The form of an algebra is ``w² + t·wx − a·x² − b·y²``, the norm on ⟨
 algebra splits.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.product import Constants
+
+if TYPE_CHECKING:
+    from hfield.rings.base import Ring
+    from hfield.rings.residues.kinds import FinitePlace
+
 
 Vector = list[Any]
 Form = tuple[Any, Any, Any, Any, Any, Any]
@@ -60,7 +67,7 @@ class Conic:
         return Lattice([[e, o, o], [o, e, o], [o, o, e]], e)
 
 
-def norm_form(field: Any, c: Constants) -> Form:
+def norm_form(field: Ring, c: Constants) -> Form:
     """Return the norm form of an algebra on ⟨e, i, j⟩."""
     o, (a, t, b) = field.zero, c
     return field.one, -a, -b, o, o, t
@@ -119,7 +126,7 @@ def _radical(kappa: Any, form: list[Any]) -> list[Vector]:
     return kernel_at(kappa, [[a + a, t, s], [t, b + b, r], [s, r, c + c]], 3)
 
 
-def kernel_at(kappa: Any, rows: list[Vector], columns: int) -> list[Vector]:
+def kernel_at(kappa: FinitePlace, rows: list[Vector], columns: int) -> list[Vector]:
     """Return a basis of the kernel of a matrix over the residue field."""
     rows = [[x % kappa.modulus for x in row] for row in rows]
     pivots: dict[int, Vector] = {}
@@ -145,7 +152,7 @@ def kernel_at(kappa: Any, rows: list[Vector], columns: int) -> list[Vector]:
     return basis
 
 
-def adapt(basis: list[Vector], kappa: Any, vectors: list[Vector]) -> list[int]:
+def adapt(basis: list[Vector], kappa: FinitePlace, vectors: list[Vector]) -> list[int]:
     """Change a basis so that lifts of the given vectors are in it; return their places."""
     indices: list[int] = []
     vectors = [list(v) for v in vectors]
@@ -171,7 +178,9 @@ def _combination(scalars: Vector, basis: list[Vector]) -> Vector:
     return [sum(column[1:], column[0]) for column in columns]
 
 
-def _split_complement(conic: Conic, lattice: Lattice, kappa: Any, vertex: int) -> list[int] | None:
+def _split_complement(
+    conic: Conic, lattice: Lattice, kappa: FinitePlace, vertex: int
+) -> list[int] | None:
     """Find a line of the form modulo p through its vertex; return the places of both vectors."""
     form = conic.coefficients(lattice)
     i, j = (n for n in range(3) if n != vertex)

@@ -1,11 +1,11 @@
 """Places, Hilbert symbols and ramification, over every field that has them here."""
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors, known_primes
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import common_quadratic_field
@@ -13,7 +13,9 @@ from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import field_named_by, global_field
 
 
-def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -> int:
+def hilbert_symbol(
+    a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None = None
+) -> int:
     """Return the Hilbert symbol ``(a, b)`` at a place: 1 if ``(a, b | F)`` splits there, else −1.
 
     Over ℚ, a and b are nonzero ints, Fractions, elements of QQ or their texts, and the place is a
@@ -35,7 +37,7 @@ def hilbert_symbol(a: Any, b: Any, place: Any, factors: Factors | None = None) -
     return known.hilbert_symbol(a, b, place, factors)
 
 
-def places(ring: Ring) -> Iterator[Any]:
+def places(ring: Ring) -> Iterator[Hashable]:
     """Run through the places of a global field, without end: infinite ones, then by size.
 
     Raises :class:`UndecidedError` for a ring that has no such list.
@@ -48,7 +50,7 @@ def places(ring: Ring) -> Iterator[Any]:
     return ring.places()
 
 
-def place(ring: Ring, text: Any) -> Any:
+def place(ring: Ring, text: object) -> Hashable:
     """Read a place of a global field, as its text or as it is. Raises :class:`RingError`."""
     field = global_field(ring)
     if field is None:
@@ -56,7 +58,7 @@ def place(ring: Ring, text: Any) -> Any:
     return field.read_place(text)
 
 
-def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
+def ramification(ring: Ring, form: NormalForm) -> tuple[Hashable, ...] | None:
     """Return the ramified places of a nondegenerate normal form; None where there is no theory.
 
     Over ℚ(x) these are the places with a residue; without any, the algebra is constant.
@@ -65,7 +67,9 @@ def ramification(ring: Ring, form: NormalForm) -> tuple[Any, ...] | None:
     return None if field is None else field.ramified(form)
 
 
-def ramified_places(ring: Ring, c: Constants, factors: Factors | None = None) -> tuple[Any, ...]:
+def ramified_places(
+    ring: Ring, c: Constants, factors: Factors | None = None
+) -> tuple[Hashable, ...]:
     """Return the places where the algebra does not split: primes ascending, infinite ones last.
 
     ``factors`` may name primes of a and b (over ℚ) or of their norms. A finite field has no places, so

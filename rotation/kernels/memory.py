@@ -1,7 +1,7 @@
 """From arrays of any shape and stride to what the compiled kernels read: addresses and strides."""
 
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,41 +15,43 @@ class Plan(NamedTuple):
 
     outer: int
     inner: int
-    table: tuple[tuple[int, ...], ...]  # a row an operand: its address, then three strides
+    strides: tuple[tuple[int, ...], ...]  # three an operand
+    table: list[int]  # of each operand the address, then its strides
     operands: tuple[Array, ...]  # kept alive as long as their addresses are in use
 
 
 def plan(batch: Shape, operands: tuple[Array, ...]) -> Plan | None:
     """Return the plan for operands with components last, each batch broadcasting to ``batch``.
 
-    The strides lead from one component to the next, along the outer and along the inner axis, counted in
-    numbers. None if the common batch does not reduce to two axes of constant stride, or if memory is
+    The strides lead from one component to the next, along the outer and along the inner axis, in bytes.
+    None if the common batch does not reduce to two axes of constant stride, or if memory is
     not aligned: then `straightened` operands are needed.
     """
     if not all(a.flags.aligned for a in operands):
         return None
-    shape = _geometry(batch, tuple((a.shape, a.strides, a.itemsize) for a in operands))
+    shape = _geometry(batch, tuple((a.shape, a.strides) for a in operands))
     if shape is None:
         return None
     outer, inner, strides = shape
-    pairs = zip(operands, strides, strict=True)
-    table = tuple((a.__array_interface__["data"][0], *s) for a, s in pairs)
-    return Plan(outer, inner, table, operands)
+    table: list[int] = []
+    for a, own in zip(operands, strides, strict=True):
+        table += (a.__array_interface__["data"][0], *own)
+    return Plan(outer, inner, strides, table, operands)
 
 
 @lru_cache(maxsize=1024)  # frame after frame has arrays of the same kind
 def _geometry(
-    batch: Shape, arrays: tuple[tuple[Shape, Shape, int], ...]
+    batch: Shape, arrays: tuple[tuple[Shape, Shape], ...]
 ) -> tuple[int, int, tuple[Shape, ...]] | None:
-    """Return outer and inner length and the strides of arrays given by shape, strides and item size."""
-    axes = _reduce(batch, [_strides(batch, shape, strides) for shape, strides, _ in arrays])
-    if len(axes) > 2 or any(s % item for _, strides, item in arrays for s in strides):
+    """Return outer and inner length and the strides of arrays given by shape and strides."""
+    axes = _reduce(batch, [_strides(batch, shape, strides) for shape, strides in arrays])
+    if len(axes) > 2:
         return None
     while len(axes) < 2:
         axes.insert(0, (1, *(0 for _ in arrays)))
     (outer, *outer_strides), (inner, *inner_strides) = axes
     found = zip(arrays, outer_strides, inner_strides, strict=True)
-    strides = tuple((own[-1] // item, o // item, i // item) for (_, own, item), o, i in found)
+    strides = tuple((own[-1], o, i) for (_, own), o, i in found)
     return outer, inner, strides
 
 
@@ -84,13 +86,9 @@ def _reduce(batch: Shape, strides: list[Shape]) -> list[tuple[int, ...]]:
     return merged
 
 
-def parameters(points: Array, *arrays: Array) -> tuple[Any, ...]:
-    """Return zeros of the points' and the parameters' type, and the parameters in one type.
-
-    float64 if a parameter is, or if the points are: so that three combinations are compiled, not eight.
-    """
+def parameters(points: Array, *arrays: Array) -> tuple[Array, ...]:
+    """Return the parameters in one type: float64 if one of them is, or if the points are."""
     if all(a.dtype == points.dtype for a in arrays):
-        zero = points.dtype.type(0)
-        return zero, zero, *arrays
+        return arrays
     kind = np.result_type(points.dtype, *(a.dtype for a in arrays))
-    return points.dtype.type(0), kind.type(0), *(a.astype(kind, copy=False) for a in arrays)
+    return tuple(a.astype(kind, copy=False) for a in arrays)

@@ -20,6 +20,7 @@ from rotation.native import tracing
 from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
 from rotation.native.tracing import WIDTH, Lanes, Program, Rows
 
+AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
 _LIBRARY = {"sin": 1, "cos": 1, "atan": 1, "atan2": 2, "fmod": 2}
 
 Function = Callable[..., int]
@@ -62,7 +63,7 @@ def available() -> bool:
 
 
 @cache
-def _introduce() -> None:
+def introduce() -> None:
     """Make the functions of the system and of Python known to LLVM."""
     import llvmlite.binding as llvm
 
@@ -77,7 +78,10 @@ def _introduce() -> None:
 
 
 def assembled(
-    formula: Callable[..., Any], shapes: tuple[tuple[int, ...], ...], parameters: tuple[Any, ...]
+    formula: Callable[..., Any],
+    shapes: tuple[tuple[int, ...], ...],
+    parameters: tuple[Any, ...],
+    single: tuple[int, ...] = (),
 ) -> tuple[Function, tuple[int, ...]]:
     """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
 
@@ -87,9 +91,11 @@ def assembled(
     ----------
     shapes : tuple of shapes
         Of one row of each array.
+    single : tuple of int
+        Which of the arrays have but one row, the same for all rows of the others.
     """
-    _introduce()
-    text, row = _module(formula, shapes, parameters)
+    introduce()
+    text, row = _module(formula, shapes, parameters, single)
     address = compiling.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
@@ -109,13 +115,20 @@ def _mask(numbers: Any) -> str:
 
 
 def _module(
-    formula: Any, shapes: tuple[tuple[int, ...], ...], parameters: tuple[Any, ...]
+    formula: Any,
+    shapes: tuple[tuple[int, ...], ...],
+    parameters: tuple[Any, ...],
+    single: tuple[int, ...],
 ) -> tuple[str, tuple[int, ...]]:
     """Write the whole program, the loop over blocks of eight rows with the formula in it; and its shape."""
     sizes = [int(np.prod(shape)) for shape in shapes]
     program = Program()
     arguments = []
     for number, (shape, size) in enumerate(zip(shapes, sizes, strict=True)):
+        if number in single:
+            columns = [_spread(program, f"%in{number}", n) for n in range(size)]
+            arguments.append(Rows(shape, [Lanes(program, name) for name in columns]))
+            continue
         kind = f"<{size * WIDTH} x double>"
         whole = program.value(kind, f"load {kind}, ptr %in{number}, align 8")
         columns = [
@@ -130,7 +143,7 @@ def _module(
     answer = formula(*arguments, *parameters)
     results = _flat(answer)
     width = len(results)
-    names = [r.name if isinstance(r, Lanes) else tracing.constant(float(r)) for r in results]
+    names = [program.name_of(r) for r in results]
     _store(program, names)
     said = "i1 false"
     if program.told:
@@ -138,8 +151,7 @@ def _module(
         some = program.told[0]
         for other in program.told[1:]:
             some = program.value(bits, f"or {bits} {some}, {other}")
-        mask = program.value("", f"bitcast {bits} {some} to i{WIDTH}")
-        said = "i1 " + program.value("i1", f"icmp ne i{WIDTH} {mask}, 0")
+        said = "i1 " + program.some(some)
     inner = "\n".join(program.lines)
     declared = [
         f"declare double @rotation_{name}({', '.join(['double'] * n)})"
@@ -153,6 +165,7 @@ def _module(
     text = "\n".join(
         [
             *declared,
+            "declare void @llvm.prefetch.p0(ptr, i32, i32, i32)",
             *intrinsics,
             FRAME,
             f"define internal i1 @block({pointers}, ptr noalias %out) alwaysinline {{",
@@ -160,10 +173,21 @@ def _module(
             inner,
             f"ret {said}",
             "}",
-            loop(sizes, width),
+            loop(sizes, width, single),
         ]
     )
     return text, _shape(answer)
+
+
+def _spread(program: Program, pointer: str, n: int) -> str:
+    """Add the reading of one number into every row."""
+    at = program.value("ptr", f"getelementptr double, ptr {pointer}, i64 {n}")
+    one = program.value("", f"load double, ptr {at}, align 8")
+    first = program.value("", f"insertelement {program.kind} poison, double {one}, i32 0")
+    zeros = f"<{WIDTH} x i32> zeroinitializer"
+    return program.value(
+        "", f"shufflevector {program.kind} {first}, {program.kind} poison, {zeros}"
+    )
 
 
 def _shape(values: Any) -> tuple[int, ...]:
@@ -171,7 +195,44 @@ def _shape(values: Any) -> tuple[int, ...]:
 
 
 def _store(program: Program, names: list[str]) -> None:
-    """Write the columns as rows, one after the other."""
+    """Write the columns as rows, one after the other: eights of them by themselves, then the rest."""
+    width = len(names)
+    whole = width - width % WIDTH if width >= WIDTH else 0
+    if whole:
+        for line in range(width):
+            place = AHEAD * width + line
+            at = program.value("ptr", f"getelementptr {program.kind}, ptr %out, i64 {place}")
+            program.lines.append(f"call void @llvm.prefetch.p0(ptr {at}, i32 1, i32 3, i32 1)")
+    for first in range(0, whole, WIDTH):
+        for row, name in enumerate(_transposed(program, names[first : first + WIDTH])):
+            at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + first}")
+            program.lines.append(f"store {program.kind} {name}, ptr {at}, align 8")
+    if not whole:
+        _store_few(program, names)
+        return
+    for k in range(whole, width):
+        for row in range(WIDTH):
+            at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + k}")
+            one = program.value("", f"extractelement {program.kind} {names[k]}, i32 {row}")
+            program.lines.append(f"store double {one}, ptr {at}, align 8")
+
+
+def _transposed(program: Program, columns: list[str]) -> list[str]:
+    """Return eight rows of eight columns, by exchanging halves, quarters and eighths."""
+    v, kind = list(columns), program.kind
+    for d in (1, 2, 4):
+        for i in range(WIDTH):
+            if i & d:
+                continue
+            pair = f"shufflevector {kind} {v[i]}, {kind} {v[i + d]}, "
+            upper = _mask(n + WIDTH - d if n & d else n for n in range(WIDTH))
+            lower = _mask(n + WIDTH if n & d else n + d for n in range(WIDTH))
+            v[i], v[i + d] = program.value("", pair + upper), program.value("", pair + lower)
+    return v
+
+
+def _store_few(program: Program, names: list[str]) -> None:
+    """Write fewer than eight columns in one piece."""
     width = len(names)
     parts = [(f"<{WIDTH} x double>", n, WIDTH) for n in names]
     while len(parts) > 1:  # joined in pairs; the last one may stay over

@@ -56,14 +56,15 @@ define internal i1 @usable(ptr %array) {
 )
 
 
-def loop(sizes: list[int], width: int) -> str:
+def loop(sizes: list[int], width: int, single: tuple[int, ...] = ()) -> str:
     """Write the builtin: it reads the arrays' headers and runs through blocks of eight rows.
 
     The rows left over at the end go through a buffer, as does the one row of an array that is the same
-    for all.
+    for all, but of those that always have one row: the block itself spreads them.
     """
     lines = ["define ptr @entry(ptr %self, ptr %args, i64 %nargs) {", "start:"]
     count = len(sizes)
+    moving = [(n, size) for n, size in enumerate(sizes) if n not in single]
     for n, size in enumerate([*sizes, width]):
         lines += [
             f"%arg{n} = getelementptr ptr, ptr %args, i64 {n}",
@@ -81,7 +82,7 @@ def loop(sizes: list[int], width: int) -> str:
         lines += [
             f"%same{n} = icmp eq i64 %rows{n}, {rows}",
             f"%one{n} = icmp eq i64 %rows{n}, 1",
-            f"%fits{n} = or i1 %same{n}, %one{n}",
+            f"%fits{n} = or i1 {'false' if n in single else f'%same{n}'}, %one{n}",
             f"%both{n} = and i1 %fits{n}, %usable{n}",
             f"%good{n} = and i1 {good}, %both{n}",
             f"%fixed{n} = xor i1 %same{n}, true",
@@ -90,7 +91,7 @@ def loop(sizes: list[int], width: int) -> str:
     lines += [f"br i1 {good}, label %begin, label %refuse", "refuse:"]
     lines += ["%no = call ptr @PyLong_FromLong(i64 1)", "ret ptr %no", "begin:"]
     previous = "begin"
-    for n, size in enumerate(sizes):
+    for n, size in moving:
         lines += [f"br i1 %fixed{n}, label %spread{n}, label %next{n}", f"spread{n}:"]
         for row in range(WIDTH):
             lines += [
@@ -119,7 +120,7 @@ def loop(sizes: list[int], width: int) -> str:
         "br i1 %full, label %run, label %partly",
         "partly:",
     ]
-    for n, size in enumerate(sizes):
+    for n, size in moving:
         lines += [
             f"br i1 %fixed{n}, label %filled{n}, label %fill{n}",
             f"fill{n}:",
@@ -139,14 +140,14 @@ def loop(sizes: list[int], width: int) -> str:
             f"filled{n}:",
         ]
     lines += ["br label %run", "run:"]
-    for n, size in enumerate(sizes):
+    for n, size in moving:
         lines += [
             f"%offset{n} = mul i64 %i, {size}",
             f"%here{n} = getelementptr double, ptr %data{n}, i64 %offset{n}",
             f"%moving{n} = select i1 %full, ptr %here{n}, ptr %buffer{n}",
             f"%source{n} = select i1 %fixed{n}, ptr %buffer{n}, ptr %moving{n}",
         ]
-    sources = ", ".join(f"ptr %source{n}" for n in range(count))
+    sources = ", ".join(f"ptr %{'data' if n in single else 'source'}{n}" for n in range(count))
     lines += [
         f"%offset = mul i64 %i, {width}",
         f"%there = getelementptr double, ptr %data{count}, i64 %offset",

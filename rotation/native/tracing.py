@@ -1,9 +1,9 @@
 """A namespace whose arrays are symbols: run on them, a formula leaves behind its own program for LLVM.
 
 A `Lanes` is one coordinate of eight rows, a vector of eight doubles. The operators and the functions here
-add a line each to the program of the trace that runs, in LLVM's notation. Nothing is reordered or fused
-but where a formula asks for `fma`, so the program rounds as numpy does, operation by operation. Conditions
-select; only what is `rarely` needed is branched around.
+add a line each to the program of the trace that runs, in LLVM's notation. Nothing is reordered, and nothing
+fused but where a formula asks for `fma` or a program is `fused`, so programs round as numpy does, operation
+by operation. Conditions select; only what is `rarely` needed is branched around.
 """
 
 import math
@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 
 WIDTH = 8
-_DOUBLES, _BITS = f"<{WIDTH} x double>", f"<{WIDTH} x i1>"
 _INFO = np.finfo(np.float64)
 _LIMITS = SimpleNamespace(
     bits=64,
@@ -29,9 +28,22 @@ nan = math.nan
 
 
 class Program:
-    """The lines that a formula has written so far."""
+    """The lines that a formula has written so far.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    number : str
+        LLVM's word for the numbers that are computed with: ``double`` or ``float``.
+    fused : bool
+        Whether a product and a sum may be rounded at once, where the processor does that.
+    width : int
+        How many rows go together.
+    """
+
+    def __init__(self, number: str = "double", fused: bool = False, width: int = WIDTH) -> None:
+        self.number, self.width = number, width
+        self.kind, self.bits = f"<{width} x {number}>", f"<{width} x i1>"
+        self.flags = " contract" if fused else ""
         self.lines: list[str] = []
         self.label = "start"
         self.count = 0
@@ -53,12 +65,25 @@ class Program:
         self.lines.append(f"{label}:")
         self.label = label
 
+    def constant(self, number: float) -> str:
+        """Return a number in every row, exactly."""
+        text = f"{self.number} 0x{struct.unpack('<Q', struct.pack('<d', number))[0]:016X}"
+        return "<" + ", ".join([text] * self.width) + ">"
+
+    def name_of(self, value: Any) -> str:
+        """Return how a value is written: lanes by their name, a number in every row."""
+        return value.name if isinstance(value, Lanes) else self.constant(float(value))
+
+    def some(self, condition: str) -> str:
+        """Add lines that find whether a condition holds in a row at least; return their result's name."""
+        bits = self.value("", f"bitcast {self.bits} {condition} to i{self.width}")
+        return self.value("i1", f"icmp ne i{self.width} {bits}, 0")
+
 
 class Lanes:
     """A number in each of eight rows, or a condition."""
 
     __slots__ = ("name", "program")
-    kind = _DOUBLES
     shape = ()
     ndim = 0
     dtype = float64
@@ -69,13 +94,20 @@ class Lanes:
     def __array_namespace__(self, api_version: Any = None) -> Any:
         return _this()
 
+    @property
+    def kind(self) -> str:
+        """LLVM's word for what this is."""
+        return self.program.kind
+
     def _with(self, operation: str, other: Any, swapped: bool = False) -> "Lanes":
         if not isinstance(other, Lanes | float | int):
             return NotImplemented  # type: ignore[no-any-return]
-        a, b = self.name, _name(other)
+        program = self.program
+        a, b = self.name, program.name_of(other)
         if swapped:
             a, b = b, a
-        return Lanes(self.program, self.program.value(_DOUBLES, f"{operation} {_DOUBLES} {a}, {b}"))
+        line = f"{operation}{program.flags} {program.kind} {a}, {b}"
+        return Lanes(program, program.value(program.kind, line))
 
     def __add__(self, other: Any) -> "Lanes":
         return self._with("fadd", other)
@@ -102,11 +134,13 @@ class Lanes:
         return self._with("fdiv", other, True)
 
     def __neg__(self) -> "Lanes":
-        return Lanes(self.program, self.program.value(_DOUBLES, f"fneg {_DOUBLES} {self.name}"))
+        program = self.program
+        return Lanes(program, program.value(self.kind, f"fneg {self.kind} {self.name}"))
 
     def _compared(self, how: str, other: Any) -> "Condition":
-        line = f"fcmp {how} {_DOUBLES} {self.name}, {_name(other)}"
-        return Condition(self.program, self.program.value(_BITS, line))
+        program = self.program
+        line = f"fcmp {how} {self.kind} {self.name}, {program.name_of(other)}"
+        return Condition(program, program.value(program.bits, line))
 
     def __lt__(self, other: Any) -> "Condition":
         return self._compared("olt", other)
@@ -133,11 +167,15 @@ class Condition(Lanes):
     """What holds or does not in each of eight rows."""
 
     __slots__ = ()
-    kind = _BITS
+
+    @property
+    def kind(self) -> str:
+        """LLVM's word for what this is."""
+        return self.program.bits
 
     def _bits(self, operation: str, other: str) -> "Condition":
-        line = f"{operation} {_BITS} {self.name}, {other}"
-        return Condition(self.program, self.program.value(_BITS, line))
+        line = f"{operation} {self.kind} {self.name}, {other}"
+        return Condition(self.program, self.program.value(self.kind, line))
 
     def __and__(self, other: "Condition") -> "Condition":
         return self._bits("and", other.name)
@@ -146,7 +184,7 @@ class Condition(Lanes):
         return self._bits("or", other.name)
 
     def __invert__(self) -> "Condition":
-        return self._bits("xor", "<" + ", ".join(["i1 true"] * WIDTH) + ">")
+        return self._bits("xor", "<" + ", ".join(["i1 true"] * self.program.width) + ">")
 
 
 class Rows:
@@ -175,39 +213,31 @@ def _this() -> Any:
     return this
 
 
-def constant(number: float) -> str:
-    """Return a number eight times over, exactly, in LLVM's notation."""
-    text = f"double 0x{struct.unpack('<Q', struct.pack('<d', number))[0]:016X}"
-    return "<" + ", ".join([text] * WIDTH) + ">"
-
-
-def _name(value: Any) -> str:
-    return value.name if isinstance(value, Lanes) else constant(float(value))
-
-
 def _program(*values: Any) -> Program:
     return next(v.program for v in values if isinstance(v, Lanes))
 
 
 def _intrinsic(name: str, *values: Any) -> Lanes:
     program = _program(*values)
-    arguments = ", ".join(f"{_DOUBLES} {_name(v)}" for v in values)
-    line = f"call {_DOUBLES} @llvm.{name}.v{WIDTH}f64({arguments})"
-    return Lanes(program, program.value(_DOUBLES, line))
+    kind = program.kind
+    arguments = ", ".join(f"{kind} {program.name_of(v)}" for v in values)
+    line = f"call {kind} @llvm.{name}.v{program.width}f64({arguments})"
+    return Lanes(program, program.value(kind, line))
 
 
 def _library(name: str, *values: Any) -> Lanes:
     """Call a function of the system's mathematics for each row."""
     program = _program(*values)
+    kind = program.kind
     found = "poison"
-    for n in range(WIDTH):
+    for n in range(program.width):
         numbers = [
-            program.value("double", f"extractelement {_DOUBLES} {_name(v)}, i32 {n}")
+            program.value("double", f"extractelement {kind} {program.name_of(v)}, i32 {n}")
             for v in values
         ]
         arguments = ", ".join(f"double {x}" for x in numbers)
         one = program.value("double", f"call double @rotation_{name}({arguments})")
-        found = program.value(_DOUBLES, f"insertelement {_DOUBLES} {found}, double {one}, i32 {n}")
+        found = program.value(kind, f"insertelement {kind} {found}, double {one}, i32 {n}")
     return Lanes(program, found)
 
 
@@ -249,9 +279,11 @@ def remainder(x: Any, y: Any) -> Lanes:
 def where(condition: Condition, yes: Any, no: Any) -> Any:
     """Return one of two values, row by row."""
     program = condition.program
-    kind = Condition if isinstance(yes, Condition) else Lanes
-    line = f"select {_BITS} {condition.name}, {kind.kind} {_name(yes)}, {kind.kind} {_name(no)}"
-    return kind(program, program.value(kind.kind, line))
+    made = Condition if isinstance(yes, Condition) else Lanes
+    kind = program.bits if made is Condition else program.kind
+    a, b = program.name_of(yes), program.name_of(no)
+    line = f"select {program.bits} {condition.name}, {kind} {a}, {kind} {b}"
+    return made(program, program.value(kind, line))
 
 
 def atan(x: Any) -> Lanes:
@@ -280,26 +312,37 @@ def all(conditions: list[Condition], axis: Any = None) -> Condition:
     return holds
 
 
+def bit(x: Lanes, number: int) -> Condition:
+    """Return where bit ``number`` of a double's memory is set."""
+    program = x.program
+    kind = f"<{program.width} x i64>"
+    chosen = "<" + ", ".join([f"i64 {1 << number}"] * program.width) + ">"
+    bits = program.value(kind, f"bitcast {x.kind} {x.name} to {kind}")
+    found = program.value(kind, f"and {kind} {bits}, {chosen}")
+    return Condition(
+        program, program.value(program.bits, f"icmp ne {kind} {found}, zeroinitializer")
+    )
+
+
 def rarely(condition: Condition, compute: Callable[[], Any], usual: tuple[Lanes, ...]) -> Any:
     """Return ``compute()`` where the condition holds in one of the rows at least, else ``usual``."""
     program = condition.program
-    bits = program.value("i8", f"bitcast {_BITS} {condition.name} to i{WIDTH}")
-    some = program.value("i1", f"icmp ne i{WIDTH} {bits}, 0")
-    before, number = program.label, program.count
+    some = program.some(condition.name)
+    before, number, told = program.label, program.count, program.told
+    program.told = []
     program.lines.append(f"br i1 {some}, label %rare{number}, label %join{number}")
     program.begin(f"rare{number}")
     computed = compute()
     after = program.label
     program.lines.append(f"br label %join{number}")
     program.begin(f"join{number}")
+
+    def joined(kind: str, there: str, here: str) -> str:
+        return program.value(kind, f"phi {kind} [ {there}, %{after} ], [ {here}, %{before} ]")
+
+    program.told = [*told, *(joined(program.bits, t, "zeroinitializer") for t in program.told)]
     return tuple(
-        Lanes(
-            program,
-            program.value(
-                _DOUBLES,
-                f"phi {_DOUBLES} [ {a.name}, %{after} ], [ {b.name}, %{before} ]",
-            ),
-        )
+        Lanes(program, joined(program.kind, a.name, b.name))
         for a, b in zip(computed, usual, strict=True)
     )
 
@@ -316,7 +359,7 @@ def finfo(dtype: Any) -> Any:
 
 def full_like(values: Lanes, number: float) -> Lanes:
     """Return the number in every row."""
-    return Lanes(values.program, constant(number))
+    return Lanes(values.program, values.program.constant(number))
 
 
 def ones_like(values: Lanes) -> Lanes:

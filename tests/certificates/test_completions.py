@@ -54,12 +54,34 @@ def test_what_holds_over_the_global_field_alone_is_not_used(by):
     [
         "Qp(1)", "Qp(4)", "Qp(15)", "Qp(x)", "QQ(sqrt(2))_(7)", "QQ(sqrt(2))_(15)", "QQ(sqrt(17))_(2)",
         "QQ(sqrt(2))_(7,sqrt(2)-5)", "QQ(sqrt(2))_(21,sqrt(2)-3)", "GF(3)(t)_(t^2-1)", "QQ(x)_(x)", "QQ((x))",
-        "ZZ_(5)", "RR_(5)", "QQ[s]/(s^3-2)_(5)",
+        "ZZ_(5)", "RR_(5)", "QQ[s]/(s^3-2)_(5)", "QQ[s]/(s^3-2)_inf1", "QQ[s]/(s^3-2)_inf-", "QQ(I)_inf-",
+        "QQ(sqrt(2))_inf0", "QQ_inf0", "QQ(zeta5)_inf0",
     ],
 )  # fmt: skip
 def test_what_is_no_completion_is_refused(name):
     with pytest.raises(Rejected):
         read_field(name)
+
+
+@pytest.mark.parametrize(
+    ("name", "negative", "positive"),
+    [
+        ("QQ(sqrt(2))_inf-", "1+sqrt(2)", "1-sqrt(2)"),
+        ("QQ[s]/(s^3-2)_inf0", "s-2", "s-1"),
+        ("QQ(root(2,4))_inf0", "root(2,4)", "-root(2,4)"),
+        ("QQ(root(2,4))_inf1", "-root(2,4)", "root(2,4)"),
+        ("QQ(zeta7)+_inf1", "c7", "c7+1"),
+    ],
+)
+def test_at_a_real_place_the_one_ordering_is_used(name, negative, positive):
+    by = {"by": "ordering"}
+    assert is_certified(f"({negative},-1|{name})", name, by)
+    assert not is_certified(f"({positive},-1|{name})", name, by)
+    assert QuaternionAlgebra(name, negative, -1).is_division_algebra()
+    assert not QuaternionAlgebra(name, positive, -1).is_division_algebra()
+    assert read_field(name).level_above(100)
+    assert not read_field(name).is_square(read_field(name).read(negative))
+    assert prove("norm(q) == 0 => q == 0", algebra=f"({negative},-1|{name})").certificate
 
 
 def test_elements_with_an_o_mean_nothing_to_the_checker():

@@ -266,3 +266,27 @@ def test_findings() -> None:
     assert narrow.within(COMMUTATIVE_RINGS).scope == FIELD
     assert together([]).scope == COMMUTATIVE_RINGS
     assert narrow.by("witness") == Finding(FIELD, "witness", ("a", "b"))
+
+
+@pytest.mark.parametrize(
+    ("statement", "field", "algebra"),
+    [
+        ("s == 0 or (1/s)**2 == 1/s", "GF(2)", None),
+        ("s == 0 or y == 0 or s/y == y/s", "GF(3)", None),
+        ("q*conj(q) == norm(q)**2", "GF(2)", "(a/b,b|GF(2))"),
+        ("norm(q) == 0 or inv(q) == conj(q)", "GF(2)", None),
+    ],
+)
+def test_an_identity_of_fractions_holds_where_no_denominator_is_0(
+    statement: str, field: str, algebra: str | None
+) -> None:
+    data = certified(statement, field, "identity", IDENTITY)
+    data["algebra"] = algebra or data["algebra"]
+    assert check(data)
+    for other in ("GF(5)", "QQ"):
+        rejects(
+            {**data, "field": other, "algebra": data["algebra"].replace(field, other)}, "expanding"
+        )
+    _, _, last = statement.partition(" or ")
+    if last:
+        rejects({**data, "statement": last}, "expanding")

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from hfield import QuaternionAlgebra, ring
+from hfield import QuaternionAlgebra, info, ring
 from hfield.cli import main
 
 
@@ -161,3 +161,39 @@ def test_four_squares(capsys):
         status, out, err = run(capsys, "four-squares", wrong)
         assert (status, out) == (2, "")
         assert message in err
+
+
+def test_over_a_number_field_integers_and_a_maximal_order_are_shown():
+    page = str(info("(-1,-1|QQ[s]/(s^3-2))"))
+    assert "integers         ℤ⟨1, s, s²⟩, discriminant −108" in page
+    assert "ℤ⟨1, s, 1/2·s²⟩ · (1 + i)" in page
+    data = info("(-1,-1|QQ(sqrt(5)))").to_json()
+    assert data["integers"] == ["1", "1/2+1/2*sqrt(5)"]
+    assert data["maximal_order"]["discriminant"] == []
+    assert len(data["maximal_order"]["basis"]) == 8
+    assert "degree 5" in info("(-1,-1|QQ(zeta11)+)").undecided["maximal_order"]
+
+
+@pytest.mark.parametrize("field", ["QQ(x)", "QQ(x,y)"])
+def test_without_a_residue_an_algebra_over_functions_may_be_one_over_constants(field):
+    about = info(f"(-1,-1|{field})")
+    assert about.division
+    assert about.ramified == ()
+    assert "no prime divisor" in str(about)
+
+
+@pytest.mark.parametrize(
+    ("text", "division"),
+    [
+        ("(2+O(5),5+O(5^2)|Qp(5))", True),
+        ("(2,3+O(2^2)|Qp(2))", None),
+        ("(O(5),5|Qp(5))", None),
+        ("[1,2+O(2^2),O(2)|Qp(2))", None),
+    ],
+)
+def test_too_few_digits_leave_questions_open_and_end_nothing(text, division):
+    about = info(text)
+    assert about.division is division
+    assert about.commutative is False
+    assert division or "give it up to" in str(about) or "at least" in str(about)
+    assert QuaternionAlgebra.from_text(about.algebra.name) == about.algebra

@@ -147,3 +147,11 @@ def test_nothing_is_said_of_characteristics_without_the_algebra():
     assert not any("characteristic" in step for step in steps)
     steps = decide("3*i*j == 3*j*i", algebra="(1/2,b|F)").steps
     assert "over fields of characteristic 3 it holds" in steps
+
+
+@pytest.mark.parametrize("field", ["GF(8)", "QQ(x)"])
+def test_a_vacuous_statement_with_constants_of_the_field_speaks_of_no_other(field):
+    found = decide("b == 0 => x == 1", field, algebra=f"(a/b,b|{field})")
+    assert (found.verdict, found.scope) == ("vacuous", "field")
+    found = decide("b == 0 => s == 1", field, algebra=f"(a/b,b|{field})")
+    assert (found.verdict, found.scope) == ("vacuous", "fields")

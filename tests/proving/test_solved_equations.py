@@ -4,7 +4,7 @@ from itertools import product
 
 import pytest
 
-from hfield import ring
+from hfield import prove, ring
 from hfield.certificates.check import Rejected, check
 from hfield.proving import prove as proving
 from hfield.proving.decide import decide
@@ -146,3 +146,45 @@ def test_quadratics_over_a_field_that_is_not_tried_through(seed: int) -> None:
     assert decide(f"s**2 == {a}*y**2 => s == 0", "GF(1009)").verdict == (
         "refuted" if zero else "proved"
     )
+
+
+@pytest.mark.parametrize(
+    ("statement", "field", "verdict"),
+    [
+        ("exists q: q*q == 2", "QQ(zeta5)", "proved"),
+        ("exists q: 2*q*q == 1", "QQ(zeta5)", "proved"),
+        ("exists q: q**2 + 3*q == 1/7", "QQ(zeta5)", "proved"),
+        ("exists q: q*q == 3 and q != 0", "QQ(zeta5)", "proved"),
+        ("exists q: q*q == -7", "QQ(I)_(5, I-2)", "proved"),
+        ("exists q: q*q == -7", "QQ(sqrt(2), sqrt(3))", "proved"),
+        ("exists q: q**2 + q + 1 == 0", "QQ", "proved"),
+        ("exists q: q**2 + q - 1 == 0", "QQ", "refuted"),
+        ("exists q: q*q == -7", "QQ", "refuted"),  # 7 is no sum of three squares
+        ("exists q: q*q == -7", "QQ[s]/(s^3-2)", "refuted"),
+        ("exists q: q**2 == i + 2", "QQ", "refuted"),  # 5 is no square
+        ("exists q: q*q == t", "GF(2)(t)", "refuted"),
+        ("exists q: q*q == i*q", "QQ", "proved"),
+    ],
+)
+def test_square_roots_are_decided_by_what_the_field_knows(statement, field, verdict):
+    found = prove(statement, field)
+    assert found.verdict == verdict
+    if verdict == "proved":
+        assert found.certificate is not None
+        assert check(found.certificate).verdict == "proved"
+
+
+def test_square_roots_agree_with_the_sum_of_three_squares():
+    """Legendre: n is a sum of three rational squares unless it is 4ᵃ·(8b + 7), up to squares."""
+    for n in range(1, 40):
+        core = n
+        while core % 4 == 0:
+            core //= 4
+        wanted = "refuted" if core % 8 == 7 else "proved"
+        assert decide(f"exists q: q*q == -{n}", "QQ").verdict == wanted
+
+
+def test_identities_of_fractions_over_a_finite_field_have_a_certificate():
+    found = prove("q*conj(q) == norm(q)**2", "GF(2)", algebra="(a/b,b|GF(2))")
+    assert found.verdict == "proved"
+    assert found.certificate is not None

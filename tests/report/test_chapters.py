@@ -1,6 +1,12 @@
 """What rotation and anim bring to the report."""
 
+import re
+from base64 import b64decode
+from io import BytesIO
+
+import numpy as np
 import pytest
+from PIL import Image
 
 from anim.report import top
 from rotation.report import benchmark_html, figures
@@ -51,3 +57,20 @@ def test_the_top_stands_in_a_frame_of_its_own(language):
     Outline(chapter.body)
     assert chapter.body.count("<iframe srcdoc=") == 1
     assert "<canvas" not in chapter.body  # it is escaped, in the frame
+    (still,) = re.findall('class="printed" src="data:image/png;base64,([^"]*)"', chapter.body)
+    picture = np.asarray(Image.open(BytesIO(b64decode(still))).convert("RGB"))
+    assert picture.shape == (480, 480, 3)
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 100  # a top, not an empty sheet
+
+
+def test_what_the_benchmark_says_is_said_in_polish():
+    """Each title and each printed time has a translation, so none of the bench's words is left over."""
+    from rotation.bench.tasks import TESTS
+
+    tests = [{"test": t.name, "title": t.title, "printed": t.printed} for t in TESTS]
+    html = benchmark_html(MEASURED | {"tests": tests, "results": []}, "pl")
+    for test in TESTS:
+        assert test.title not in html
+        assert not test.printed or test.printed not in html
+    assert "jedna oś" in html
+    assert "434,9 s kwaternionami" in html

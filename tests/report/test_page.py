@@ -19,6 +19,7 @@ from hfield.report import chapters as chapters_module
 from hfield.report.chapters import Chapter, ChapterError, chapters
 from hfield.report.markup import anchor
 from hfield.report.page import page
+from hfield.report.terms import term
 from hfield.report.words import ENGLISH, POLISH
 
 ROOT = Path(__file__).parents[2]
@@ -175,3 +176,19 @@ def test_the_chapters_of_this_distribution_exist():
     for point in data["project"]["entry-points"][chapters_module.GROUP].values():
         module, _, name = point.partition(":")
         assert callable(getattr(import_module(module), name))
+
+
+def test_the_kinds_and_ways_of_the_whole_ledger_are_said_in_polish():
+    """What claims and decisions are called is a closed list; each word of it is translated."""
+    from hfield.ledger.registry import claims
+
+    kinds = {claim.kind for claim in claims()}
+    assert len(kinds) > 20
+    assert [kind for kind in sorted(kinds) if "lang=" in term(kind, POLISH)] == []
+    assert term("no such word", POLISH) == '<span lang="en">no such word</span>'
+
+
+def test_the_polish_page_has_polish_kinds(rows, certificates):
+    html = page(rows, certificates, "pl", [], "sheet")
+    assert "<small>twierdzenie</small>" in html
+    assert "<td>tożsamość</td>" in html

@@ -6,12 +6,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotation import kernels
+from rotation import fused, kernels
 from rotation.fused import rotate, rotate_euler, rotate_quat
 from tests.rotation.reference import exact, length, matrix_of, mp
 
 ULP = 2.0**-52
 RNG = np.random.default_rng(7)
+
+
+@pytest.fixture(params=["formulas", "kernels"], autouse=True)
+def way(request: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have all points rotated by the formulas of few points, then by the kernels of many."""
+    few = 10**9 if request.param == "formulas" else -1
+    monkeypatch.setattr(fused, "FEW", few)
+    monkeypatch.setattr(fused, "FEW_SINES", few)
 
 
 def errors(points: Any, turned: Any, quaternions: Any) -> float:

@@ -12,7 +12,7 @@ import pytest
 from hfield.native import keeping
 from rotation import Rotation, threads
 from rotation.namespaces import quiet
-from rotation.quaternions import _PRODUCT, _normalised, _product
+from rotation.quaternions import _PRODUCT, _product, normalise
 from rotation.rowwise import Formula
 
 RNG = np.random.default_rng(11)
@@ -82,7 +82,7 @@ def test_every_stride_and_alignment() -> None:
 
 
 def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:
-    formula = Formula(_normalised, (4,))
+    formula = Formula(normalise, (4,))
     for n in (1, 3, 8, 19):
         q = RNG.standard_normal((n, 4))
         assert not formula.told(q)[1]
@@ -146,4 +146,4 @@ def test_what_is_kept_is_whole_or_not_used(tmp_path: Path, monkeypatch: pytest.M
 
 def test_a_program_rounds_as_numpy_does() -> None:
     q = RNG.standard_normal((1000, 4)) * 10.0 ** RNG.uniform(-300, 300, (1000, 1))
-    np.testing.assert_array_equal(Rotation(q).as_quat(), quiet(_normalised)(q))
+    np.testing.assert_array_equal(Rotation(q).as_quat(), quiet(normalise)(q))

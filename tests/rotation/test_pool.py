@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from rotation.kernels.pool import share, threads
+from rotation.pool import share, threads
 
 PATIENCE = 20.0  # seconds until a test that waits for a thread is given up
 

@@ -26,7 +26,7 @@ FIELDS = [
 
 
 # A local field has one place, and functions in several variables have residues: no lists of places.
-OTHERS = ["Qp(5)", "QQ(x,y)"]
+OTHERS = ["Qp(5)", "QQ(sqrt(2))_inf-", "QQ(x,y)"]
 
 
 @pytest.mark.parametrize("name", [*FIELDS, *OTHERS])

@@ -8,7 +8,6 @@ four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``
 from collections.abc import Callable
 from fractions import Fraction
 from math import gcd
-from typing import Any
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import (
@@ -22,6 +21,7 @@ from hfield.certificates.glossary import (
     NORM,
     ORDER,
 )
+from hfield.certificates.language import Tree
 from hfield.certificates.orders.algebra import Algebra, times
 from hfield.certificates.orders.classes import need_class_set
 from hfield.certificates.orders.enumeration import short_vectors
@@ -67,7 +67,7 @@ def establish_lattices(
     return check(Algebra(setting), parts, evidence)
 
 
-def meaning_of_lattices(word: str, parts: tuple[str, ...]) -> Any:
+def meaning_of_lattices(word: str, parts: tuple[str, ...]) -> Tree:
     """Return what such a statement says, however it is written; a basis is not changed."""
     return word, tuple(rows_of(part) if "|" in part else part for part in parts)
 

@@ -4,9 +4,8 @@ Over GF(q) its places are the prime polynomials, and infinity.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from itertools import zip_longest
-from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
@@ -62,7 +61,7 @@ class Functions(Ring):
         """Tell whether x is 0."""
         return not x[0]
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Fraction | None:
         """Return the variable, or a constant of the base."""
         x = self.polynomials.constant(tree)
         return None if x is None else (x, self.polynomials.one)
@@ -132,17 +131,17 @@ class Functions(Ring):
             return Infinity(self, self.base)
         return PrimePolynomial(self.base, self.read(text))
 
-    def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Any]]:
+    def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Hashable]]:
         """Return F, and the value of a fraction at an element of F."""
         base, at = self.base, self.base.read(point)
 
-        def part(f: Poly) -> Any:
-            total = base.zero
+        def part(f: Poly) -> Hashable:
+            total: Hashable = base.zero
             for coefficient in reversed(dense(f, base)):
                 total = base.add(base.mul(total, at), coefficient)
             return total
 
-        def value(x: Fraction) -> Any:
+        def value(x: Fraction) -> Hashable:
             below = base.inverse(part(x[1]))
             if below is None:
                 reject(f"a constant has no value at {shown(point)}")
@@ -161,16 +160,18 @@ class Functions(Ring):
         lead = self.base.inverse(g[-1])
         return self._sparse(f, lead), self._sparse(g, lead)
 
-    def _scaled(self, f: Poly, c: Any) -> Poly:
+    def _scaled(self, f: Poly, c: Hashable) -> Poly:
         inverse = self.base.inverse(c)
         return tuple((m, self.base.mul(d, inverse)) for m, d in f)
 
-    def _sparse(self, f: list[Any], scale: Any) -> Poly:
+    def _sparse(self, f: list[Hashable], scale: Hashable) -> Poly:
         return tuple(
             ((n,), self.base.mul(c, scale)) for n, c in enumerate(f) if not self.base.is_zero(c)
         )
 
-    def divided(self, f: list[Any], g: list[Any]) -> tuple[list[Any], list[Any]]:
+    def divided(
+        self, f: list[Hashable], g: list[Hashable]
+    ) -> tuple[list[Hashable], list[Hashable]]:
         """Return quotient and remainder; low degree first, no leading zeros."""
         b, f = self.base, list(f)
         lead = b.inverse(g[-1])
@@ -187,7 +188,7 @@ class Functions(Ring):
                 f.pop()
         return quotient, f
 
-    def _gcd(self, f: list[Any], g: list[Any]) -> list[Any]:
+    def _gcd(self, f: list[Hashable], g: list[Hashable]) -> list[Hashable]:
         while g:
             f, g = g, self.divided(f, g)[1]
         return f
@@ -196,14 +197,14 @@ class Functions(Ring):
 class PrimePolynomial(OverFiniteField):
     """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide."""
 
-    def __init__(self, base: Finite, prime: Any) -> None:
+    def __init__(self, base: Finite, prime: Fraction) -> None:
         self.base, self.odd = base, prime
         top, below = (dense(part, base) for part in prime)
         if len(below) != 1 or len(top) < 2:
             reject("a place is a polynomial, of a degree of at least 1")
         self.residues: Quotient = Quotient(base, top)
 
-    def residue(self, x: Any) -> Any:
+    def residue(self, x: Fraction) -> Hashable | None:
         """Return numerator over denominator modulo P."""
         k = self.residues
         top, below = (k.reduce(dense(part, self.base)) for part in x)
@@ -216,17 +217,16 @@ class Infinity(OverFiniteField):
 
     def __init__(self, field: Functions, base: Finite) -> None:
         self.residues = self.base = base
-        self.odd = field.inverse(field.constant(("name", field.polynomials.names[0])))
+        self.odd = field.inverse(field.read(field.polynomials.names[0]))
 
-    def residue(self, x: Any) -> Any:
+    def residue(self, x: Fraction) -> Hashable | None:
         """Return the quotient of the coefficients at the degree of the denominator."""
         base = self.base
         top, below = (dense(part, base) for part in x)
         if len(top) > len(below):
             return None
-        if len(top) < len(below):
-            return base.zero
-        return base.mul(top[-1], base.inverse(below[-1]))
+        residue: Hashable = base.zero
+        return residue if len(top) < len(below) else base.mul(top[-1], base.inverse(below[-1]))
 
 
 def read(name: str, ring: ReadRing) -> Ring | None:

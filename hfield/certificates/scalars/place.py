@@ -1,6 +1,7 @@
 """What the checker asks of a place: which elements are integral there, and what their residues are."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Hashable
 from typing import Any
 
 
@@ -10,7 +11,7 @@ class Place(ABC):
     odd: Any
 
     @abstractmethod
-    def residue(self, x: Any) -> Any:
+    def residue(self, x: Any) -> Hashable | None:
         """Return the residue of an integral element; None for another."""
 
     @abstractmethod

@@ -1,6 +1,7 @@
 """Polynomials over a domain, in one variable or several."""
 
 import re
+from collections.abc import Hashable
 from typing import Any
 
 from hfield.certificates.language import Tree
@@ -63,7 +64,7 @@ class Polynomials(Ring):
         c = self.base.inverse(x[0][1])
         return None if c is None else self._constant(c)
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Poly | None:
         """Return a variable, or a constant of the base."""
         if tree[0] == "name" and tree[1] in self.names:
             place = self.names.index(tree[1])
@@ -71,10 +72,10 @@ class Polynomials(Ring):
         c = self.base.constant(tree)
         return None if c is None else self._constant(c)
 
-    def _constant(self, c: Any) -> Poly:
+    def _constant(self, c: Hashable) -> Poly:
         return () if self.base.is_zero(c) else (((0,) * len(self.names), c),)
 
-    def _poly(self, values: dict[tuple[int, ...], Any]) -> Poly:
+    def _poly(self, values: dict[tuple[int, ...], Hashable]) -> Poly:
         out = tuple(sorted((m, c) for m, c in values.items() if not self.base.is_zero(c)))
         if len(out) > MAX_TERMS:
             reject(f"an element of {self.name} has more than {MAX_TERMS} terms")

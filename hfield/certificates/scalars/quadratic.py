@@ -1,10 +1,10 @@
 """ℚ(√d): sums of two square roots, 1 and √d; its squares, its level, its prime ideals."""
 
 import re
+from collections.abc import Hashable
 from fractions import Fraction
 from itertools import product
 from math import gcd, isqrt
-from typing import Any
 
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.names import integer
@@ -88,14 +88,14 @@ def _odd_squares_modulo_8() -> bool:
     )
 
 
-def _pair(x: Any) -> tuple[Fraction, Fraction]:
+def _pair(x: Surd) -> tuple[Fraction, Fraction]:
     """Return (u, v) with x = u + v·√d."""
     values = dict(x)
     u = values.pop((), Fraction(0))
     return u, next(iter(values.values()), Fraction(0))
 
 
-def _pair_of_integers(x: Any) -> tuple[Fraction, Fraction]:
+def _pair_of_integers(x: Surd) -> tuple[Fraction, Fraction]:
     """Return (u, v) with x = u + v·ω, ω = (1 + √d)/2: at 2 these are the integers for d ≡ 1 modulo 4."""
     u, v = _pair(x)
     return u - v, 2 * v
@@ -115,7 +115,7 @@ class RamifiedIdeal(ModuloNumber):
         omega = field.read("I" if field.d == -1 else f"sqrt({field.d})")
         self.odd = field.add(omega, field.number(-self.root))
 
-    def residue(self, x: Any) -> int | None:
+    def residue(self, x: Surd) -> int | None:
         """Return u + v·d modulo n."""
         u, v = (modulo(c, self.n) for c in _pair(x))
         return None if u is None or v is None else (u + v * self.root) % self.n
@@ -139,7 +139,7 @@ class SplitIdeal(ModuloNumber):
     def _minimal(self, r: int) -> int:
         return r * r - self.trace * r + self.norm
 
-    def residue(self, x: Any) -> int | None:
+    def residue(self, x: Surd) -> int | None:
         """Return the class of u + v·ω: of a numerator that is divisible by what n there is below it."""
         u, v = self.pair(x)
         below = u.denominator * v.denominator
@@ -176,7 +176,7 @@ class InertNumber(Place):
     def __init__(self, field: Quadratic, n: int) -> None:
         self.n, self.d, self.odd = n, field.d, field.number(n)
 
-    def residue(self, x: Any) -> tuple[int, int] | None:
+    def residue(self, x: Surd) -> tuple[int, int] | None:
         """Return (u, v) modulo n."""
         u, v = (modulo(c, self.n) for c in _pair(x))
         return None if u is None or v is None else (u, v)
@@ -202,7 +202,7 @@ class InertTwo(OverFiniteField):
         self.residues: Quotient = Quotient(GF2, [(1 - field.d) // 4 % 2, 1, 1])
         self.odd = field.number(2)
 
-    def residue(self, x: Any) -> Any:
+    def residue(self, x: Surd) -> Hashable | None:
         """Return u + v·ω modulo 2."""
         u, v = (modulo(c, 2) for c in _pair_of_integers(x))
         return None if u is None or v is None else self.residues.reduce([u, v])

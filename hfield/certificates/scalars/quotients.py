@@ -1,5 +1,6 @@
 """GF(q)[t] modulo a polynomial that Rabin's test shows to be irreducible: the finite residue fields."""
 
+from collections.abc import Hashable, Sequence
 from typing import Any
 
 from hfield.certificates.rejection import reject
@@ -16,7 +17,7 @@ class Quotient(Finite):
 
     is_field = True
 
-    def __init__(self, base: Finite, modulus: list[Any]) -> None:
+    def __init__(self, base: Finite, modulus: Sequence[Hashable]) -> None:
         self.base, self.degree = base, len(modulus) - 1
         if not 1 <= self.degree <= MAX_DEGREE:
             reject(f"a prime polynomial has a degree from 1 to {MAX_DEGREE}")
@@ -31,7 +32,7 @@ class Quotient(Finite):
         if not self._is_irreducible():
             reject("a polynomial that should be a prime is reducible")
 
-    def reduce(self, f: list[Any]) -> Dense:
+    def reduce(self, f: Sequence[Hashable]) -> Dense:
         """Return the class of a polynomial, dense, low degree first."""
         base, n, out = self.base, self.degree, list(f)
         charge(20 + 5 * n * max(len(out) - n, 0))

@@ -3,7 +3,6 @@
 from fractions import Fraction
 from itertools import product
 from math import isqrt, prod
-from typing import Any
 
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.finite import is_prime
@@ -59,7 +58,7 @@ class Rationals(Ring):
         """Tell whether numerator and denominator are squares."""
         return x >= 0 and all(isqrt(n) ** 2 == n for n in (x.numerator, x.denominator))
 
-    def has_no_root(self, c: list[Any]) -> bool:
+    def has_no_root(self, c: list[Fraction]) -> bool:
         """Prove it for the polynomial with integer coefficients."""
         below = prod(x.denominator for x in c)
         return has_no_rational_root([int(x * below) for x in c])

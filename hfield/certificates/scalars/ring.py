@@ -5,7 +5,7 @@ names; ``fields`` lists them. What a kind does not say of itself is not known, a
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -31,23 +31,23 @@ class Ring(ABC):
     one: Any
 
     @abstractmethod
-    def number(self, n: int) -> Any:
+    def number(self, n: int) -> Hashable:
         """Return n·1."""
 
     @abstractmethod
-    def add(self, x: Any, y: Any) -> Any:
+    def add(self, x: Any, y: Any) -> Hashable:
         """Return x + y."""
 
     @abstractmethod
-    def neg(self, x: Any) -> Any:
+    def neg(self, x: Any) -> Hashable:
         """Return −x."""
 
     @abstractmethod
-    def mul(self, x: Any, y: Any) -> Any:
+    def mul(self, x: Any, y: Any) -> Hashable:
         """Return x·y."""
 
     @abstractmethod
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Any) -> Hashable | None:
         """Return 1/x, None for what is no unit."""
 
     @property
@@ -64,11 +64,11 @@ class Ring(ABC):
         """Tell whether x is 0."""
         return bool(x == self.zero)
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Hashable | None:
         """Return the element that a name or a call names, None if it names none."""
         return None
 
-    def elements(self) -> Iterator[Any]:
+    def elements(self) -> Iterator[Hashable]:
         """Run through all elements of a finite ring."""
         reject(f"{self.name} has infinitely many elements")
 

@@ -8,7 +8,6 @@ proof), so an element is 0 only if all its coefficients are.
 from fractions import Fraction
 from functools import lru_cache
 from math import isqrt, prod
-from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
@@ -91,7 +90,7 @@ class Surds(Ring):
             bits *= 2
         return 0
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Surd | None:
         """Return the value of ``I`` or of ``sqrt(…)``, if it lies in the field."""
         if tree == ("name", "I"):
             return self._inside((((-1,), Fraction(1)),))

@@ -2,7 +2,6 @@
 
 import re
 from itertools import permutations, product
-from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.finding import Finding
@@ -49,14 +48,14 @@ def _determinant(m: Matrix) -> int:
     return total
 
 
-def _plain(evidence: Any, *kinds: str) -> str:
+def _plain(evidence: object, *kinds: str) -> str:
     an_object(evidence, "kind", "the evidence")
     if kind_of(evidence) not in kinds:
         reject(f"evidence of the kind {shown(kind_of(evidence))!r} does not show this")
     return kind_of(evidence)
 
 
-def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """The vectors are a basis of the free module of the dimension that comes first."""
     if not 2 <= len(parts) <= MAX_SIZE + 1 or len(_integers(parts[0])) != 1:
         reject("basis takes a dimension and some vectors")
@@ -77,7 +76,7 @@ def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any)
     return Finding(scope, DETERMINANT)
 
 
-def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """The centre is everything in the characteristic given, and F·e in every other."""
     if len(parts) != 1 or not re.fullmatch("[0-9]{1,8}", parts[0].strip()):
         reject("centre takes a characteristic")
@@ -145,7 +144,9 @@ def _arities(text: str) -> Tuple:
     return found
 
 
-def determined_by(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def determined_by(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> Finding:
     """k-linear maps on F⁴ that agree on the tuples of basis vectors chosen are equal.
 
     f − g is Σ h_t·a₁[t₁]⋯aₖ[tₖ], where h_t is its value at the tuple t: agreeing on all tuples is
@@ -218,7 +219,7 @@ def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
 
 
 def curried_linear(
-    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """Fixing the last argument at a basis vector leaves a linear map in every other argument.
 
@@ -250,7 +251,9 @@ def curried_linear(
     return Finding(COMMUTATIVE_RINGS if setting.field is None else FIELD, IDENTITY)
 
 
-def last_argument(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def last_argument(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> Finding:
     """Σ_{i≤n} αᵢ·f(…, eᵢ) = f(…, Σ_{i≤upper} αᵢ·eᵢ) with n = 4, where e₅ is any vector at all."""
     if len(parts) != 2 or parts[0].strip() not in ("3", "4", "5"):
         reject("last-argument takes an upper bound of 3, 4 or 5 and numbers of arguments")

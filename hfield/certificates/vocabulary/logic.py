@@ -17,7 +17,7 @@ from typing import Any
 from hfield.certificates.finding import Finding, together
 from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, FIELD, FIELDS, INDUCTION, WITNESS
 from hfield.certificates.kinds import establish
-from hfield.certificates.language import parse, walk
+from hfield.certificates.language import Tree, parse, walk
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
 from hfield.certificates.rejection import (
@@ -87,7 +87,7 @@ def _split(text: str) -> list[str]:
     return parts
 
 
-def proposition_tree(p: Proposition, depth: int = 0) -> Any:
+def proposition_tree(p: Proposition, depth: int = 0) -> Tree:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
     if p.word in LATTICES:
         return meaning_of_lattices(p.word, p.parts)
@@ -108,7 +108,7 @@ def proposition_tree(p: Proposition, depth: int = 0) -> Any:
 
 
 def establish_any(
-    text: str, setting: Setting, verdict: str, evidence: Any, depth: int = 0
+    text: str, setting: Setting, verdict: str, evidence: object, depth: int = 0
 ) -> Finding:
     """Check the evidence for a verdict on a statement of any kind."""
     if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
@@ -132,7 +132,7 @@ def establish_any(
     return _Logic(p, text, setting, depth).establish(verdict, evidence)
 
 
-def _over(text: str, setting: Setting, verdict: str, evidence: Any, depth: int) -> Finding:
+def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: int) -> Finding:
     """Refute for all fields by one field."""
     data = an_object(evidence, "kind field evidence", "the evidence")
     ring = read_field(a_text(data["field"], "the field of the evidence"))
@@ -158,11 +158,11 @@ class _Logic:
     def __init__(self, p: Proposition, text: str, setting: Setting, depth: int) -> None:
         self.p, self.text, self.setting, self.depth = p, text, setting, depth
 
-    def part(self, n: int, verdict: str, evidence: Any) -> Finding:
+    def part(self, n: int, verdict: str, evidence: object) -> Finding:
         """Check a part."""
         return establish_any(self.p.parts[n], self.setting, verdict, evidence, self.depth + 1)
 
-    def establish(self, verdict: str, evidence: Any) -> Finding:
+    def establish(self, verdict: str, evidence: object) -> Finding:
         """Check the evidence."""
         kind, word = kind_of(evidence), self.p.word
         if word == "over":
@@ -202,7 +202,7 @@ class _Logic:
     def _is_real(self) -> bool:
         return self.setting.field is not None and self.setting.field.name == "RR"
 
-    def _every(self, verdict: str, kind: str, evidence: Any) -> Finding:
+    def _every(self, verdict: str, kind: str, evidence: object) -> Finding:
         if verdict == "refuted" and kind == "part":
             data = an_object(evidence, "kind part evidence", "the evidence")
             n = an_integer(data["part"], "the number of a part", 0)
@@ -216,18 +216,20 @@ class _Logic:
         if len(parts) != len(self.p.parts):
             reject("there is not evidence for every part")
         found: list[Finding] = []
+        verdicts: set[str] = set()
         allowed = ("proved", "vacuous") if verdict == "proved" else ("vacuous",)
         for n, raw in enumerate(parts):
             judged, own = _judged(raw, allowed)
             part = self.part(n, judged, own)
+            verdicts.add(judged)
             if judged == "vacuous":
                 part = replace(part, vacuous=(*part.vacuous, self.p.parts[n]))
             found.append(part)
-        if verdict == "proved" and all(raw["verdict"] == "vacuous" for raw in parts):
+        if verdict == "proved" and verdicts == {"vacuous"}:
             reject("all parts are vacuous, so the whole is vacuous and not proved")
         return together(found)
 
-    def _not_everywhere(self, verdict: str, evidence: Any) -> Finding:
+    def _not_everywhere(self, verdict: str, evidence: object) -> Finding:
         data = an_object(evidence, "kind field evidence", "the evidence")
         if verdict != "proved" or data["kind"] != "over":
             reject("that something fails somewhere is shown by a field where it fails")
@@ -237,7 +239,7 @@ class _Logic:
         anywhere = replace(self.setting, field=None)
         return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by(WITNESS)
 
-    def _implies(self, verdict: str, kind: str, evidence: Any) -> Finding:
+    def _implies(self, verdict: str, kind: str, evidence: object) -> Finding:
         if verdict == "proved" and kind == "conclusion":
             data = an_object(evidence, "kind evidence", "the evidence")
             return self.part(1, "proved", data["evidence"])
@@ -251,14 +253,14 @@ class _Logic:
             return together((left, right)).within(FIELD).by(right.method)
         reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
 
-    def _iff(self, verdict: str, kind: str, evidence: Any) -> Finding:
+    def _iff(self, verdict: str, kind: str, evidence: object) -> Finding:
         data = an_object(evidence, "kind left right", "the evidence")
         left, right = (_judged(data[x], ("proved", "refuted")) for x in ("left", "right"))
         if kind != "both" or verdict != ("proved" if left[0] == right[0] else "refuted"):
             reject(f"the two sides do not show this {verdict}")
         return together((self.part(0, *left), self.part(1, *right))).within(FIELD)
 
-    def _everywhere(self, kind: str, evidence: Any) -> Finding:
+    def _everywhere(self, kind: str, evidence: object) -> Finding:
         """Prove a relation between closed statements over all fields at once, by known lemmas."""
         data = an_object(evidence, "kind proofs", "the evidence")
         said = proposition_tree(self.p)
@@ -275,7 +277,7 @@ class _Logic:
         return found.within(FIELDS)
 
 
-def meaning(statement: str) -> Any:
+def meaning(statement: str) -> Tree:
     """Return a statement of any kind as a tree, without blanks and superfluous parentheses."""
     p = read_proposition(statement)
     if p is not None:
@@ -284,7 +286,7 @@ def meaning(statement: str) -> Any:
     return parse(statement) if presentation is None else presentation.tree
 
 
-def _judged(raw: object, allowed: tuple[str, ...]) -> tuple[str, Any]:
+def _judged(raw: object, allowed: tuple[str, ...]) -> tuple[str, object]:
     """Return the verdict and the evidence for a part."""
     data = an_object(raw, "verdict evidence", "the evidence for a part")
     if data["verdict"] not in allowed:

@@ -1,6 +1,7 @@
 """Evidence for statements about the field: division, level, orderings, moduli."""
 
 import re
+from collections.abc import Mapping
 from itertools import product
 from typing import Any, NoReturn
 
@@ -31,6 +32,7 @@ from hfield.certificates.rejection import (
     a_list,
     an_integer,
     an_object,
+    keyed,
     kind_of,
     reject,
     shown,
@@ -57,7 +59,7 @@ def _nothing(parts: tuple[str, ...]) -> None:
         reject("this word of the vocabulary takes no parts")
 
 
-def _evaluator(field: Ring) -> Evaluator:
+def _evaluator(field: Ring) -> Evaluator[Any, bool]:
     return Evaluator(RingScalars(field), HAMILTON, {})
 
 
@@ -72,14 +74,14 @@ def _unfit(kind: str, verdict: str) -> NoReturn:
     reject(f"evidence of the kind {shown(kind)!r} does not show that this is {verdict}")
 
 
-def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """Every nonzero element of H(F) has an inverse: its norm is 0 only at 0."""
     _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)
         constants = (minus_one, field.zero, minus_one)
-        reason = {key: value for key, value in evidence.items() if key != "kind"}
+        reason = {key: x for key, x in keyed(evidence).items() if key != "kind"}
         cited = anisotropic(field, constants, reason, setting.algebra)
         return Finding(FIELD, ANISOTROPIC_NORM).citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
@@ -90,20 +92,22 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: A
     _unfit(kind, verdict)
 
 
-def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """−1 is not a sum of so many squares."""
     if len(parts) != 1 or not re.fullmatch("[0-9]{1,5}", parts[0].strip()):
         reject("level-above takes a number")
     return _level(int(parts[0]), setting, verdict, evidence)
 
 
-def formally_real(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def formally_real(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> Finding:
     """−1 is not a sum of squares."""
     _nothing(parts)
     return _level(None, setting, verdict, evidence)
 
 
-def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> Finding:
+def _level(bound: int | None, setting: Setting, verdict: str, evidence: object) -> Finding:
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
         an_object(evidence, "kind", "the evidence")
@@ -123,7 +127,7 @@ def _level(bound: int | None, setting: Setting, verdict: str, evidence: Any) -> 
 
 
 def norm_criterion(
-    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """q has an inverse exactly when N(q) > 0 (or < 0) in the orderings of the field."""
     if parts not in ((">",), ("<",)):
@@ -149,7 +153,7 @@ def norm_criterion(
 
 
 def modulus_exists(
-    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """Every norm is a square in the field."""
     _nothing(parts)
@@ -176,7 +180,9 @@ def _identity(text: str, setting: Setting) -> None:
         reject(f"{text} does not hold by expanding")
 
 
-def modulus_law(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: Any) -> Finding:
+def modulus_law(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> Finding:
     """Some choice of a root √n for each square n makes √N(pq) = √N(p)·√N(q) (or the sum) hold."""
     if parts not in (("*",), ("+",)):
         reject("modulus-law takes * or +")
@@ -218,7 +224,7 @@ def _try_squares(field: Ring) -> None:
             reject("the roots that are squares do not multiply to such roots")
 
 
-def _no_choice(field: Ring, operation: str, data: Any) -> None:
+def _no_choice(field: Ring, operation: str, data: Mapping[str, object]) -> None:
     """Check that every choice of roots for the norms of some elements breaks the law."""
     evaluator = _evaluator(field)
     elements = [_quaternion(field, value) for value in a_list(data["elements"], "elements", 1)]
@@ -233,7 +239,7 @@ def _no_choice(field: Ring, operation: str, data: Any) -> None:
         if not any(field.equal(n, m) for m, _ in known):
             known.append((n, root))
 
-    def place(n: Any) -> int | None:
+    def place(n: object) -> int | None:
         return next((k for k, (m, _) in enumerate(known) if field.equal(n, m)), None)
 
     for signs in product((1, -1), repeat=len(known)):

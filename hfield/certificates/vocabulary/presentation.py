@@ -1,8 +1,8 @@
 """Statements about all associative algebras: words in e, i, j, k, multiplied out in the free ring."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import ALGEBRA, COMMUTATIVE_RINGS, FIELD, PRESENTATION
@@ -129,9 +129,9 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
     for entry in a_list(data, what, 1):
         words: Words = {}
         for pair in a_list(entry, f"an entry of {what}"):
-            c, word = a_list(pair, "a term", 2)[:2]
-            word = _a_word(word, identity)
-            if len(pair) != 2 or word in words:
+            c, *rest = a_list(pair, "a term", 2)
+            word = _a_word(rest[0], identity)
+            if len(rest) != 1 or word in words:
                 reject(f"a term of {what} cannot be read")
             words[word] = an_integer(c, "a coefficient")
         listed.append(words)
@@ -167,7 +167,7 @@ def establish_presentation(
     return Finding(FIELD, ALGEBRA)
 
 
-def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Finding:
+def _proofs(target: Presentation, ring: Ring | None, p: int, data: Mapping[str, object]) -> Finding:
     if p and (ring is None or ring.characteristic != p):
         reject("the proof is valid in one characteristic only")
     proofs = a_list(data["proofs"], "proofs")
@@ -198,7 +198,7 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Any) -> Findi
 Vector = list[int]
 
 
-def _table(target: Presentation, p: int, data: Any) -> None:
+def _table(target: Presentation, p: int, data: Mapping[str, object]) -> None:
     """Check an algebra with basis e, i, j, k in which the relations hold and a goal does not."""
     raw = an_object(data["table"], " ".join(x + y for x in "eijk" for y in "eijk"), "the table")
     table = {xy: _vector(v) for xy, v in raw.items()}

@@ -11,7 +11,7 @@ from itertools import islice
 from typing import Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
-from hfield.product import Constants, conjugate, multiply, trace
+from hfield.product import Constants, Scalar, conjugate, multiply, trace
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem, remembered
@@ -49,7 +49,7 @@ def by_weight(
             yield out
 
 
-def nonzero_first(scalars: Sequence[Any]) -> list[Any]:
+def nonzero_first(scalars: Sequence[Scalar]) -> list[Scalar]:
     """Put 0, the first, last; and the third, −1, in front."""
     return [*scalars[2:3], *scalars[1:2], *scalars[3:], *scalars[:1]]
 
@@ -74,7 +74,7 @@ def prime_scalars(p: int) -> tuple[int, ...]:
 
 
 @lru_cache(maxsize=64)
-def small_scalars(field: Ring) -> tuple[Any, ...]:
+def small_scalars(field: Ring) -> tuple[Scalar, ...]:
     """Return some elements of the field, 0 and 1 first; all of them if there are at most 64."""
     if field.order is not None:
         return tuple(islice(field.elements(), 64))
@@ -144,7 +144,7 @@ def pool(problem: Problem) -> list[Any]:
 
 
 def from_pool(
-    unknowns: Sequence[tuple[str, Sort]], quaternions: Sequence[Any], scalars: Sequence[Any]
+    unknowns: Sequence[tuple[str, Sort]], quaternions: Sequence[Any], scalars: Sequence[Scalar]
 ) -> Iterator[Assignment]:
     """Run through assignments of the quaternions and scalars given, small positions first."""
     kinds = [scalars if sort is Sort.SCALAR else quaternions for _, sort in unknowns]

@@ -1,8 +1,10 @@
 """A place where given polynomials are not 0: always found, one variable after the other."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 from itertools import chain, count, islice
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError
 from hfield.proving.counterexamples.candidates import small_scalars
@@ -13,10 +15,16 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
 
+if TYPE_CHECKING:
+    import flint
+
+
 MAX_VALUES = 1_000
 
 
-def nonzero_place(problem: Problem, x: Expanded, polynomials: Sequence[Any]) -> Assignment | None:
+def nonzero_place(
+    problem: Problem, x: Expanded, polynomials: Sequence[flint.fmpz_mpoly]
+) -> Assignment | None:
     """Return values of the unknowns at which none of the polynomials is 0.
 
     Over an infinite field there is such a place for polynomials that are not 0; over a finite one

@@ -5,12 +5,15 @@ its value follows (a linear equation, a square root, or one of a few values). Th
 looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import nonzero_first, small_scalars
 from hfield.proving.counterexamples.nonzero_place import values_of
 from hfield.proving.evaluation.searcher import Assignment
@@ -21,6 +24,10 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
 from hfield.rings.roots import rational_roots
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_NODES = 1_500
 MAX_TERMS = 400
@@ -171,7 +178,7 @@ class _Solver:
             if field.is_zero(total):
                 yield value
 
-    def put(self, f: Polynomial, n: int, value: Any) -> Polynomial:
+    def put(self, f: Polynomial, n: int, value: Scalar) -> Polynomial:
         """Put a value in for variable n."""
         field = self.field
         out: Polynomial = {}
@@ -203,7 +210,7 @@ class _Solver:
             out[n] = self.value(expression, out)
         return out
 
-    def value(self, f: Polynomial, values: Mapping[int, Any]) -> Any:
+    def value(self, f: Polynomial, values: Mapping[int, Any]) -> flint.fmpq:
         """Evaluate f."""
         total = self.field.zero
         for m, c in f.items():

@@ -1,9 +1,11 @@
 """Deciding over a finite ring by trying every case; many at a time with numpy where there are many."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.evaluation.evaluator import Evaluator
@@ -12,6 +14,10 @@ from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_CASES = 10**8
 FEW_CASES = 1_500  # below, a loop is faster than loading numpy
@@ -60,7 +66,7 @@ def counterexample(
 
 
 def _assignment(
-    statement: Statement, places: list[tuple[str, int]], values: Any, zero: Any
+    statement: Statement, places: list[tuple[str, int]], values: Any, zero: flint.nmod
 ) -> Assignment:
     given = dict(zip(places, values, strict=True))
     return {
@@ -158,7 +164,7 @@ class _Table:
             self.kind,
         )
 
-    def entry(self, array: Any) -> "_Entries":
+    def entry(self, array: Any) -> _Entries:
         return _Entries(self, array)
 
 
@@ -170,25 +176,25 @@ class _Entries:
     def __init__(self, table: _Table, array: Any) -> None:
         self.table, self.array = table, array
 
-    def __add__(self, other: "_Entries") -> "_Entries":
+    def __add__(self, other: _Entries) -> _Entries:
         t, x, y = self.table, self.array, other.array
         if t.loops is not None:
             return _Entries(t, t.loops.sum(x, y))
         return _Entries(t, (x + y) % t.field.characteristic if t.prime else t.sum[x, y])
 
-    def __neg__(self) -> "_Entries":
+    def __neg__(self) -> _Entries:
         t = self.table
         if t.loops is not None:
             return _Entries(t, t.loops.negative(self.array))
         return _Entries(t, -self.array % t.field.characteristic if t.prime else t.minus[self.array])
 
-    def __sub__(self, other: "_Entries") -> "_Entries":
+    def __sub__(self, other: _Entries) -> _Entries:
         t = self.table
         if t.loops is not None:
             return _Entries(t, t.loops.difference(self.array, other.array))
         return self + -other
 
-    def __mul__(self, other: "_Entries") -> "_Entries":
+    def __mul__(self, other: _Entries) -> _Entries:
         t, x, y = self.table, self.array, other.array
         if t.loops is not None:
             return _Entries(t, t.loops.product(x, y))

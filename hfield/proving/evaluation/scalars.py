@@ -12,7 +12,7 @@ from operator import mul
 from typing import Any
 
 from hfield.errors import NotInvertibleError
-from hfield.product import Constants, multiply, norm
+from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.base import Ring
 
 Value = tuple[Any, Any]  # a scalar or a tuple of four, and the condition under which it is defined
@@ -92,18 +92,18 @@ class RingScalars(Scalars):
         x, defined = self.reciprocal(self.ring(value.denominator))
         return self.ring(value.numerator) * x, defined
 
-    def reciprocal(self, x: Any) -> Value:
+    def reciprocal(self, x: Scalar) -> Value:
         """Return 1/x, if x is a unit."""
         try:
             return self.ring.inverse(x), True
         except NotInvertibleError:
             return self.zero, False
 
-    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def equal(self, differences: Iterable[Any], defined: bool) -> bool:
         """Compare exactly, in the ring."""
         return all(map(self.ring.is_zero, differences))
 
-    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def unequal(self, differences: Iterable[Any], defined: bool) -> bool:
         """Compare exactly, in the ring."""
         return not all(map(self.ring.is_zero, differences))
 
@@ -126,14 +126,14 @@ class PrimeScalars(Scalars):
         x, defined = self.reciprocal(value.denominator)
         return value.numerator * x % self.p, defined
 
-    def reciprocal(self, x: Any) -> Value:
+    def reciprocal(self, x: int) -> Value:
         """Return 1/x unless x is 0."""
         if not self.p:
             return (Fraction(1) / x, True) if x else (0, False)
         x %= self.p
         return (pow(x, -1, self.p), True) if x else (0, False)
 
-    def times(self, x: Any, y: Any) -> Any:
+    def times(self, x: int, y: int) -> int:
         """Return a product below p."""
         return x * y % self.p
 
@@ -142,11 +142,11 @@ class PrimeScalars(Scalars):
         modulus = self.p
         return tuple([x % modulus for x in multiply(constants, p, q)])
 
-    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def equal(self, differences: Iterable[Any], defined: bool) -> bool:
         """Compare modulo p."""
         return not self.unequal(differences, defined)
 
-    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def unequal(self, differences: Iterable[Any], defined: bool) -> bool:
         """Compare modulo p."""
         p = self.p
         return any(d % p for d in differences) if p else any(differences)

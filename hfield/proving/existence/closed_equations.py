@@ -1,7 +1,7 @@
 """Equations in which nothing is given, solved in their ring: linear ones, and those in one unknown.
 
 Linear equations over a Euclidean ring by Hermite's normal form, over ℤ/n with multiples of n added; one
-unknown by the roots that the ring finds.
+unknown by the roots that the ring finds; a quadratic one in a quaternion by its square roots.
 """
 
 from collections.abc import Iterator, Sequence
@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.proving.existence.square_roots import quaternion_roots
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
@@ -33,6 +34,10 @@ class Solutions:
 def closed_solutions(problem: Problem) -> Solutions:
     """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
     field = problem.ring
+    roots = quaternion_roots(problem)
+    if roots is not None:
+        ((name, _),) = problem.statement.unknowns
+        return Solutions(tuple({name: root} for root in roots), none=not roots)
     try:
         world = Symbolic(problem)
         ways = list(branches(world.truth(problem.statement.node)))
@@ -144,7 +149,7 @@ def _hermite(rows: list[list[Any]], ring: Ring) -> list[Any] | None:
     return solution
 
 
-def _assigned(statement: Statement, values: Sequence[Any]) -> dict[str, Any]:
+def _assigned(statement: Statement, values: Sequence[Any]) -> dict[str, object]:
     """Give the unknowns their values, the coordinates of a quaternion together."""
     rest = iter(values)
     return {

@@ -1,12 +1,18 @@
 """Gauss and Jordan's elimination with polynomials, a case distinction at each pivot that may be 0."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.clock import Clock
 from hfield.proving.existence.coefficients import Coefficients, Row
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_TERMS = 200  # of a coefficient
 MAX_WAYS = 300
@@ -28,7 +34,7 @@ class Elimination:
     def __init__(self, coefficients: Coefficients, width: int, clock: Clock) -> None:
         self.of, self.width, self.clock, self.ways = coefficients, width, clock, 0
 
-    def start(self, rows: Sequence[Row], known: Sequence[Any]) -> Way:
+    def start(self, rows: Sequence[Row], known: Sequence[flint.fmpz_mpoly]) -> Way:
         """Return the system before the elimination, some polynomials that are 0 used."""
         way = Way(tuple(map(self.of.primitive, rows)))
         for f in known:
@@ -85,7 +91,9 @@ class Elimination:
                     best, place = size, (r, c)
         return place
 
-    def step(self, rows: Sequence[Row], r: int, c: int, nonzero: Sequence[Any]) -> tuple[Row, ...]:
+    def step(
+        self, rows: Sequence[Row], r: int, c: int, nonzero: Sequence[flint.fmpz_mpoly]
+    ) -> tuple[Row, ...]:
         """Clear column c by row r in all other rows."""
         own, out = rows[r], []
         for n, row in enumerate(rows):
@@ -100,7 +108,7 @@ class Elimination:
             out.append(row)
         return tuple(out)
 
-    def without(self, rows: Sequence[Row], f: Any) -> tuple[Row, ...]:
+    def without(self, rows: Sequence[Row], f: flint.fmpz_mpoly) -> tuple[Row, ...]:
         """Use f = 0: where it expresses a variable by others, that variable goes."""
         gens = self.of.context.gens()
         for n, v in enumerate(gens):

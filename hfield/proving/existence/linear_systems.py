@@ -6,11 +6,13 @@ through ends in a case: a solution written as terms in what is given, and where 
 equations are linear the cases are exact: something exists where one of them holds, and nowhere else.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from math import gcd
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.existence.coefficients import Coefficients, Row
@@ -20,6 +22,10 @@ from hfield.proving.polynomials.normal_form import Formula, Literal, branches
 from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_CASES = 64
 MAX_BRANCHES = 8
@@ -54,7 +60,7 @@ def linear_cases(problem: Problem) -> tuple[list[Case], bool]:
     return list(out), exact
 
 
-def _equations(formula: Formula) -> list[Any]:
+def _equations(formula: Formula) -> list[flint.fmpz_mpoly]:
     """Return the polynomials that are 0 where the formula is true, as far as that shows."""
     if formula.literal is not None:
         return list(formula.literal.polynomials) if formula.literal.zero else []
@@ -96,7 +102,7 @@ class System:
                 if case is not None:
                     yield case
 
-    def row(self, f: Any) -> Row | None:
+    def row(self, f: flint.fmpz_mpoly) -> Row | None:
         """Return the equation f = 0 as a row, None if it is not linear in what is sought."""
         parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(len(self.bound) + 1)]
         for exponents, c in f.terms():
@@ -112,7 +118,11 @@ class System:
     # --- cases -----------------------------------------------------------------------------------
 
     def case(
-        self, rows: Sequence[Row], values: list[Any], below: Any, unequal: list[tuple[Any, ...]]
+        self,
+        rows: Sequence[Row],
+        values: list[flint.fmpz_mpoly],
+        below: flint.fmpz_mpoly,
+        unequal: list[tuple[Any, ...]],
     ) -> Case | None:
         """Return a solution as a case, None where its condition is never true."""
         when = [] if self.of.is_unit(below) else [f"{self.text(below)} != 0"]
@@ -135,11 +145,13 @@ class System:
             when.append(some[0] if len(some) == 1 else f"({' or '.join(some)})")
         return Case(" and ".join(dict.fromkeys(when)) or "0 == 0", tuple(self.terms(values, below)))
 
-    def is_nonzero_with(self, f: Any, below: Any) -> bool:
+    def is_nonzero_with(self, f: flint.fmpz_mpoly, below: flint.fmpz_mpoly) -> bool:
         """Tell whether f is certainly not 0 where ``below`` is not."""
         return all(below % g == 0 for g in self.of.factors(f))
 
-    def put(self, f: Any, values: list[Any], below: Any) -> Any:
+    def put(
+        self, f: flint.fmpz_mpoly, values: list[flint.fmpz_mpoly], below: flint.fmpz_mpoly
+    ) -> flint.fmpz_mpoly:
         """Put the solution into f; the result is a numerator over a power of ``below``."""
         degree = max((sum(int(m[n]) for n in self.bound) for m, _ in f.terms()), default=0)
         total = self.context.constant(0)
@@ -154,7 +166,9 @@ class System:
                 raise TooLargeError("a solution put in grows too large")
         return total
 
-    def terms(self, values: list[Any], below: Any) -> Iterator[tuple[str, str]]:
+    def terms(
+        self, values: list[flint.fmpz_mpoly], below: flint.fmpz_mpoly
+    ) -> Iterator[tuple[str, str]]:
         """Write the solution as terms."""
         rest = iter(values)
         for name, sort in self.statement.unknowns:
@@ -162,7 +176,7 @@ class System:
                 width = 1 if sort is Sort.SCALAR else 4
                 yield name, self.term(list(islice(rest, width)), below)
 
-    def term(self, numerators: list[Any], below: Any) -> str:
+    def term(self, numerators: list[flint.fmpz_mpoly], below: flint.fmpz_mpoly) -> str:
         """Write a scalar, or a quaternion, with its denominator."""
         common = below
         for f in numerators:
@@ -183,6 +197,6 @@ class System:
         bottom = self.text(below)
         return "/".join(x if x.isalnum() else f"({x})" for x in (top, bottom))
 
-    def text(self, f: Any) -> str:
+    def text(self, f: flint.fmpz_mpoly) -> str:
         """Write a polynomial in the language."""
         return polynomial_text(f, self.variables)

@@ -6,6 +6,7 @@ from itertools import chain
 from typing import Any
 
 from hfield.errors import HFieldError
+from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import by_weight, small_scalars, witness_texts
 from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, Decision
 from hfield.proving.definedness import algebra_exists
@@ -110,7 +111,7 @@ def at_zero(problem: Problem) -> tuple[str, ...] | None:
     return tuple(to_text(quaternion_node(one.witness[name])) for name in exists)
 
 
-def _small(field: Ring) -> list[Any]:
+def _small(field: Ring) -> list[Scalar]:
     return list(small_scalars(field))[:SMALL]
 
 
@@ -165,5 +166,5 @@ def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
 
 def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
     evidence = {"kind": "place", "values": place, "proof": one.evidence}
-    steps = (f"at {shown(place)} there is none", *one.steps)
-    return replace(one, witness=place, steps=steps, evidence=evidence)
+    at = (f"at {shown(place)} there is none",) if place else ()
+    return replace(one, witness=place, steps=(*at, *one.steps), evidence=evidence)

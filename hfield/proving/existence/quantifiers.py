@@ -1,10 +1,18 @@
 """Statements that something exists, and hypotheses that nothing satisfies: which way is tried when."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from hfield.proving.counterexamples.candidates import true_place
-from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.decision import (
+    FIELD,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    VACUOUS,
+    Decision,
+    has_evidence,
+)
 from hfield.proving.existence.case_distinction import by_isolating, by_linear_algebra
 from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots
@@ -28,7 +36,9 @@ def vacuous(problem: Problem) -> Decision | None:
         return None
     evidence = {"kind": "unsatisfiable", "proof": decision.evidence}
     steps = (*decision.steps, "so the hypotheses are never all true")
-    return replace(decision, verdict=VACUOUS, steps=steps, evidence=evidence)
+    # A conclusion with constants of the field speaks of no other, whatever its hypotheses do.
+    scope = FIELD if problem.statement.constants else decision.scope
+    return replace(decision, verdict=VACUOUS, scope=scope, steps=steps, evidence=evidence)
 
 
 def decide(problem: Problem) -> Decision:
@@ -47,22 +57,30 @@ def _over_all_fields(problem: Problem) -> Decision:
     decision, place = _by_algebra(problem)
     if decision is not None:
         return decision
-    if place is not None:
-        name = place["F"][0]
-        one = refuted_at(problem.over(ring(name)), place)
-        if one is not None:
-            return all_fields.elsewhere(one, name)
-    for there in all_fields.fields_tried(problem):
-        if problem.is_late:
-            break
-        one = decide(there.share(0.2, least=0.1))
-        if one.verdict == REFUTED:
-            return all_fields.elsewhere(one, there.ring.name)
+    unproved = None  # refuted somewhere, but without evidence: another field may have some
+    for one, name in _at_fields(problem, place):
+        if one is not None and one.verdict == REFUTED:
+            if has_evidence(one.evidence):
+                return all_fields.elsewhere(one, name)
+            unproved = unproved or all_fields.elsewhere(one, name)
+    if unproved is not None:
+        return unproved
     tried = ("terms in the unknowns", f"each of {', '.join(all_fields.FIELDS_TRIED)}")
     return Decision(UNDECIDED, "none", tried=tried)
 
 
 Place = dict[str, Sequence[str]]
+
+
+def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision | None, str]]:
+    """Decide over one field after the other, first at a place that linear algebra has found."""
+    if place is not None:
+        name = place["F"][0]
+        yield refuted_at(problem.over(ring(name)), place), name
+    for there in all_fields.fields_tried(problem):
+        if problem.is_late:
+            break
+        yield decide(there.share(0.2, least=0.1)), there.ring.name
 
 
 def _by_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:

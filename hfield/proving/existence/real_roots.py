@@ -1,6 +1,8 @@
 """Roots that exist in ℝ and ℂ by a theorem, though no term in what is given names them."""
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
@@ -10,6 +12,10 @@ from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.syntax import Compare
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_DEGREE = 200
 FARTHEST = 2**40
@@ -54,14 +60,14 @@ def by_roots(problem: Problem) -> Decision | None:
 Reason = tuple[dict[str, Any], str, str]  # evidence, theorem, words
 
 
-def _complex(f: Any, at: int) -> Reason | None:
+def _complex(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     lead = _coefficients(f, at)[-1]
     if not lead.is_constant():
         return None
     return {"kind": "complex root"}, COMPLEX_ROOT, "has a number other than 0 in front"
 
 
-def _real(f: Any, at: int) -> Reason | None:
+def _real(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     c = _coefficients(f, at)
     degree = len(c) - 1
     if degree % 2 and c[-1].is_constant():
@@ -83,7 +89,7 @@ def _real(f: Any, at: int) -> Reason | None:
     return None
 
 
-def _coefficients(f: Any, at: int) -> list[Any]:
+def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[Any]:
     """Return the coefficients of f as a polynomial in one of its variables."""
     parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(int(f.degrees()[at]) + 1)]
     for exponents, c in f.terms():

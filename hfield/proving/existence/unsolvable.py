@@ -4,8 +4,10 @@ Gauss's elimination at one place after the other is quick, so that many can be l
 proved elsewhere.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.evaluation.scalars import constant
@@ -16,6 +18,10 @@ from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_TERMS = 2_000
 
@@ -65,7 +71,9 @@ def _is_solvable(
     return all(field.is_zero(row[-1]) for row in left)
 
 
-def _value(f: Any, variables: Sequence[str], values: Mapping[str, Any], field: Ring) -> Any:
+def _value(
+    f: flint.fmpz_mpoly, variables: Sequence[str], values: Mapping[str, Any], field: Ring
+) -> Any:
     total = field.zero
     for exponents, c in f.terms():
         term = field(int(c))

@@ -5,9 +5,11 @@ that must not be 0 (Rabinowitsch's trick). Over a field with rules (see ``field_
 a form that lies in the ideal puts its arguments there too, and a product splits into cases.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.clock import Clock
@@ -22,6 +24,10 @@ from hfield.proving.polynomials.recognition import (
 )
 from hfield.proving.polynomials.vanishing import factored
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import flint
+
 
 SLICE = 150  # pairs between two looks at the rules
 MAX_ELEMENTS = 400
@@ -80,7 +86,9 @@ def refute(conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> Refut
     return None
 
 
-def member(conditions: Conditions, targets: Sequence[Any], clock: Clock) -> list[Cofactors] | None:
+def member(
+    conditions: Conditions, targets: Sequence[flint.fmpz_mpoly], clock: Clock
+) -> list[Cofactors] | None:
     """Return cofactors that put every target into the ideal of the zeros, or None."""
     if _is_large(conditions):
         return None
@@ -167,10 +175,17 @@ class _Search:
         self.denominators.append(found.denominator)
         self.steps.append(step)
 
-    def text(self, polynomial: Any) -> str:
+    def text(self, polynomial: flint.fmpz_mpoly) -> str:
         return polynomial_text(polynomial, self.names)
 
-    def _derive(self, ideal: Ideal, rule: Rule, form: Any, terms: list[Any], step: Step) -> bool:
+    def _derive(
+        self,
+        ideal: Ideal,
+        rule: Rule,
+        form: flint.fmpz_mpoly,
+        terms: list[flint.fmpz_mpoly],
+        step: Step,
+    ) -> bool:
         """If the form is in the ideal, put its arguments there, unless all are already."""
         found = ideal.cofactors(form)
         if found is None or all(ideal.cofactors(t) is not None for t in terms):

@@ -1,10 +1,12 @@
 """Proving clauses: from polynomials that are 0 to one that is, over all fields of a characteristic."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby, product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import shorten
 from hfield.proving.decision import (
@@ -30,6 +32,10 @@ from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Statement
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_CHOICES = 64
 
@@ -197,14 +203,14 @@ class _Attempt:
         self.quaternions = quaternions_of(problem) if own else ()
         self.relations = relations_of(x, field)
 
-    def is_zero(self, p: Any) -> bool:
+    def is_zero(self, p: flint.fmpz_mpoly) -> bool:
         """Tell whether a polynomial is 0 over the fields that are meant."""
         if self.field is not None:
             return vanishes(p, self.x, self.field)
         n = self.characteristic
         return bool(p == 0 or (n and int(p.content()) % n == 0))
 
-    def is_nonzero_number(self, p: Any) -> bool:
+    def is_nonzero_number(self, p: flint.fmpz_mpoly) -> bool:
         """Tell whether a polynomial is a number that is not 0 in them."""
         if self.field is not None:
             return is_nonzero_constant(p, self.x, self.field)
@@ -212,10 +218,12 @@ class _Attempt:
             p.is_constant() and not self.is_zero(p) and (self.characteristic or p in (1, -1))
         )
 
-    def text(self, p: Any) -> str:
+    def text(self, p: flint.fmpz_mpoly) -> str:
         return polynomial_text(p, self.x.variables)
 
-    def conditions(self, zeros: Sequence[Any], nonzero: tuple[Any, ...] = ()) -> Conditions:
+    def conditions(
+        self, zeros: Sequence[flint.fmpz_mpoly], nonzero: tuple[flint.fmpz_mpoly, ...] = ()
+    ) -> Conditions:
         """Return what is 0, relations of constants included, and what is not."""
         x = self.x
         return Conditions(
@@ -238,7 +246,7 @@ class _Attempt:
         found = self.direct(zeros, clause.goals)
         return self.by_contradiction(zeros, clause.goals) if found is None else found
 
-    def evidence(self, zeros: Sequence[Any]) -> dict[str, Any]:
+    def evidence(self, zeros: Sequence[flint.fmpz_mpoly]) -> dict[str, object]:
         """Return what all items about the same zeros say."""
         return {
             "characteristic": self.characteristic,
@@ -246,7 +254,9 @@ class _Attempt:
             "relations": [self.text(r) for r in self.relations],
         }
 
-    def direct(self, zeros: list[Any], goals: Sequence[tuple[Any, ...]]) -> list[Item] | None:
+    def direct(
+        self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[Any, ...]]
+    ) -> list[Item] | None:
         """Put all polynomials of a goal into the ideal of the zeros."""
         conditions = self.conditions(zeros)
         for goal in goals or ((self.x.context.constant(1),),):
@@ -256,7 +266,9 @@ class _Attempt:
                 return [self.item(zeros, t, c) for t, c in zip(targets, found, strict=True)]
         return None
 
-    def item(self, zeros: Sequence[Any], target: Any, found: Cofactors) -> Item:
+    def item(
+        self, zeros: Sequence[flint.fmpz_mpoly], target: flint.fmpz_mpoly, found: Cofactors
+    ) -> Item:
         """Return the item that a polynomial is in the ideal of the zeros."""
         own = {
             "member": self.text(target),
@@ -266,7 +278,7 @@ class _Attempt:
         return Item({**self.evidence(zeros), **own}, True, True, (found.denominator,))
 
     def by_contradiction(
-        self, zeros: list[Any], goals: Sequence[tuple[Any, ...]]
+        self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[Any, ...]]
     ) -> list[Item] | None:
         """Show that there is no choice of one polynomial from each goal that need not be 0."""
         choices = [[g for g in goal if not self.is_zero(g)] for goal in goals]

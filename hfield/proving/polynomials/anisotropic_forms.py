@@ -4,17 +4,23 @@
 (−1, 3) is a division algebra over ℚ. A quadratic polynomial is first written as Σ c·L² by Lagrange's method.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import gcd, isqrt
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
 from hfield.proving.polynomials.recognition import polynomial_text, without_root
 from hfield.proving.polynomials.vanishing import factored
 from hfield.rings.base import Ring, power
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_DEGREE = 12
 MAX_TERMS = 60
@@ -35,13 +41,15 @@ class Form:
 class Forms:
     """Finds forms in polynomials whose variables from ``unknowns`` on, ``names`` of them, are constants."""
 
-    def __init__(self, names: tuple[str, ...], unknowns: int, field: Ring, context: Any) -> None:
+    def __init__(
+        self, names: tuple[str, ...], unknowns: int, field: Ring, context: flint.fmpz_mpoly_ctx
+    ) -> None:
         self.names, self.unknowns, self.field, self.context = names, unknowns, field, context
         self.gens = context.gens()
         self.free = [n for n in range(len(self.gens)) if not unknowns <= n < len(names)]
         self.one = context.constant(1)
 
-    def of(self, f: Any) -> Iterator[Form]:
+    def of(self, f: flint.fmpz_mpoly) -> Iterator[Form]:
         """Run through the forms that f is, up to a factor."""
         if not 2 <= len(f) <= MAX_TERMS:
             return
@@ -52,7 +60,7 @@ class Forms:
 
     # --- binary forms ----------------------------------------------------------------------------
 
-    def binary(self, f: Any) -> Iterator[Form]:
+    def binary(self, f: flint.fmpz_mpoly) -> Iterator[Form]:
         """Run through ways to write f as Σ cₖ·X^k·Y^(n−k) with monomials X and Y."""
         parts = self.coefficients(f)
         monomials = list(parts)
@@ -97,7 +105,7 @@ class Forms:
 
     # --- quadratic forms -------------------------------------------------------------------------
 
-    def diagonal(self, f: Any) -> list[Square] | None:
+    def diagonal(self, f: flint.fmpz_mpoly) -> list[Square] | None:
         """Return squares with Σ c·L² a multiple of f (Lagrange), None if a step has no square."""
         degrees = [sum(int(m[n]) for n in self.free) for m, _ in f.terms()]
         if max(degrees) != 2:
@@ -120,7 +128,7 @@ class Forms:
                 return None
         return self.lightened(squares)
 
-    def square_in(self, f: Any) -> tuple[int, Any] | None:
+    def square_in(self, f: flint.fmpz_mpoly) -> tuple[int, Any] | None:
         """Return a variable whose square occurs, with its coefficient."""
         parts = self.coefficients(f)
         for n in self.free:
@@ -176,7 +184,7 @@ class Forms:
 
     # --- coefficients ----------------------------------------------------------------------------
 
-    def coefficients(self, f: Any) -> dict[tuple[int, ...], Any]:
+    def coefficients(self, f: flint.fmpz_mpoly) -> dict[tuple[int, ...], Any]:
         """Return the coefficients, polynomials in the constants, by the exponents of what is free."""
         parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
         free = set(self.free)
@@ -187,7 +195,7 @@ class Forms:
             parts.setdefault(outer, {})[inner] = int(c)
         return {m: self.context.from_dict(part) for m, part in parts.items()}
 
-    def value(self, f: Any) -> Any:
+    def value(self, f: flint.fmpz_mpoly) -> Any:
         """Return a polynomial in the constants as an element of the field."""
         total = self.field.zero
         for exponents, c in f.terms():
@@ -203,11 +211,11 @@ class Forms:
         """Return coefficients as elements of the field."""
         return [self.value(c) for c in coefficients]
 
-    def is_zero(self, f: Any) -> bool:
+    def is_zero(self, f: flint.fmpz_mpoly) -> bool:
         """Tell whether a polynomial in the constants is 0."""
         return bool(self.field.is_zero(self.value(f)))
 
-    def text(self, f: Any) -> str:
+    def text(self, f: flint.fmpz_mpoly) -> str:
         """Write a polynomial in the constants."""
         return polynomial_text(f, self.names)
 
@@ -226,7 +234,7 @@ def square_part(n: int) -> tuple[int, int]:
     return m, rest
 
 
-def square_free(f: Any) -> tuple[Any, Any]:
+def square_free(f: flint.fmpz_mpoly) -> tuple[Any, Any]:
     """Return (m, g) with f = m²·g, as far as factoring tells."""
     number, powers = factored(f)
     m, rest = square_part(number)

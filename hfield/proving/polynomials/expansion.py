@@ -6,10 +6,12 @@ generator. A statement that divides is expanded with fractions of polynomials, w
 are then conditions of their own.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
@@ -20,6 +22,10 @@ from hfield.proving.evaluation.scalars import Scalars, Value
 from hfield.proving.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
@@ -78,7 +84,7 @@ class Symbolic(Evaluator):
     The structure constants are defined where none of the ``conditions`` is 0.
     """
 
-    scalars: "Polynomials"
+    scalars: Polynomials
 
     def __init__(self, problem: Problem) -> None:
         statement, setting = problem.statement, problem.setting
@@ -99,7 +105,7 @@ class Symbolic(Evaluator):
             values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
         self.conditions: tuple[Any, ...] = self.bind(values)
 
-    def numerators(self, x: Any) -> tuple[Any, ...]:
+    def numerators(self, x: Any) -> tuple[flint.fmpz_mpoly, ...]:
         """Return the polynomials whose zeros are those of the coordinates of x, where x is defined."""
         return tuple(map(self.scalars.numerator, self.embed(x)))
 
@@ -123,15 +129,15 @@ class Polynomials(Scalars):
     always: Any = ()
     reflexive = True  # that a thing is itself needs no expanding
 
-    def __init__(self, context: Any) -> None:
+    def __init__(self, context: flint.fmpz_mpoly_ctx) -> None:
         self.context, self.budget = context, Budget()
         self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
         """Turn a polynomial into a scalar."""
         return x
 
-    def numerator(self, x: Any) -> Any:
+    def numerator(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
         """Return the polynomial whose zeros are those of x, where x is defined."""
         return x
 
@@ -193,17 +199,17 @@ class _Fractions(Polynomials):
 
     reflexive = False  # a thing that is not defined is not itself
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: flint.fmpz_mpoly) -> Quotient:
         return Quotient(x, self.context.constant(1), self.budget)
 
-    def numerator(self, x: Any) -> Any:
+    def numerator(self, x: Quotient) -> flint.fmpz_mpoly:
         return x.top
 
     def number(self, value: int | Fraction) -> Value:
         top, bottom = (self.context.constant(n) for n in (value.numerator, value.denominator))
         return Quotient(top, bottom, self.budget), (() if bottom == 1 else (bottom,))
 
-    def reciprocal(self, x: Any) -> Value:
+    def reciprocal(self, x: Quotient) -> Value:
         if x.top == 0:
             return self.zero, (x.top,)
         return Quotient(x.bottom, x.top, self.budget), (() if x.top == 1 else (x.top,))
@@ -217,22 +223,22 @@ class Quotient:
 
     __slots__ = ("bottom", "budget", "top")
 
-    def __init__(self, top: Any, bottom: Any, budget: Budget) -> None:
+    def __init__(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly, budget: Budget) -> None:
         self.top, self.bottom, self.budget = top, bottom if top != 0 else top**0, budget
 
     def __len__(self) -> int:
         return len(self.top) + len(self.bottom)
 
-    def __neg__(self) -> "Quotient":
+    def __neg__(self) -> Quotient:
         return Quotient(-self.top, self.bottom, self.budget)
 
-    def __add__(self, other: "Quotient") -> "Quotient":
+    def __add__(self, other: Quotient) -> Quotient:
         return self._sum(other.top, other.bottom)
 
-    def __sub__(self, other: "Quotient") -> "Quotient":
+    def __sub__(self, other: Quotient) -> Quotient:
         return self._sum(-other.top, other.bottom)
 
-    def _sum(self, top: Any, bottom: Any) -> "Quotient":
+    def _sum(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> Quotient:
         if top == 0:
             return self
         if self.top == 0:
@@ -243,11 +249,11 @@ class Quotient:
         top = self.top * bottom + top * self.bottom
         return Quotient(top, self.bottom * bottom, self.budget)
 
-    def __mul__(self, other: "Quotient") -> "Quotient":
+    def __mul__(self, other: Quotient) -> Quotient:
         self._charge(other.top, other.bottom)
         return Quotient(self.top * other.top, self.bottom * other.bottom, self.budget)
 
-    def _charge(self, top: Any, bottom: Any) -> None:
+    def _charge(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> None:
         self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))
 
 

@@ -5,16 +5,22 @@ in which case the cofactors' coefficients are then reconstructed as rational num
 identity ``denominator·target = Σ cofactor·generator`` is multiplied out before it is believed.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from dataclasses import dataclass
 from math import isqrt, lcm
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
 from hfield.proving.clock import UNTIMED, Clock
 from hfield.proving.polynomials.groebner import Basis, History, Polynomial
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_CHECK = 5_000_000  # products of terms that a verification may take
 LARGE_PRIMES = (2**61 - 1, 2**127 - 1, 2**521 - 1)
@@ -44,19 +50,19 @@ class Ideal:
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
         self.generators: list[Any] = []
 
-    def lift(self, polynomial: Any) -> Any:
+    def lift(self, polynomial: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
         """Bring a polynomial in the first few of the variables into this context."""
         padding = (0,) * (self.context.nvars() - polynomial.context().nvars())
         return self.context.from_dict(
             {tuple(map(int, m)) + padding: c for m, c in polynomial.to_dict().items()}
         )
 
-    def add(self, polynomial: Any) -> None:
+    def add(self, polynomial: flint.fmpz_mpoly) -> None:
         """Put a generator in (an element of ``context``)."""
         self.generators.append(polynomial)
         self.basis.add(self._encode(polynomial))
 
-    def extend(self, polynomials: Iterable[Any]) -> None:
+    def extend(self, polynomials: Iterable[flint.fmpz_mpoly]) -> None:
         """Put several generators in."""
         for p in polynomials:
             self.add(p)
@@ -70,7 +76,7 @@ class Ideal:
         """Whether 1 is in the ideal."""
         return self.basis.has_one
 
-    def cofactors(self, target: Any) -> Cofactors | None:
+    def cofactors(self, target: flint.fmpz_mpoly) -> Cofactors | None:
         """Return cofactors for ``target`` if it reduces to 0 by the basis so far, else None.
 
         Raises :class:`TooLargeError` when the time is over.
@@ -101,15 +107,15 @@ class Ideal:
                 out.append((polynomial, found))
         return out
 
-    def _reduced(self, polynomial: Any) -> Polynomial:
+    def _reduced(self, polynomial: flint.fmpz_mpoly) -> Polynomial:
         p = self.basis.p
         return {m: c % p for m, c in self._encode(polynomial).items() if c % p}
 
-    def _encode(self, polynomial: Any) -> Polynomial:
+    def _encode(self, polynomial: flint.fmpz_mpoly) -> Polynomial:
         encode = self.basis.monomials.encode
         return {encode(map(int, m)): int(c) for m, c in polynomial.terms()}
 
-    def _verified(self, target: Any, history: History) -> Cofactors | None:
+    def _verified(self, target: flint.fmpz_mpoly, history: History) -> Cofactors | None:
         """Turn a history into cofactors and multiply them out."""
         try:
             modular = self.basis.express(history)

@@ -4,11 +4,17 @@ A statement over a field becomes "and" and "or" of two kinds of literals: all po
 are 0, or some is not. Its clauses then read "if all of these are 0, one of those tuples is 0".
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_CLAUSES = 256
 
@@ -27,16 +33,16 @@ class Formula:
     """A literal, or ``and``/``or`` of formulas; no part for "true" (and) and for "false" (or)."""
 
     op: str
-    parts: tuple["Formula", ...] = ()
+    parts: tuple[Formula, ...] = ()
     literal: Literal | None = None
 
-    def __and__(self, other: "Formula") -> "Formula":
+    def __and__(self, other: Formula) -> Formula:
         return Formula("and", (self, other))
 
-    def __or__(self, other: "Formula") -> "Formula":
+    def __or__(self, other: Formula) -> Formula:
         return Formula("or", (self, other))
 
-    def __invert__(self) -> "Formula":
+    def __invert__(self) -> Formula:
         if self.literal is not None:
             return literal(self.literal.polynomials, not self.literal.zero)
         return Formula("or" if self.op == "and" else "and", tuple(~f for f in self.parts))
@@ -45,7 +51,7 @@ class Formula:
 TRUE, FALSE = Formula("and"), Formula("or")
 
 
-def literal(polynomials: Iterable[Any], zero: bool) -> Formula:
+def literal(polynomials: Iterable[flint.fmpz_mpoly], zero: bool) -> Formula:
     """Return the formula "all are 0" or its opposite; trivial ones become true or false."""
     rest = tuple(p for p in polynomials if p != 0)
     if not rest:

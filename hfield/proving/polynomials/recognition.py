@@ -1,20 +1,27 @@
 """What a polynomial looks like: a sum of squares, one without roots in a field, a text."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from math import isqrt
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_poly
 
 from hfield.errors import UndecidedError
+from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule
 from hfield.rings.base import Ring, power
 
+if TYPE_CHECKING:
+    import flint
+
+
 MAX_DEGREE = 16
 
 
-def as_squares(f: Any, rule: Rule) -> list[tuple[int, Any]] | None:
+def as_squares(f: flint.fmpz_mpoly, rule: Rule) -> list[tuple[int, Any]] | None:
     """Write f, up to its sign, as Σ c·m² with monomials m to which the rule applies, or None."""
     terms = [(tuple(map(int, m)), int(c)) for m, c in f.terms()]
     if not 1 <= len(terms) <= rule.most or any(e % 2 for m, _ in terms for e in m):
@@ -38,7 +45,7 @@ def as_squares(f: Any, rule: Rule) -> list[tuple[int, Any]] | None:
     return out
 
 
-def has_no_root(f: Any, variables: Sequence[str], unknowns: int, field: Ring) -> bool:
+def has_no_root(f: flint.fmpz_mpoly, variables: Sequence[str], unknowns: int, field: Ring) -> bool:
     """Tell whether f is a polynomial in one unknown that certainly has no root in the field.
 
     Variables from ``unknowns`` on are constants of the field, as far as ``variables`` names them;
@@ -60,7 +67,7 @@ def has_no_root(f: Any, variables: Sequence[str], unknowns: int, field: Ring) ->
     return without_root(c, field)
 
 
-def without_root(c: Sequence[Any], field: Ring) -> bool:
+def without_root(c: Sequence[Scalar], field: Ring) -> bool:
     """Tell whether Σ cₙ·xⁿ, of that degree, certainly has no root in the field."""
     if field.is_zero(c[-1]):
         return False
@@ -75,7 +82,7 @@ def without_root(c: Sequence[Any], field: Ring) -> bool:
         return False
 
 
-def polynomial_text(polynomial: Any, names: Sequence[str]) -> str:
+def polynomial_text(polynomial: flint.fmpz_mpoly, names: Sequence[str]) -> str:
     """Write a polynomial in the grammar of statements, such as ``p[0]*q[1]**2 - 2``."""
     terms = []
     for exponents, coefficient in polynomial.terms():

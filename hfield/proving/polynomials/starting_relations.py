@@ -1,7 +1,9 @@
 """What a proof may start from besides the clause: relations of constants, and telling quaternions."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.product import norm
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
@@ -13,12 +15,16 @@ from hfield.proving.statements.trees import walk
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
 
+if TYPE_CHECKING:
+    import flint
+
+
 MAX_NONZERO = 6
 MAX_QUATERNIONS = 24
 MAX_QUATERNION_TERMS = 200
 
 
-def relations_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
+def relations_of(x: Expanded, field: Ring | None) -> tuple[flint.fmpz_mpoly, ...]:
     """Return the polynomials that the constants of the field satisfy, as far as they are known."""
     out = []
     for n in range(x.unknowns, len(x.variables)):
@@ -30,8 +36,8 @@ def relations_of(x: Expanded, field: Ring | None) -> tuple[Any, ...]:
 
 
 def nonzero_constants_of(
-    x: Expanded, field: Ring | None, polynomials: Iterable[Any]
-) -> tuple[Any, ...]:
+    x: Expanded, field: Ring | None, polynomials: Iterable[flint.fmpz_mpoly]
+) -> tuple[flint.fmpz_mpoly, ...]:
     """Return what is not 0 among the coefficients of polynomials, as polynomials in constants of the field.
 
     Only where some constant satisfies no known relation: elsewhere a relation tells the inverses.

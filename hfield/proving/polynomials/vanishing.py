@@ -1,24 +1,30 @@
 """When an integer polynomial in the unknowns is 0 over a ring: as a polynomial, or as a function."""
 
+from __future__ import annotations
+
 import math
 from collections import defaultdict
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.factorisation import factor
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.rings.base import Ring, power
 
+if TYPE_CHECKING:
+    import flint
+
+
 Monomial = tuple[int, ...]
 
 
-def content(polynomial: Any) -> int:
+def content(polynomial: flint.fmpz_mpoly) -> int:
     """Return the gcd of the coefficients, 0 for the polynomial 0."""
     return int(polynomial.content()) if polynomial != 0 else 0
 
 
-def vanishes(polynomial: Any, x: Expanded, field: Ring) -> bool:
+def vanishes(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
     """Tell whether all coefficients are 0 in the ring, constants of the field put in."""
     if polynomial == 0:
         return True
@@ -28,14 +34,14 @@ def vanishes(polynomial: Any, x: Expanded, field: Ring) -> bool:
     return x.has_constants and not coefficients(polynomial, x, field)
 
 
-def is_nonzero_constant(polynomial: Any, x: Expanded, field: Ring) -> bool:
+def is_nonzero_constant(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
     """Tell whether no unknown occurs and the value, constants of the field put in, is not 0."""
     if any(polynomial.degrees()[: x.unknowns]):
         return False
     return not vanishes(polynomial, x, field)
 
 
-def vanishes_as_function(polynomial: Any, x: Expanded, field: Ring) -> bool:
+def vanishes_as_function(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
     """Tell whether the polynomial is 0 wherever it is evaluated, over a field.
 
     Over an infinite field only the polynomial 0 is; over GF(q) exponents are first reduced by
@@ -49,7 +55,7 @@ def vanishes_as_function(polynomial: Any, x: Expanded, field: Ring) -> bool:
 
 
 def coefficients(
-    polynomial: Any, x: Expanded, field: Ring, order: int | None = None
+    polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring, order: int | None = None
 ) -> Mapping[Monomial, Any]:
     """Return the nonzero coefficients in the ring, by the exponents of the unknowns.
 
@@ -68,7 +74,9 @@ def coefficients(
     return {m: c for m, c in out.items() if not field.is_zero(c)}
 
 
-def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple[Any, int]]]:
+def factored(
+    polynomial: flint.fmpz_mpoly, squarefree: bool = False
+) -> tuple[int, list[tuple[Any, int]]]:
     """Return the number and the factors, with their powers, of a polynomial that is not 0.
 
     Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.
@@ -81,7 +89,7 @@ def factored(polynomial: Any, squarefree: bool = False) -> tuple[int, list[tuple
     return int(number), [(g, int(e)) for g, e in powers]
 
 
-def common_primes(polynomials: list[Any]) -> list[int] | None:
+def common_primes(polynomials: list[flint.fmpz_mpoly]) -> list[int] | None:
     """Return the primes that divide all coefficients: the characteristics in which all vanish.
 
     None stands for "all characteristics" or for a gcd that is hard to factor.

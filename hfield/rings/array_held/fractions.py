@@ -70,7 +70,7 @@ class FractionArrays(WordArrays):
         d = lcm(*(int(c.q) for c in parts))
         return [*(int(c.p) * (d // int(c.q)) for c in parts), d]
 
-    def read(self, values: tuple[Any, ...]) -> Rows:
+    def read(self, values: tuple[object, ...]) -> Rows:
         """Hold four values that ℚ reads. Raises :class:`CoercionError`."""
         if self.scales == (1, 1, 1, 1) and all(is_whole(v) for v in values):
             rows = one_shape([np.array(v, WORD) for v in values])
@@ -105,7 +105,7 @@ class FractionArrays(WordArrays):
         """Return the elements at a numpy index."""
         return super().part(p, index) if is_words(p) else object_parts(p, index)
 
-    def from_array(self, values: Any) -> Rows:
+    def from_array(self, values: np.ndarray) -> Rows:
         """Hold an array of shape (5, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
         rows = self.checked_block(values, 5)
         if not rows[4].all():

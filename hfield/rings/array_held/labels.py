@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,10 @@ from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
+
+if TYPE_CHECKING:
+    import galois
+
 
 TABLE = 1 << 16  # rings up to this size have a table of their inverses
 
@@ -44,7 +48,7 @@ class LabelArrays(RowArrays):
         """Return the labels of an element, a nested sequence or an array. Raises :class:`CoercionError`."""
         return labels(self.ring, values, self.dtype)
 
-    def ring_array(self, row: Row) -> Any:
+    def ring_array(self, row: Row) -> galois.FieldArray:
         """Return a row as an array of the ring: galois's, or one of objects."""
         return self.ring.array_of_labels(row)
 
@@ -216,7 +220,7 @@ def labels(F: Any, values: Any, dtype: str) -> Row:
     return np.array(found, dtype=dtype).reshape(elements.shape)
 
 
-def check_galois(F: Any, values: Any) -> None:
+def check_galois(F: Any, values: galois.FieldArray) -> None:
     """Refuse values of galois over another field, or modulo another polynomial."""
     cls = type(values)
     degree = getattr(F, "degree", 1)

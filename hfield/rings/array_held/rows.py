@@ -54,7 +54,7 @@ class RowArrays(Batch):
         """Hold four arrays of the ring, of one shape."""
         return tuple(self.row(c) for c in coordinates)
 
-    def read(self, values: tuple[Any, ...]) -> Rows:
+    def read(self, values: tuple[object, ...]) -> Rows:
         """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         return tuple(one_shape([self.row(v) for v in values]))
 

@@ -189,7 +189,7 @@ class WholeArrays(WordArrays):
         """Hold four arrays, all as words or all as objects."""
         return alike([self.row(c) for c in coordinates], self.ring_array)
 
-    def read(self, values: tuple[Any, ...]) -> Rows:
+    def read(self, values: tuple[object, ...]) -> Rows:
         """Hold four values that ℤ reads. Raises :class:`CoercionError`."""
         return alike(super().read(values), self.ring_array)
 

@@ -54,7 +54,7 @@ class Compact(Holding):
         for name in MADE:
             setattr(self, name, partial(self._first_call, name))
 
-    def read(self, values: tuple[Any, ...]) -> Any:
+    def read(self, values: tuple[object, ...]) -> Any:
         """Hold four values that the ring reads; ints take a short way."""
         w, x, y, z = values
         if type(w) is type(x) is type(y) is type(z) is int:

@@ -8,7 +8,7 @@ from typing import Any
 
 import flint
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE, function, statements
 from hfield.rings.held.numerators import Held, Numerators
@@ -137,12 +137,12 @@ class Fractions(Numerators):
         ]
         return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
 
-    def scaled(self, p: Held, s: Any) -> Held:
+    def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
         held: Held = self.multiple(p, self._fraction(s))
         return held
 
-    def divided(self, p: Held, s: Any) -> Held | None:
+    def divided(self, p: Held, s: Scalar) -> Held | None:
         """Return p/s for an element s of the ring, or None where it is not a unit."""
         held: Held | None
         if not self.ring.is_field:
@@ -157,13 +157,13 @@ class Fractions(Numerators):
         held = self.multiple(p, (*(c * d1 for c in inverse), d))
         return held
 
-    def _fraction(self, s: Any) -> Held:
+    def _fraction(self, s: Scalar) -> Held:
         """Return the numerators of an element of the ring over one denominator."""
         vector = self._vector(s)
         d = _denominator(vector)
         return *(int(c.p) * (d // int(c.q)) for c in vector), d
 
-    def _reciprocal(self, *s: Any) -> tuple[Any, ...]:
+    def _reciprocal(self, *s: Any) -> tuple[int, ...]:
         """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 1, 2 or 3.
 
         The matrix of multiplication by the first sum has the second, up to d, for its inverse's first column.

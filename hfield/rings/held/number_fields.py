@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.held.compact import Compact
 from hfield.rings.held.fractions import Fractions
 from hfield.rings.held.numerators import Held, Numerators
@@ -27,7 +27,7 @@ def holding(field: NumberField, constants: Constants) -> Compact:
     scale = _scale(field)
     powers = [scale**k for k in range(field.degree)]
 
-    def vector(x: FieldElement) -> tuple[Any, ...]:
+    def vector(x: FieldElement) -> tuple[flint.fmpq, ...]:
         return tuple(x.poly[k] / c for k, c in enumerate(powers))
 
     def element(*parts: Any) -> FieldElement:
@@ -44,7 +44,7 @@ def _scale(field: NumberField) -> int:
     return lcm(*(int(c.q) for c in field.polynomial.coeffs()))
 
 
-def _integral_polynomial(field: NumberField, scale: int) -> Any:
+def _integral_polynomial(field: NumberField, scale: int) -> flint.fmpz_poly:
     """Return the minimal polynomial of scale·s over ℤ."""
     coefficients = field.polynomial.coeffs()
     n = len(coefficients) - 1
@@ -70,11 +70,11 @@ class IntegralPolynomials(Numerators):
             (named(c, name, lambda x, n: x == n),) for name, c in self._constants.items()
         )
 
-    def _polynomial(self, x: FieldElement) -> Any:
+    def _polynomial(self, x: FieldElement) -> flint.fmpq_poly:
         """Return x as a polynomial in c·s."""
         return x.poly if self._scale == 1 else x.poly(self._to_integral)
 
-    def _element(self, numerator: Any, denominator: Any) -> FieldElement:
+    def _element(self, numerator: flint.fmpz_poly, denominator: int) -> FieldElement:
         poly = flint.fmpq_poly(numerator % self._modulus, denominator)
         return FieldElement(self._field, poly if self._scale == 1 else poly(self._back))
 
@@ -93,18 +93,18 @@ class IntegralPolynomials(Numerators):
             return held
         return (*(flint.fmpz_poly([c]) for c in (w, x, y, z)), 1)
 
-    def scalar(self, s: FieldElement) -> Held:
+    def scalar(self, s: Scalar) -> Held:
         """Hold s·e for an element s of the field."""
         zero = flint.fmpz_poly()
         numerator, d = self._fraction(s)
         return numerator, zero, zero, zero, d
 
-    def scaled(self, p: Held, s: FieldElement) -> Held:
+    def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the field."""
         held: Held = self.multiple(p, self._fraction(s))
         return held
 
-    def _fraction(self, s: FieldElement) -> tuple[Any, int]:
+    def _fraction(self, s: Any) -> tuple[Any, int]:
         """Return s as a polynomial in c·s over ℤ, and its denominator."""
         poly = self._polynomial(s)
         return poly.numer(), int(poly.denom())
@@ -125,7 +125,9 @@ class IntegralPolynomials(Numerators):
         reduced = ", ".join(f"{name} % n" for name in names)
         return [f"return lowest({reduced}, d)"]
 
-    def _lowest(self, w: Any, x: Any, y: Any, z: Any, d: Any) -> Held:
+    def _lowest(
+        self, w: flint.fmpz_poly, x: flint.fmpz_poly, y: flint.fmpz_poly, z: flint.fmpz_poly, d: int
+    ) -> Held:
         g = d
         for f in (w, x, y, z):
             if g == 1:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import Any
 
+from hfield.product import Scalar
 from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import FIRST, SECOND, parts, specialise_extension
 
@@ -81,7 +82,7 @@ class Numerators(Compact):
         held: Held | None = self.divided(self.conjugate(p), self.norm(p))
         return held
 
-    def scaled(self, p: Held, s: Any) -> Held:
+    def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
         held: Held = self.product(p, self.scalar(s))
         return held

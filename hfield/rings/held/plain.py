@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hfield.errors import HFieldError
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import BINARY, GENERAL, pattern, specialise
@@ -36,7 +36,7 @@ class Plain(Compact):
         body = statements(program, outputs)
         return function(operation, operands, [*body, f"return {', '.join(outputs)}"])
 
-    def _is_constant(self, x: Any, n: int) -> bool:
+    def _is_constant(self, x: Scalar, n: int) -> bool:
         try:
             return self.ring.equal(x, self.ring(n))
         except HFieldError:  # not decided: then it stays a name

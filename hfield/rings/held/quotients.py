@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE, Compact, function, statements
 from hfield.straight_line import BINARY, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.finite import ExtensionField
+    from hfield.rings.flint_types import Polynomial
     from hfield.rings.modular import Modular
 
 Held = tuple[Any, Any, Any, Any]
@@ -77,7 +78,7 @@ class Quotients(Compact):
             operands["q"] = "w2, x2, y2, z2"
         return function(operation, operands, body)
 
-    def scaled(self, p: Held, s: Any) -> Held:
+    def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
         (w, x, y, z), n, s = p, self.modulus, self._lift(s)
         return w * s % n, x * s % n, y * s % n, z * s % n
@@ -133,7 +134,7 @@ class Polynomials(Quotients):
         polynomial: Any = polynomials_modulo(p)
         f = polynomial(ring.coefficients)
 
-        def invert(s: Any) -> Any:
+        def invert(s: Polynomial) -> Polynomial:
             common, inverse, _ = (s % f).xgcd(f)
             if common != 1:
                 raise ValueError("0 has no inverse")

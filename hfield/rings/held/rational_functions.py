@@ -9,6 +9,7 @@ from hfield.rings.held.numerators import Held, Numerators
 from hfield.straight_line import named
 
 if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial
     from hfield.rings.functions import FunctionField
 
 
@@ -30,7 +31,7 @@ class RationalFunctions(Numerators):
             (named(c, name, lambda x, n: x == n),) for name, c in self._constants.items()
         )
 
-    def _common(self, *polynomials: Any) -> Any:
+    def _common(self, *polynomials: Any) -> Polynomial:
         """Return the least common multiple of monic polynomials."""
         common = self._one
         for f in polynomials:

@@ -11,6 +11,8 @@ from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.rings.finite import ExtensionField
 
 BELOW = 257  # the orders that have tables, q² entries each
@@ -54,7 +56,7 @@ def tables(field: ExtensionField) -> Tables:
     return Tables(times, plus, minus, negative, inverse, elements)
 
 
-def _powers(field: ExtensionField, elements: list[Any]) -> list[int]:
+def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int]:
     """Return the labels of 1, g, g², …, all of them but 0, for the first g that generates them."""
     one = elements[1]
     for g in elements[2:]:
@@ -130,7 +132,7 @@ class Labels(Compact):
             return f"{left} ^ {right}"
         return f"{'plus' if operation == '+' else 'minus'}[{left}][{right}]"
 
-    def scaled(self, p: Held, s: Any) -> Held:
+    def scaled(self, p: Held, s: flint.fq_default) -> Held:
         """Return s·p for an element s of the field."""
         (w, x, y, z), row = p, self.tables.times[self._label(s)]
         return row[w], row[x], row[y], row[z]

@@ -10,6 +10,7 @@ from hfield.rings.function_places import place_of_functions
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import QQ
 from hfield.rings.local.field import LocalField
+from hfield.rings.local.infinite import infinite_completion
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import RealPlace, place_of_number_field
 from hfield.rings.number_primes import PrimeIdeal
@@ -38,13 +39,13 @@ def p_adic_numbers(p: str) -> LocalField:
     return LocalField(f"Qp({place})", words, QQ, place, PrimePlace(number))
 
 
-def completion_of_rationals(place: Any) -> Ring:
+def completion_of_rationals(place: object) -> Ring:
     """Return ℚ_p, or RR: the real algebraic numbers satisfy what all real numbers satisfy."""
     v = place_of_q(place)
     return RR if v == INFINITE else p_adic_numbers(str(v))
 
 
-def completion_of_functions(field: FunctionField, place: Any) -> Ring:
+def completion_of_functions(field: FunctionField, place: object) -> Ring:
     """Return the completion of GF(q)(t): Laurent series over the residue field."""
     v = place_of_functions(field, place)
     if field.base.order is None:
@@ -64,31 +65,22 @@ def completion_of_functions(field: FunctionField, place: Any) -> Ring:
     return LocalField(name, words, field, v, residues)
 
 
-def completion_of_quadratic(field: QuadraticField, place: Any) -> Ring:
-    """Return the completion of ℚ(√d): an extension of ℚ_p, RR, or CC.
-
-    Raises :class:`RingError` at the real place where √d is negative, for RR reads √d as the positive root.
-    """
+def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
+    """Return the completion of ℚ(√d): an extension of ℚ_p, RR or CC; ℝ with a negative √d at ``inf-``."""
     v = place_of_quadratic(field.d, place)
+    if v.root == -1 and not v.prime:  # RR reads √d as the positive root
+        return infinite_completion(field, v, is_real=True)
     if not v.prime:
-        if v.root == -1:
-            raise RingError(
-                f"the completion of {field} at inf- is RR with {field.gen_name} negative, where RR has the "
-                f"positive root: put -{field.gen_name} for {field.gen_name}, and ask at inf+"
-            )
         return CC if v.root is None else RR
     return _at_prime_ideal(field, v, prime_at(field, v))
 
 
-def completion_of_number_field(field: NumberField, place: Any) -> Ring:
-    """Return the completion of a number field: an extension of ℚ_p, RR, or CC.
-
-    RR and CC do not read the elements of the field, which do not say where its generator goes.
-    """
+def completion_of_number_field(field: NumberField, place: object) -> Ring:
+    """Return the completion of a number field: an extension of ℚ_p, ℝ or ℂ."""
     v = place_of_number_field(field, place)
     if isinstance(v, PrimeIdeal):
         return _at_prime_ideal(field, v, local_place(v))
-    return RR if isinstance(v, RealPlace) else CC
+    return infinite_completion(field, v, isinstance(v, RealPlace))
 
 
 def _at_prime_ideal(field: Ring, v: Any, residues: Any) -> LocalField:

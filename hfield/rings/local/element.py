@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError
-from hfield.rings.rational import rational
+from hfield.rings.operators import Element
 
 if TYPE_CHECKING:
     from hfield.rings.local.field import LocalField
 
 
-class LocalElement:
+class LocalElement(Element):
     """``value + O(πⁿ)``: all elements of the completion that differ from ``value`` by a multiple of πⁿ.
 
     ``precision`` is n, or None for the element ``value`` itself; ``value`` is an element of the global field,
@@ -24,7 +24,7 @@ class LocalElement:
     (20+O(5^3), 1/5+O(5^2))
     """
 
-    __slots__ = ("field", "precision", "value")
+    __slots__ = ("precision", "value")
 
     field: LocalField
     value: Any
@@ -36,9 +36,6 @@ class LocalElement:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "value", value)
         object.__setattr__(self, "precision", precision)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError("elements of local fields are immutable")
 
     @property
     def is_exact(self) -> bool:
@@ -69,59 +66,24 @@ class LocalElement:
         """Return how many digits are known from the first that is not 0; None for all of them."""
         return None if self.precision is None else self.precision - (self.least_valuation() or 0)
 
-    def _other(self, other: Any) -> LocalElement | None:
-        """Return ``other`` as an element of the same field, or None if it cannot mix in."""
-        if type(other) is LocalElement:
-            if other.field is self.field or other.field == self.field:
-                return other
-            raise CoercionError(
-                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
-            )
-        number = rational(other)
-        return None if number is None else self.field(number)
-
-    def __add__(self, other: Any) -> Any:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        if o is self:  # one number, twice: 2x is known to as many digits as x
-            return self * 2
-        return LocalElement(self.field, self.value + o.value, _least(self.precision, o.precision))
-
-    __radd__ = __add__
+    def plus(self, other: LocalElement) -> LocalElement:
+        """Return the set of all sums; a number plus itself is known to as many digits as the number."""
+        if other is self:
+            return self.times(self.field(2))
+        precision = _least(self.precision, other.precision)
+        return LocalElement(self.field, self.value + other.value, precision)
 
     def __neg__(self) -> LocalElement:
         return LocalElement(self.field, -self.value, self.precision)
 
-    def __pos__(self) -> LocalElement:
-        return self
-
-    def __sub__(self, other: Any) -> Any:
-        o = self._other(other)
-        return NotImplemented if o is None else self + -o
-
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
-    def __mul__(self, other: Any) -> Any:
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
+    def times(self, other: LocalElement) -> LocalElement:
+        """Return what contains all products."""
         precision = None
-        if not (self.is_exact and o.is_exact):
+        if not (self.is_exact and other.is_exact):
             # (x + O(πᵐ))·(y + O(πⁿ)) = xy + O(y·πᵐ) + O(x·πⁿ) + O(πᵐ⁺ⁿ)
-            v, w = self.least_valuation(), o.least_valuation()
-            precision = _least(_sum(self.precision, w), _sum(o.precision, v))
-        return LocalElement(self.field, self.value * o.value, precision)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Any) -> Any:
-        o = self._other(other)
-        return NotImplemented if o is None else self * o.inverse()
-
-    def __rtruediv__(self, other: Any) -> Any:
-        return self.inverse() * other
+            v, w = self.least_valuation(), other.least_valuation()
+            precision = _least(_sum(self.precision, w), _sum(other.precision, v))
+        return LocalElement(self.field, self.value * other.value, precision)
 
     def inverse(self) -> LocalElement:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0, and for O(πⁿ), which may be 0."""
@@ -131,29 +93,12 @@ class LocalElement:
         precision = None
         if self.precision is not None:
             precision = self.precision - 2 * self.field.order_of(self.value)
-        return LocalElement(self.field, self.field.inverse_of(self.value, precision), precision)
+        return LocalElement(self.field, self.field.global_field.inverse(self.value), precision)
 
-    def __pow__(self, n: int) -> LocalElement:
-        result: LocalElement = self.field.power(self, n)
-        return result
-
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, LocalElement) and other.field != self.field:
-            return False
-        o = self._other(other)
-        if o is None:
-            return NotImplemented
-        same: bool = self.field.global_field.equal(self.value, o.value)
-        return same and self.precision == o.precision
-
-    def __hash__(self) -> int:
-        return hash(self.field.key(self))
-
-    def __repr__(self) -> str:
-        return self.field.text(self)
-
-    def __reduce__(self) -> Any:
-        return self.field, (self.field.text(self),)
+    def same(self, other: LocalElement) -> bool:
+        """Tell whether both are the same set."""
+        equal: bool = self.field.global_field.equal(self.value, other.value)
+        return equal and self.precision == other.precision
 
 
 def _least(m: int | None, n: int | None) -> int | None:

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable
 from functools import cached_property
-from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError, UndecidedError
+from hfield.product import Scalar
 from hfield.rings.base import Known, Ring
+from hfield.rings.local.completion import Completion
 from hfield.rings.local.element import LocalElement
 from hfield.rings.local.roots import minus_one, square_root
 from hfield.rings.printing import is_sum, parentheses, power_text
-from hfield.rings.rational import rational, unwrap
 
 DIGITS = 20  # to so many digits roots are found that no element of the global field is
 
 
-class LocalField(Ring):
+class LocalField(Completion):
     """The completion of a global field at a finite place, such as ℚ₅ or GF(9)((t)).
 
     ``global_field`` and ``place`` say of what and where, ``residues`` is the place with its residue field
@@ -31,24 +31,16 @@ class LocalField(Ring):
     (3/10, 17+O(5^2), 79753541295807+O(5^20))
     """
 
-    is_field = True
     arithmetic = "local_fields.arithmetic_local.LocalArithmetic"
 
     def __init__(
         self, name: str, words: str, global_field: Ring, place: Any, residues: Any
     ) -> None:
-        self.name, self._words = name, words
-        self.global_field, self.place, self.residues = global_field, place, residues
-        self.characteristic = global_field.characteristic
-        self.gen_name = global_field.gen_name
-        self.parse_limit = global_field.parse_limit
+        super().__init__(name, words, global_field, place)
+        self.residues = residues
         self.pi = global_field(residues.uniformiser)
         if self.characteristic == 0 and residues.index == 1:
             self.pi = global_field(residues.below)
-
-    def in_words(self) -> str:
-        """Say what the field is."""
-        return self._words
 
     # --- what the place knows --------------------------------------------------------------------
 
@@ -62,7 +54,7 @@ class LocalField(Ring):
         """How many digits of a nonzero element tell its square class, where the characteristic is not 2."""
         return 2 * self.doubling + 1
 
-    def order_of(self, x: Any) -> int:
+    def order_of(self, x: Scalar) -> int:
         """Return the valuation of a nonzero element of the global field."""
         return int(self.residues.valuation(x))
 
@@ -72,62 +64,30 @@ class LocalField(Ring):
             return x
         return self.global_field(self.residues.truncated(x, n))
 
-    def inverse_of(self, x: Any, precision: int | None) -> Any:
-        """Return 1/x for a nonzero element of the global field."""
-        return self.global_field.inverse(x)
-
     @cached_property
     def uniformiser(self) -> LocalElement:
         """An element of valuation 1."""
         return LocalElement(self, self.pi)
 
+    def exact(self, value: Any) -> LocalElement:
+        """Return an element of the global field."""
+        return LocalElement(self, value)
+
     # --- elements --------------------------------------------------------------------------------
 
-    def __call__(self, x: Any) -> Any:
-        """Turn a number or an element of the global field into an exact element; read a text.
-
-        Raises :class:`CoercionError`.
-        """
-        x = unwrap(x)
-        if isinstance(x, LocalElement):
-            if x.field == self:
-                return x
-            raise self.refuse(x)
-        if isinstance(x, str):
-            return self.parse(x)
-        number = rational(x)
-        try:
-            return LocalElement(self, self.global_field(x if number is None else number))
-        except CoercionError:
-            raise self.refuse(x) from None
-
-    def up_to(self, x: Any, n: int) -> LocalElement:
+    def up_to(self, x: Scalar, n: int) -> LocalElement:
         """Return ``x + O(πⁿ)``."""
         return LocalElement(self, self(x).value, n)
 
-    @property
-    def gen(self) -> Any:
-        """The generator of the global field."""
-        return LocalElement(self, self.global_field.gen) if self.gen_name else super().gen
-
-    def names(self) -> dict[str, Any]:
-        """What names mean in the global field."""
-        return {name: LocalElement(self, x) for name, x in self.global_field.names().items()}
-
     def functions(self) -> dict[str, Callable[..., Any]]:
         """``O(x)``, everything that x divides; ``sqrt``; and what functions mean in the global field."""
-        below = {name: self._lifted(f) for name, f in self.global_field.functions().items()}
-        return {**below, "O": self._big_o, "sqrt": self._sqrt_here}
-
-    def _lifted(self, f: Callable[..., Any]) -> Callable[..., Any]:
-        """Return a function of the global field as one of exact elements."""
-        return lambda *xs: self(f(*(x.value for x in xs)))
+        return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
 
     def _big_o(self, x: LocalElement) -> LocalElement:
         precision = x.least_valuation()
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
 
-    def _sqrt_here(self, x: Any) -> Any:
+    def _sqrt_here(self, x: LocalElement) -> LocalElement | None:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(f"{self.text(x)} has no square root in {self.name}")
@@ -144,26 +104,26 @@ class LocalField(Ring):
             f"{self.big_o(x.precision + 1)} at least"
         )
 
-    def vanishes(self, x: Any) -> bool:
+    def vanishes(self, x: LocalElement) -> bool:
         """Tell whether x is 0 as far as its digits are known."""
         return not x.has_value
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: LocalElement) -> LocalElement:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and for O(πⁿ)."""
         return x.inverse()
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: LocalElement) -> bool:
         """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""
         return square_root(self, x, 1) is not None
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Any) -> LocalElement | None:
         """Return a square root, exact where the global field has it, else to some digits (Hensel's lemma).
 
         None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
         """
         return square_root(self, x, DIGITS)
 
-    def check_digits(self, x: Any, needed: int, what: str) -> None:
+    def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
         """Raise :class:`UndecidedError`, naming the digits, where fewer than ``needed`` are known of x."""
         known = x.digits()
         if known is None or (known >= needed and x.has_value):
@@ -179,19 +139,11 @@ class LocalField(Ring):
         """1, 2 or 4: 4 only above 2, in odd degree over ℚ₂ (Lam, *Introduction to Quadratic Forms*, XI.2)."""
         return minus_one(self)[0]
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[LocalElement, ...]:
         """Return as few elements as possible, not all of them exact, whose squares add up to −1."""
         return minus_one(self)[1]
 
-    def places(self) -> Iterator[Any]:
-        """Run through the places: there is one."""
-        yield self.place
-
-    def random(self, rng: Random) -> Any:
-        """Return a small random exact element; the same for the same seed."""
-        return LocalElement(self, self.global_field.random(rng))
-
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: LocalElement) -> Hashable:
         """Return the key of the value, and the precision."""
         return self.global_field.key(x.value), x.precision
 

@@ -11,11 +11,13 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
+from hfield.product import Scalar
 from hfield.rings.base import Known
 from hfield.rings.local.element import LocalElement
 
 if TYPE_CHECKING:
     from hfield.rings.local.field import LocalField
+    from hfield.rings.quotient import Quotient
 
 TRIES = 5_000
 
@@ -62,13 +64,13 @@ def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
     )
 
 
-def _derivative(x: Any) -> Any:
+def _derivative(x: Quotient) -> Any:
     """Return dx/dt for a rational function in characteristic 2."""
     n, d = x.num, x.den
     return x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
 
 
-def _near_root(F: LocalField, unit: Any) -> Any:
+def _near_root(F: LocalField, unit: Scalar) -> Any:
     """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square."""
     K, k, e = F.global_field, F.residues, F.doubling
     if not e:
@@ -97,7 +99,7 @@ def _near_root(F: LocalField, unit: Any) -> Any:
         y = F.truncated(y * factor, digits)
 
 
-def hensel(F: LocalField, f: tuple[Any, Any, Any], x: Any, digits: int) -> Any:
+def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Any:
     """Return a root of ``f₀ + f₁·X + f₂·X²`` up to π^digits, from an x with v(f(x)) > 2·v(f′(x)).
 
     All are elements of the global field. Newton's steps double the digits of the root near x, of which there
@@ -130,7 +132,8 @@ def _squares(F: LocalField) -> tuple[LocalElement, ...]:
     if root is not None:
         return (root,)
     if F.doubling and F.doubling * (F.residues.order.bit_length() - 1) % 2:
-        root = F.sqrt(F(-7))  # 1 modulo 8
+        root = F.sqrt(F(-7))
+        assert root is not None  # −7 is 1 modulo 8
         return F.one, F.one, F(2), root
     rng = Random(1)
     for n in itertools.islice(itertools.count(), TRIES):

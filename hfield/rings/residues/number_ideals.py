@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.rings.field_specs import GF
 from hfield.rings.functions import FunctionField
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_primes import PrimeIdeal
 from hfield.rings.residues.prime_polynomials import ResidueField
+
+if TYPE_CHECKING:
+    import flint
 
 
 class LocalPlace(ResidueField):
@@ -33,7 +36,7 @@ class LocalPlace(ResidueField):
         """A number of valuation −1 at P."""
         return self.prime.inverse_uniformiser  # type: ignore[no-any-return]
 
-    def lift(self, x: Any) -> FieldElement:
+    def lift(self, x: flint.nmod_poly) -> FieldElement:
         """Return a residue as an integer of the field."""
         return self.prime.lift(x)
 
@@ -41,7 +44,7 @@ class LocalPlace(ResidueField):
         """Return the order of a nonzero number at P."""
         return self.prime.valuation(x)
 
-    def reduce(self, x: FieldElement) -> Any:
+    def reduce(self, x: FieldElement) -> flint.nmod_poly:
         """Return the class of a number of valuation ≥ 0."""
         return self.prime.residue_of(x)
 

@@ -4,8 +4,10 @@
 a prime ideal P above p, ω is a root r of its minimal polynomial, or generates GF(p²).
 """
 
+from __future__ import annotations
+
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.factorisation import remove
 from hfield.rings.field_specs import GF
@@ -16,29 +18,35 @@ from hfield.rings.rational import rational
 from hfield.rings.residues.prime_numbers import PrimePlace, truncated
 from hfield.rings.residues.prime_polynomials import ResidueField
 
+if TYPE_CHECKING:
+    import flint
 
-def omega(field: QuadraticField) -> Any:
+    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.surds import Surd
+
+
+def omega(field: QuadraticField) -> Surd:
     """Return ω."""
     return (field.gen + 1) * Fraction(1, 2) if field.d % 4 == 1 else field.gen
 
 
-def coordinates(field: QuadraticField, x: Any) -> tuple[Fraction, Fraction]:
+def coordinates(field: QuadraticField, x: Surd) -> tuple[Fraction, Fraction]:
     """Return rationals (u, v) with x = u + v·ω."""
     s, t = (Fraction(rational(x.terms.get(n, 0)) or 0) for n in (1, field.d))
     return (s - t, 2 * t) if field.d % 4 == 1 else (s, t)
 
 
-def conjugate(field: QuadraticField, x: Any) -> Any:
+def conjugate(field: QuadraticField, x: Surd) -> Any:
     """Return x with −√d in the place of √d."""
     return field(2 * x.terms.get(1, 0)) - x
 
 
-def norm(field: QuadraticField, x: Any) -> Fraction:
+def norm(field: QuadraticField, x: Surd) -> Fraction:
     """Return the norm of x down to ℚ."""
     return Fraction(rational((x * conjugate(field, x)).terms.get(1, 0)) or 0)
 
 
-def primes_above(field: QuadraticField, p: int) -> "tuple[PrimeIdeal, ...]":
+def primes_above(field: QuadraticField, p: int) -> tuple[PrimeIdeal, ...]:
     """Return the one or two prime ideals above a prime number."""
     trace, constant = _minimal(field)
     if p == 2:
@@ -57,7 +65,7 @@ def _minimal(field: QuadraticField) -> tuple[int, int]:
     return (1, (field.d - 1) // 4) if field.d % 4 == 1 else (0, field.d)
 
 
-def prime_at(field: QuadraticField, place: QuadraticPlace) -> "PrimeIdeal":
+def prime_at(field: QuadraticField, place: QuadraticPlace) -> PrimeIdeal:
     """Return the prime ideal that a finite place is."""
     above = primes_above(field, place.prime)
     if place.root is None:
@@ -146,7 +154,7 @@ class Inert(ResidueField):
         """1/p."""
         return self.number_field(Fraction(1, self.prime))
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: flint.nmod_poly) -> Any:
         """Return a residue as a number of the field."""
         return self.number_field(int(x[0])) + omega(self.number_field) * int(x[1])
 
@@ -154,18 +162,18 @@ class Inert(ResidueField):
         """Return the order of a nonzero number at this prime."""
         return content(self.number_field, x, self.prime)
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: Any, n: int) -> Surd:
         """Return u + v·ω with the least u, v ≥ 0 that is x up to pⁿ."""
         u, v = (truncated(c, self.prime, n) for c in coordinates(self.number_field, x))
         return omega(self.number_field) * v + u
 
-    def reduce(self, x: Any) -> Any:
+    def reduce(self, x: Any) -> Polynomial:
         """Return the class of a number without p in its denominator."""
         u, v = (self.scalar(self.base(y)) for y in coordinates(self.number_field, x))
         return u + v * self.field.gen.num
 
 
-def content(field: QuadraticField, x: Any, p: int) -> int:
+def content(field: QuadraticField, x: Surd, p: int) -> int:
     """Return the greatest k for which x/pᵏ has no p in the denominator, x ≠ 0."""
     return min(
         remove(y.numerator, p)[0] - remove(y.denominator, p)[0] for y in coordinates(field, x) if y

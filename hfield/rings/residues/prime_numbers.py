@@ -34,7 +34,7 @@ class PrimePlace:
         over, under = int(x.numerator), int(x.denominator)
         return remove(over, self.modulus)[0] - remove(under, self.modulus)[0]
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: flint.fmpq, n: int) -> Fraction:
         """Return the least number ≥ 0 that is x up to pⁿ, with a power of p below it."""
         return truncated(x, self.modulus, n)
 

@@ -3,22 +3,29 @@
 Elements are polynomials of FLINT reduced modulo π; k is a finite field or ℚ.
 """
 
+from __future__ import annotations
+
 from functools import cached_property
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import UndecidedError
+from hfield.product import Scalar
 from hfield.rings.base import Ring
 
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.quotient import Quotient
 
-def valuation(x: Any, p: Any) -> int:
+
+def valuation(x: Quotient, p: Polynomial) -> int:
     """Return the order of a nonzero rational function at the irreducible polynomial p."""
     return _order(x.num, p) if x.num % p == 0 else -_order(x.den, p)
 
 
-def _order(poly: Any, p: Any) -> int:
+def _order(poly: Polynomial, p: Polynomial) -> int:
     n = 0
     while True:
         quotient, rest = divmod(poly, p)
@@ -33,7 +40,7 @@ class ResidueField:
     ``field`` is the ring k(t) (its elements have ``num`` and ``den``, its ``base`` is k).
     """
 
-    def __init__(self, field: Any, modulus: Any) -> None:
+    def __init__(self, field: Any, modulus: Polynomial) -> None:
         self.field, self.modulus = field, modulus
         self.base: Ring = field.base
         self.degree = int(modulus.degree())
@@ -67,7 +74,7 @@ class ResidueField:
         """Return the order of a nonzero rational function at π."""
         return valuation(x, self.modulus)
 
-    def scalar(self, x: Any) -> Any:
+    def scalar(self, x: Scalar) -> Polynomial:
         """Return an element of k as a polynomial."""
         return self.field.constant(x).num
 
@@ -75,21 +82,21 @@ class ResidueField:
         """Return the class of a rational function without pole at π."""
         return self.multiply(x.num % self.modulus, self.inverse(x.den % self.modulus))
 
-    def multiply(self, x: Any, y: Any) -> Any:
+    def multiply(self, x: Polynomial, y: Polynomial) -> Polynomial:
         """Return x·y."""
         return x * y % self.modulus
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: Polynomial) -> Polynomial:
         """Return 1/x for x ≠ 0."""
         if self.is_one(x):
             return x
         return x.xgcd(self.modulus)[1] % self.modulus
 
-    def is_one(self, x: Any) -> bool:
+    def is_one(self, x: Polynomial) -> bool:
         """Tell whether x = 1."""
         return bool(x == self.one)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Polynomial, n: int) -> Polynomial:
         """Return xⁿ for n ≥ 0."""
         result = self.one
         for bit in bin(n)[2:]:
@@ -98,7 +105,7 @@ class ResidueField:
                 result = self.multiply(result, x)
         return result
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: Polynomial) -> bool:
         """Tell whether x is a square."""
         if self.order is None:
             return self.sqrt(x) is not None
@@ -106,7 +113,7 @@ class ResidueField:
             return True
         return self.is_one(self.power(x, (self.order - 1) // 2))
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Polynomial) -> Polynomial | None:
         """Return a square root of x, or None when there is none."""
         if x == 0 or self.is_one(x):
             return x
@@ -116,7 +123,7 @@ class ResidueField:
             return self.power(x, self.order // 2)
         return self._cipolla(x) if self.is_square(x) else None
 
-    def _cipolla(self, x: Any) -> Any:
+    def _cipolla(self, x: Polynomial) -> Polynomial:
         """Return the square root of a nonzero square, as a power in the quadratic extension."""
         rng = Random(1)
         while True:
@@ -140,7 +147,7 @@ class ResidueField:
             exponent >>= 1
         return u
 
-    def artin_schreier(self, x: Any) -> Any:
+    def artin_schreier(self, x: Polynomial) -> Polynomial | None:
         """Return y with y² + y = x in a finite field of characteristic 2, or None."""
         assert self.order is not None
         n = self.order.bit_length() - 1
@@ -164,7 +171,9 @@ class ResidueField:
             y = (y + tail * conjugates[i]) % self.modulus
         return y
 
-    def quadratic_root(self, a: Any, b: Any, c: Any) -> tuple[Any, Any] | None:
+    def quadratic_root(
+        self, a: Polynomial, b: Polynomial, c: Polynomial
+    ) -> tuple[Polynomial, Polynomial] | None:
         """Return ``(x, y)`` ≠ (0, 0) with ``a·x² + b·xy + c·y² = 0``, or None."""
         if a == 0:
             return self.one, self.zero
@@ -191,7 +200,7 @@ class ResidueField:
         below = x.den // scale
         return self.field.quotient(x.num * (below.xgcd(power)[1] % power) % power, scale)
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> Polynomial:
         """Return a random element."""
         t = self.field.gen.num
         x = self.zero
@@ -216,11 +225,11 @@ class AtInfinity(ResidueField):
         """The variable t."""
         return super().uniformiser
 
-    def valuation(self, x: Any) -> int:
+    def valuation(self, x: Quotient) -> int:
         """Return the degree of the denominator less that of the numerator."""
         return int(x.den.degree()) - int(x.num.degree())
 
-    def reduce(self, x: Any) -> Any:
+    def reduce(self, x: Any) -> Polynomial:
         """Return the value at infinity of a rational function without pole there."""
         if x.num == 0 or self.valuation(x) > 0:
             return self.zero
@@ -233,7 +242,7 @@ class AtInfinity(ResidueField):
         return self.field.quotient(x.num * up // (x.den * down) * down, up)
 
 
-def _root_over_q(kappa: ResidueField, x: Any) -> Any:
+def _root_over_q(kappa: ResidueField, x: flint.fmpq_poly) -> flint.fmpq_poly | None:
     """Return a square root in a number field ℚ[t]/π, or None.
 
     For an x that generates the field, with minimal polynomial m, x is a square iff m(y²) is
@@ -256,14 +265,16 @@ def _root_over_q(kappa: ResidueField, x: Any) -> Any:
     raise UndecidedError(f"no square multiple of {x} was found that generates the residue field")
 
 
-def _minimal_polynomial(kappa: ResidueField, x: Any) -> list[Any]:
+def _minimal_polynomial(kappa: ResidueField, x: flint.fmpq_poly) -> list[flint.fmpq]:
     """Return the coefficients of the minimal polynomial over ℚ, low degree first, monic."""
     n, t = kappa.degree, kappa.field.gen.num
     rows = [x * t**m % kappa.modulus for m in range(n)]
     return list(flint.fmpq_mat([[row[m] for m in range(n)] for row in rows]).minpoly().coeffs())
 
 
-def _root_of_generator(kappa: ResidueField, x: Any, minimal: list[Any]) -> Any:
+def _root_of_generator(
+    kappa: ResidueField, x: flint.fmpq_poly, minimal: list[flint.fmpq]
+) -> flint.fmpq_poly | None:
     t = kappa.field.gen.num
     doubled = kappa.zero
     for c in reversed(minimal):

@@ -11,7 +11,7 @@ from math import prod
 from typing import Any, NamedTuple
 
 from hfield.errors import CoercionError, NotFiniteError
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.modular import Modular
@@ -94,7 +94,7 @@ def _shape(ring: Ring, c: Constants) -> _Shape:
     return _Shape("binary-" if ring.sqrt(slot) is None else "binary+", slot)
 
 
-def _artin_schreier(ring: Ring, a: Any) -> bool:
+def _artin_schreier(ring: Ring, a: Scalar) -> bool:
     """Tell whether y² + y = a is solvable in GF(2ⁿ): whether the trace of a is 0."""
     assert ring.order is not None
     total = x = a
@@ -104,7 +104,7 @@ def _artin_schreier(ring: Ring, a: Any) -> bool:
     return ring.is_zero(total)
 
 
-def _norm(ring: Ring, shape: _Shape, q: int, n: Any) -> Count:
+def _norm(ring: Ring, shape: _Shape, q: int, n: Scalar) -> Count:
     """Count the elements of norm n."""
     zero = ring.is_zero(n)
     if shape.kind == "split":
@@ -122,7 +122,7 @@ def _norm(ring: Ring, shape: _Shape, q: int, n: Any) -> Count:
     return Count(q**2, "q^2") if zero else Count((q + 1) * q**2, "(q+1)*q^2")
 
 
-def _traceless(ring: Ring, shape: _Shape, q: int, s: Any) -> Count:
+def _traceless(ring: Ring, shape: _Shape, q: int, s: Scalar) -> Count:
     """Count the elements of trace 0 and norm −s."""
     zero, even = ring.is_zero(s), ring.characteristic == 2
     if shape.kind == "additive" or (shape.kind == "line" and zero):
@@ -143,7 +143,7 @@ def _idempotents(shape: _Shape, q: int) -> Count:
     return Count(2 * q**2 + 2, "2*q^2+2") if shape.kind == "binary+" else Count(2, "2")
 
 
-def _square_roots(ring: Ring, shape: _Shape, q: int, s: Any) -> Count:
+def _square_roots(ring: Ring, shape: _Shape, q: int, s: Scalar) -> Count:
     traceless = _traceless(ring, shape, q, s)
     if ring.characteristic == 2 or ring.is_zero(s) or ring.sqrt(s) is None:
         return traceless

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotFiniteError, TooLargeError, shorten
-from hfield.product import Constants, Coordinates, multiply, norm
+from hfield.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.structure.counting.formulas_finite import Count, count
 
@@ -63,7 +63,7 @@ class Tables:
         rows = [[index[key(operation(x, y))] for y in self.elements] for x in self.elements]
         return np.array(rows, dtype=np.int32).ravel()
 
-    def of(self, x: Any) -> Indices:
+    def of(self, x: Scalar) -> Indices:
         """Return an element as an index that mixes with arrays of indices."""
         import numpy as np
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.function_places import FunctionPlace, place_of_functions
 from hfield.rings.functions import FunctionField
@@ -41,6 +41,9 @@ from hfield.structure.isomorphisms.through_slots import (
 )
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 
+if TYPE_CHECKING:
+    from hfield.rings.quotient import Quotient
+
 
 class FunctionArithmetic(GlobalField):
     """The arithmetic of k(t): what k = GF(q), q odd or even, and k = ℚ have in common."""
@@ -55,11 +58,13 @@ class FunctionArithmetic(GlobalField):
             return OverRationals(ring)
         return OverEven(ring) if ring.characteristic == 2 else OverOdd(ring)
 
-    def read_place(self, text: Any) -> FunctionPlace:
+    def read_place(self, text: object) -> FunctionPlace:
         """Return a monic irreducible polynomial or infinity."""
         return place_of_functions(self.ring, text)
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return the symbol by a residue; in characteristic 2 that of [a, b | F), where a may be 0."""
         field = self.ring
         even = field.characteristic == 2
@@ -79,7 +84,7 @@ class FunctionArithmetic(GlobalField):
         """Return the places with a residue that is not trivial, by degree, infinity last."""
         return ramified_places_functions(self.ring, form)
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+    def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Any:
         """Return the product of the polynomials."""
         product = self.ring.one
         for v in ramified:
@@ -109,13 +114,13 @@ class OverOdd(FunctionArithmetic):
         assert e is not None, "isomorphic algebras have a common slot"
         return through_slot(self.ring, outer, inner, e, self._conic_point)
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
         """Return x by a common slot of (a, b) for a and s; there is one if there is an x."""
         c = Constants(form.a, self.ring.zero, form.b)
         e = common_slot_functions(self.ring, c, [c.a, s])
         return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
 
-    def _conic_point(self, c: Constants) -> tuple[Any, Any, Any]:
+    def _conic_point(self, c: Constants) -> tuple[Quotient, Quotient, Quotient]:
         return solve_conic_functions(self.ring, c)
 
 
@@ -130,15 +135,15 @@ class OverEven(FunctionArithmetic):
         """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
         raise AssertionError("in characteristic 2 square roots are norms")
 
-    def square_parts(self, x: Any) -> tuple[Any, Any]:
+    def square_parts(self, x: Quotient) -> tuple[Quotient, Quotient]:
         """Return the even and the odd part of x, each under its root."""
         return square_parts(self.ring, x)
 
-    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+    def as_norm(self, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
         """Return w and r by comparing parts."""
         return as_norm(self.ring, x, s)
 
-    def artin_schreier(self, x: Any) -> Any:
+    def artin_schreier(self, x: Quotient) -> Any:
         """Return y from the leading terms down."""
         return artin_schreier(self.ring, x)
 
@@ -165,7 +170,7 @@ class OverRationals(FunctionArithmetic):
             )
             return none("specialisation", reason, error.place, "Faddeev's exact sequence")
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
         """Yield values of the variable at which the algebra is a division algebra over ℚ."""
         return specialised_evidence(c)
 
@@ -178,7 +183,7 @@ class OverRationals(FunctionArithmetic):
         e = searched_slot(self.ring, outer, inner, self.same_class)
         return through_slot(self.ring, outer, inner, e, functools.partial(conic_point, self.ring))
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
         """Return x where a rational point of the line does not forbid it and one is found."""
         found = traceless_root_functions(self.ring, form, s)
         return None if found is None else (self.ring.zero, *found)

@@ -6,9 +6,11 @@ anything but 0 there, or the form has constant coefficients. (For odd characteri
 van Hoeij, "Trivial points on conics over function fields", J. Théor. Nombres Bordeaux 18 (2006).)
 """
 
+from __future__ import annotations
+
 import itertools
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants
@@ -28,6 +30,14 @@ from hfield.structure.rationals.diagonal_forms import diagonalise
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.functions import FunctionField
+    from hfield.rings.quotient import Quotient
+
+
 INFINITE = "inf"
 
 
@@ -39,12 +49,14 @@ class RamifiedError(ArithmeticError):
         self.place = place
 
 
-def solve_conic_functions(field: Any, c: Constants) -> tuple[Any, Any, Any]:
+def solve_conic_functions(
+    field: FunctionField, c: Constants
+) -> tuple[Quotient, Quotient, Quotient]:
     """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``; see :func:`solve_ternary`."""
     return solve_ternary(field, norm_form(field, c))
 
 
-def solve_ternary(field: Any, form: Form) -> tuple[Any, Any, Any]:
+def solve_ternary(field: Any, form: Form) -> tuple[Quotient, Quotient, Quotient]:
     """Return a nontrivial zero in k(t) of a nondegenerate form in three variables.
 
     Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
@@ -68,7 +80,7 @@ def solve_ternary(field: Any, form: Form) -> tuple[Any, Any, Any]:
     return x, y, z
 
 
-def _bad_primes(field: Any, form: Form) -> list[Any]:
+def _bad_primes(field: Any, form: Form) -> list[Polynomial]:
     """Return the monic irreducible polynomials at which the standard lattice may not be good."""
     found: dict[str, Any] = {}
     for x in (*(f.den for f in form), half_discriminant(form).num):
@@ -78,11 +90,11 @@ def _bad_primes(field: Any, form: Form) -> list[Any]:
     return list(found.values())
 
 
-def inverted(field: Any, x: Any) -> Any:
+def inverted(field: FunctionField, x: Quotient) -> Any:
     """Return x with the variable replaced by its inverse."""
     one = field.one.num
 
-    def reverse(poly: Any) -> Any:
+    def reverse(poly: Polynomial) -> Any:
         result = field.zero.num
         for coefficient in poly.coeffs():
             result = result * field.gen.num + field.constant(field.base(coefficient)).num
@@ -91,7 +103,7 @@ def inverted(field: Any, x: Any) -> Any:
     return reverse(x.num) * field.inverse(reverse(x.den))
 
 
-def _at_infinity(field: Any, form: Form) -> list[Vector]:
+def _at_infinity(field: FunctionField, form: Form) -> list[Vector]:
     """Return a basis of a good lattice at infinity."""
     a, b, c, r, s, t = (inverted(field, x) for x in form)
     conic = Conic((a, b, c, r, s, t), field.zero, field.one)
@@ -101,7 +113,7 @@ def _at_infinity(field: Any, form: Form) -> list[Vector]:
     return [[inverted(field, x) for x in v] for v in lattice.basis]
 
 
-def _reduce(field: Any, basis: list[Vector], local: list[Vector]) -> list[Vector]:
+def _reduce(field: FunctionField, basis: list[Vector], local: list[Vector]) -> list[Vector]:
     """Reduce a basis over k[t] with respect to the degree that a lattice at infinity defines."""
     vectors = [list(v) for v in basis]
     inverse = _inverse(field, local)
@@ -128,12 +140,12 @@ def _reduce(field: Any, basis: list[Vector], local: list[Vector]) -> list[Vector
         vectors[top] = combined
 
 
-def _degree(x: Any) -> int:
+def _degree(x: Quotient) -> int:
     """Return the degree of a rational function; a very small number for 0."""
     return int(x.num.degree()) - int(x.den.degree()) if x.num != 0 else -(10**9)
 
 
-def _leading(field: Any, x: Any) -> Any:
+def _leading(field: FunctionField, x: Quotient) -> Any:
     """Return the leading coefficient (denominators are monic)."""
     return field.base(x.num.leading_coefficient())
 
@@ -142,7 +154,7 @@ def _apply(rows: list[Vector], v: Vector) -> Vector:
     return [row[0] * v[0] + row[1] * v[1] + row[2] * v[2] for row in rows]
 
 
-def _inverse(field: Any, columns: list[Vector]) -> list[Vector]:
+def _inverse(field: FunctionField, columns: list[Vector]) -> list[Vector]:
     """Return the rows of the inverse of the matrix with the given columns, by cofactors."""
     u, v, w = columns
     rows = [_cross(v, w), _cross(w, u), _cross(u, v)]
@@ -158,7 +170,7 @@ def _cross(u: Vector, v: Vector) -> Vector:
     ]
 
 
-def _constant_zero(field: Any, form: tuple[Any, ...]) -> list[Any]:
+def _constant_zero(field: FunctionField, form: tuple[Quotient, ...]) -> list[Quotient]:
     """Return a zero in k³, as constants of k(t), of a nondegenerate form with coefficients in a finite k."""
     base = field.base
     a, b, c, r, s, t = (base(f.num[0]) for f in form)
@@ -174,7 +186,7 @@ def _constant_zero(field: Any, form: tuple[Any, ...]) -> list[Any]:
     raise UndecidedError(f"a conic over {base.name} without a point was met")
 
 
-def _specialised_zero(field: Any, form: Form, basis: list[Vector]) -> list[Any]:
+def _specialised_zero(field: FunctionField, form: Form, basis: list[Vector]) -> list[Quotient]:
     """Return coefficients in ℚ of a zero on a basis on which the form is constant, up to its scale.
 
     The form is the same at every point of the line, so a zero of it at a point with small values,
@@ -211,6 +223,6 @@ def _rational_zero(form: Form) -> list[Fraction]:
     ]
 
 
-def _at(x: Any, point: Any) -> Any:
+def _at(x: Quotient, point: flint.fmpq) -> flint.fmpq:
     """Return the value of a rational function at a point where its denominator is not 0."""
     return x.num(point) / x.den(point)

@@ -7,15 +7,23 @@ invariant ``Tr(Res(a·db/b))``, the trace down to GF(2). Serre, *Local Fields*, 
 Szamuely, *Central Simple Algebras and Galois Cohomology*, chapter 6.
 """
 
-import itertools
-from typing import Any
+from __future__ import annotations
 
+import itertools
+from typing import TYPE_CHECKING, Any
+
+from hfield.product import Scalar
 from hfield.rings.function_places import FunctionPlace
 from hfield.rings.functions import FunctionField
 from hfield.rings.residues.prime_polynomials import ResidueField, valuation
 from hfield.structure.forms import NormalForm
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.quotient import Quotient
 
 
 def _poles_and_zeros(field: FunctionField, *elements: Any) -> list[FunctionPlace]:
@@ -39,7 +47,7 @@ def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
 
 
 def tame_residue(
-    field: FunctionField, a: Any, b: Any, place: FunctionPlace
+    field: FunctionField, a: Quotient, b: Quotient, place: FunctionPlace
 ) -> tuple[ResidueField, Any]:
     """Return the residue field and the tame residue of (a, b) at a place."""
     if place.poly is None:
@@ -62,7 +70,7 @@ def tame_residue(
     return kappa, value
 
 
-def _invariant(field: FunctionField, a: Any, b: Any, place: FunctionPlace) -> int:
+def _invariant(field: FunctionField, a: Quotient, b: Quotient, place: FunctionPlace) -> int:
     """Return the trace to GF(2) of the residue of ``a·db/b``: 1 where [a, b) ramifies."""
     n, m = b.num, b.den
     differential = a * field.quotient(n.derivative() * m + n * m.derivative(), n * m)
@@ -80,13 +88,13 @@ def _invariant(field: FunctionField, a: Any, b: Any, place: FunctionPlace) -> in
     return _trace_to_prime(field, _coefficient_of_inverse(field, part))
 
 
-def _coefficient_of_inverse(field: FunctionField, x: Any) -> Any:
+def _coefficient_of_inverse(field: FunctionField, x: Quotient) -> Any:
     """Return the coefficient of 1/t in the expansion at infinity: the sum of all finite residues."""
     rest = x.num % x.den
     return field.base(rest[int(x.den.degree()) - 1]) if rest != 0 else field.base.zero
 
 
-def _trace_to_prime(field: FunctionField, x: Any) -> int:
+def _trace_to_prime(field: FunctionField, x: Scalar) -> int:
     """Return the trace from k = GF(2ⁿ) to GF(2)."""
     assert field.base.order is not None
     total = x
@@ -137,5 +145,5 @@ def _same_at_a_point(field: FunctionField, form: NormalForm, other: NormalForm) 
     raise AssertionError("all but finitely many points are good")
 
 
-def _at(x: Any, point: Any) -> Any:
+def _at(x: Quotient, point: flint.fmpq) -> flint.fmpq:
     return x.num(point) / x.den(point)

@@ -4,12 +4,17 @@ Since k is perfect, every s in k(t) is ``w² + b·r²``, for any b that is not a
 with such a b contains a square root ``w + r·j`` of trace 0 of s.
 """
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.functions import FunctionField
 from hfield.rings.residues.prime_polynomials import ResidueField
 from hfield.structure.function_fields.conic_bundle import solve_conic_functions
+
+if TYPE_CHECKING:
+    from hfield.rings.quotient import Quotient
 
 
 def embed_even(
@@ -31,7 +36,7 @@ def embed_even(
     return (p + scale * m, q, x, y), big_j
 
 
-def square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
+def square_parts(ring: FunctionField, x: Quotient) -> tuple[Quotient, Quotient]:
     """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
     whole = x.num * x.den
     parts = []
@@ -44,14 +49,14 @@ def square_parts(ring: FunctionField, x: Any) -> tuple[Any, Any]:
     return parts[0], parts[1]
 
 
-def as_norm(field: FunctionField, x: Any, s: Any) -> tuple[Any, Any]:
+def as_norm(field: FunctionField, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
     """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
     (x0, x1), (s0, s1) = square_parts(field, x), square_parts(field, s)
     r = field.divide(x1, s1)
     return x0 + r * s0, r
 
 
-def artin_schreier(field: FunctionField, x: Any) -> Any:
+def artin_schreier(field: FunctionField, x: Quotient) -> Quotient | None:
     """Return y with ``y² + y = x``, or None.
 
     The denominator has to be a square d², and y = m/d with ``m² + m·d = n``; the terms of m follow from the

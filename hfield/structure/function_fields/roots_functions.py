@@ -7,10 +7,12 @@ Where the algebra ramifies, s has to take its residue away. For a constant algeb
 ``y² = s(x)`` splits no other division algebra (Amitsur). Else X is tried, and a conic is left to be solved.
 """
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError, shorten
 from hfield.product import Constants
@@ -27,13 +29,19 @@ from hfield.structure.rationals.diagonal_forms import isotropic_vector
 from hfield.structure.rationals.rational_embedding import traceless_root_rational
 from hfield.structure.rationals.whole_numbers import fraction
 
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.quotient import Quotient
+
+
 TRIALS = 150
 POINTS = 12
 
 
 def traceless_root_functions(
-    field: FunctionField, form: NormalForm, s: Any
-) -> tuple[Any, Any, Any] | None:
+    field: FunctionField, form: NormalForm, s: Quotient
+) -> tuple[Quotient, Quotient, Quotient] | None:
     """Return (X, Y, Z) with ``(X·i + Y·j + Z·k)² = s``, or None.
 
     The algebra is a division algebra, and s no square. Raises :class:`UndecidedError`.
@@ -55,11 +63,11 @@ def traceless_root_functions(
     return x, y, z
 
 
-def _is_constant(x: Any) -> bool:
+def _is_constant(x: Quotient) -> bool:
     return bool(x.num.degree() <= 0 and x.den.degree() <= 0)
 
 
-def _squarefree(field: FunctionField, s: Any) -> tuple[Any, Any]:
+def _squarefree(field: FunctionField, s: Quotient) -> tuple[Quotient, Quotient]:
     """Return (r, f) with ``s = r²·f`` and f a squarefree polynomial."""
     one = field.one.num
     poly = s.num * s.den
@@ -76,7 +84,7 @@ def _squarefree(field: FunctionField, s: Any) -> tuple[Any, Any]:
 # --- obstructions ---------------------------------------------------------------------------------
 
 
-def _obstructed(field: FunctionField, form: NormalForm, f: Any) -> bool:
+def _obstructed(field: FunctionField, form: NormalForm, f: Quotient) -> bool:
     a, b = form.constants
     coefficients = [a, b, field.zero - a * b, field.zero - f]
     special: list[Fraction | None] = [None]  # infinity
@@ -103,11 +111,11 @@ def _small(count: int) -> Iterator[int]:
         yield -n
 
 
-def _root_of(p: Any) -> Fraction:
+def _root_of(p: flint.fmpq_poly) -> Fraction:
     return -fraction(p[0]) / fraction(p[1])
 
 
-def _isotropic_at(coefficients: list[Any], point: Fraction | None) -> bool:
+def _isotropic_at(coefficients: list[Quotient], point: Fraction | None) -> bool:
     """Tell whether the diagonal form has a zero over ℚ((x − c)), or ℚ((1/x)) for None."""
     parts: tuple[list[Fraction], list[Fraction]] = ([], [])
     for x in coefficients:
@@ -116,13 +124,13 @@ def _isotropic_at(coefficients: list[Any], point: Fraction | None) -> bool:
     return any(map(_isotropic, parts))
 
 
-def _leading(x: Any, point: Fraction | None) -> tuple[int, Fraction]:
+def _leading(x: Quotient, point: Fraction | None) -> tuple[int, Fraction]:
     """Return the order of x ≠ 0 at a point and the leading coefficient of its expansion there."""
     (m, u), (n, v) = (_leading_of(p, point) for p in (x.num, x.den))
     return m - n, u / v
 
 
-def _leading_of(p: Any, point: Fraction | None) -> tuple[int, Fraction]:
+def _leading_of(p: flint.fmpq_poly, point: Fraction | None) -> tuple[int, Fraction]:
     values = [fraction(c) for c in p.coeffs()]
     if point is None:
         return -(len(values) - 1), values[-1]
@@ -152,7 +160,7 @@ def _isotropic(form: list[Fraction]) -> bool:
 # --- roots ----------------------------------------------------------------------------------------
 
 
-def _quadratic(field: FunctionField, a: Any, b: Any, f: Any) -> Any:
+def _quadratic(field: FunctionField, a: Quotient, b: Quotient, f: Quotient) -> Any:
     """Answer for a constant algebra and degree at most 2: (X, Y, Z), or () if there is none; else None."""
     if f.num.degree() > 2:
         return None
@@ -174,7 +182,9 @@ def _quadratic(field: FunctionField, a: Any, b: Any, f: Any) -> Any:
     )
 
 
-def _searched(field: FunctionField, a: Any, b: Any, f: Any) -> tuple[Any, Any, Any] | None:
+def _searched(
+    field: FunctionField, a: Quotient, b: Quotient, f: Quotient
+) -> tuple[Quotient, Quotient, Quotient] | None:
     """Try small coordinates X of i, j or k, and solve ``f − p·X² = q·(Y² − p·Z²)`` for the others."""
     o = field.zero
     for u in itertools.islice(_candidates(field, f), TRIALS):
@@ -195,7 +205,7 @@ def _searched(field: FunctionField, a: Any, b: Any, f: Any) -> tuple[Any, Any, A
     return None
 
 
-def _candidates(field: FunctionField, f: Any) -> Iterator[Any]:
+def _candidates(field: FunctionField, f: Quotient) -> Iterator[Any]:
     """Run through polynomials with small coefficients of at most half the degree of f, simple ones first."""
     size = max(1, int(f.num.degree()) // 2) + 1
     for bound in (0, 1, 2, 3):
@@ -208,7 +218,7 @@ def _candidates(field: FunctionField, f: Any) -> Iterator[Any]:
                 yield total
 
 
-def _may_be_norm(field: FunctionField, p: Any, rest: Any) -> bool:
+def _may_be_norm(field: FunctionField, p: Quotient, rest: Quotient) -> bool:
     """Tell whether some rational points do not forbid that rest is a norm from the field of √p."""
     form = [field.one, field.zero - p, field.zero - rest]
     return all(_isotropic_at(form, c) for c in (None, *map(Fraction, _small(3))))

@@ -7,10 +7,12 @@ Chinese remainder theorem at the others. At new primes the symbols have to be 1;
 new prime they are, by the product formula.
 """
 
+from __future__ import annotations
+
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants
@@ -22,6 +24,11 @@ from hfield.structure.function_fields.hilbert_functions import (
     ramified_places_functions,
     symbol,
 )
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.quotient import Quotient
+
 
 TRIALS = 50_000
 LEFT_TO_CHANCE = 4
@@ -39,7 +46,9 @@ class _Local:
     square: bool
 
 
-def common_slot_functions(field: FunctionField, c: Constants, numbers: Sequence[Any]) -> Any:
+def common_slot_functions(
+    field: FunctionField, c: Constants, numbers: Sequence[Quotient]
+) -> Quotient | None:
     """Return an e with (x, e) isomorphic to the given algebra for each of the numbers x, or None.
 
     None is a proof that there is no such e: at some place no class has the symbols asked for. The numbers
@@ -49,7 +58,7 @@ def common_slot_functions(field: FunctionField, c: Constants, numbers: Sequence[
     reduced, primes = _square_classes(field, numbers)
     places = {str(v): v for v in (*primes, *ramified) if v.poly is not None}
 
-    def fits(v: FunctionPlace, e: Any) -> bool:
+    def fits(v: FunctionPlace, e: Quotient) -> bool:
         sign = -1 if v in ramified else 1
         return all(symbol(field, _form(x, e), v) == sign for x in reduced)
 
@@ -63,12 +72,12 @@ def common_slot_functions(field: FunctionField, c: Constants, numbers: Sequence[
     return _search(field, [x.num for x in reduced], locals_, infinite) if infinite else None
 
 
-def _form(a: Any, b: Any) -> NormalForm:
+def _form(a: Quotient, b: Quotient) -> NormalForm:
     return NormalForm("symbol", a, b, lambda q: q, lambda q: q)
 
 
 def _square_classes(
-    field: FunctionField, numbers: Sequence[Any]
+    field: FunctionField, numbers: Sequence[Quotient]
 ) -> tuple[list[Any], list[FunctionPlace]]:
     """Return squarefree polynomials with the classes of the numbers, and their prime divisors."""
     reduced, primes = [], []
@@ -94,7 +103,7 @@ def _local_class(kappa: ResidueField, v: FunctionPlace, fits: Fits) -> _Local | 
     return None
 
 
-def _unit(kappa: ResidueField, square: bool, rng: random.Random) -> Any:
+def _unit(kappa: ResidueField, square: bool, rng: random.Random) -> Polynomial:
     """Return a random nonzero square of the residue field, or a random element that is none."""
     while True:
         x = kappa.random(rng)
@@ -115,8 +124,11 @@ def _classes_at_infinity(field: FunctionField, fits: Fits) -> set[tuple[int, boo
 
 
 def _search(
-    field: FunctionField, numbers: list[Any], places: list[_Local], infinite: set[tuple[int, bool]]
-) -> Any:
+    field: FunctionField,
+    numbers: list[Polynomial],
+    places: list[_Local],
+    infinite: set[tuple[int, bool]],
+) -> Quotient:
     """Try cofactors u of growing degree until ``u·∏ π^valuation`` is right at all places."""
     rng = random.Random(1)
     divisor = field.one.num
@@ -150,7 +162,7 @@ def _search(
 
 def _remainder(
     field: FunctionField, residues: Sequence[tuple[ResidueField, Any]]
-) -> tuple[Any, Any]:
+) -> tuple[Polynomial, Polynomial]:
     """Return the polynomial with the given residues, of degree below that of the modulus, and the modulus."""
     x, modulus = field.zero.num, field.one.num
     for kappa, r in residues:
@@ -159,7 +171,7 @@ def _remainder(
     return x, modulus
 
 
-def _fits_at_new_primes(field: FunctionField, numbers: list[Any], u: Any) -> bool:
+def _fits_at_new_primes(field: FunctionField, numbers: list[Polynomial], u: Polynomial) -> bool:
     """Tell whether the numbers, units there, are squares at all primes that divide u to odd order."""
     for p, exponent in u.factor()[1]:
         if exponent % 2:

@@ -8,7 +8,7 @@ F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 
 from typing import Any
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm, normal_form
@@ -55,7 +55,7 @@ def _with_radical(ring: Ring, source: NormalForm, target: NormalForm) -> Pair | 
     return (null, (w, x, y, z)) if swapped[0] else ((w, x, y, z), null)
 
 
-def _artin_schreier(ring: Ring, x: Any) -> Any:
+def _artin_schreier(ring: Ring, x: Scalar) -> Any:
     """Return y with y² + y = x in a finite field or function field of characteristic 2, or None."""
     if ring.order is None:
         return known_field(ring).artin_schreier(x)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from hfield.errors import CoercionError, UndecidedError
-from hfield.product import Constants, Coordinates, multiply
+from hfield.product import Constants, Coordinates, Scalar, multiply
 from hfield.rings.base import Ring
 from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
 from hfield.structure.linear_algebra.centre import basis_of
@@ -139,13 +139,13 @@ def _verified(
     q: Coordinates,
     ideal: tuple[Coordinates, Coordinates],
     rows: tuple[int, int],
-    scale: Any,
+    scale: Scalar,
 ) -> Splitting:
     """Compute the action on the ideal with the given basis, and check that it is an isomorphism."""
     u, v = ideal
     r, s = rows
 
-    def in_basis(x: Coordinates) -> tuple[Any, Any]:
+    def in_basis(x: Coordinates) -> tuple[Scalar, Scalar]:
         return (x[r] * v[s] - x[s] * v[r]) * scale, (u[r] * x[s] - u[s] * x[r]) * scale
 
     matrices = []

@@ -4,20 +4,26 @@ Isomorphic algebras (a, b) and (p, q) have an e with (a, b) = (a, e) = (p, e) = 
 how conics are solved, is the field's business; given both, the rest is the same over every field.
 """
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from hfield.product import Constants, Coordinates, multiply, norm
+from hfield.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norms import zero_norm
+
+if TYPE_CHECKING:
+    from hfield.rings.quotient import Quotient
+
 
 Point = Callable[[Constants], tuple[Any, Any, Any]]
 
 
 def through_slot(
-    ring: Ring, outer: Constants, inner: Constants, e: Any, point: Point
+    ring: Ring, outer: Constants, inner: Constants, e: Scalar, point: Point
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``."""
     big_i, slot = generator_by_slot(ring, outer.a, inner, e, point)
@@ -26,7 +32,7 @@ def through_slot(
 
 
 def generator_by_slot(
-    ring: Ring, a: Any, inner: Constants, e: Any, point: Point
+    ring: Ring, a: Scalar, inner: Constants, e: Scalar, point: Point
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in ``inner`` with ``I² = a, J² = e, JI = −IJ``, for a common slot e."""
     zero, one = ring.zero, ring.one
@@ -48,7 +54,7 @@ def _times_norm(
     return multiply(c, (w + scale * m, x, y, z), v)
 
 
-def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
+def conic_point(ring: Ring, c: Constants) -> tuple[Quotient, Quotient, Quotient]:
     """Return ``(w, x, y)`` ≠ 0 with ``w² + t·wx − a·x² − b·y² = 0`` for a split algebra.
 
     A zero divisor q gives the plane q·A of elements of norm 0, which meets ⟨e, i, j⟩.

@@ -11,7 +11,7 @@ from typing import Any
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates, norm
+from hfield.product import Constants, Coordinates, Scalar, norm
 from hfield.rings.base import Ring, power
 from hfield.rings.modular import Modular
 from hfield.structure.forms import pairing_matrix
@@ -69,7 +69,7 @@ def _searched(ring: Ring, c: Constants) -> list[Row]:
     return generators(ring, whole) if len(everything) ** 4 <= TRIALS else whole
 
 
-def is_nilpotent(ring: Ring, x: Any) -> bool:
+def is_nilpotent(ring: Ring, x: Scalar) -> bool:
     """Tell whether a power of an element of a finite ring is 0."""
     assert ring.order is not None
     return ring.is_zero(power(ring.one, x, ring.order.bit_length()))

@@ -1,7 +1,9 @@
 """Radical, simplicity, derivations and the opposite algebra."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError, shorten
 from hfield.product import Constants, Coordinates, multiply
@@ -13,6 +15,9 @@ from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.finite_radical import finite_radical
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import Row
+
+if TYPE_CHECKING:
+    import flint
 
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
@@ -58,7 +63,7 @@ def _roots(ring: Ring, c: Constants) -> list[Row]:
     return [roots]
 
 
-def _monomial_roots(ring: PolynomialRing, squares: list[Any]) -> list[Row]:
+def _monomial_roots(ring: PolynomialRing, squares: list[flint.nmod_mpoly]) -> list[Row]:
     """Write polynomials over GF(2) as ``Σ u²·m`` with squarefree monomials m: one row of u for each m."""
     rows: dict[tuple[int, ...], Row] = {}
     for n, x in enumerate(squares):

@@ -7,10 +7,11 @@ columns of rank 1 have one relation, divided by its gcd; over a small finite rin
 
 import itertools
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Hashable, Iterable
 from typing import Any
 
 from hfield.errors import UndecidedError, shorten
+from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.modular import Modular
 from hfield.rings.polynomials import PolynomialRing
@@ -174,7 +175,7 @@ def _dot(row: Row, v: Iterable[Any]) -> Any:
 
 
 def generators(
-    ring: Ring, vectors: Iterable[Row], key: Callable[[Any], Any] | None = None
+    ring: Ring, vectors: Iterable[Row], key: Callable[[Scalar], Hashable] | None = None
 ) -> list[Row]:
     """Return some of the vectors over a finite ring, none of them superfluous, that generate all.
 
@@ -194,7 +195,9 @@ def generators(
     return chosen
 
 
-def _span(ring: Ring, vectors: list[Row], width: int, key: Callable[[Any], Any]) -> dict[Any, Row]:
+def _span(
+    ring: Ring, vectors: list[Row], width: int, key: Callable[[Scalar], Hashable]
+) -> dict[Any, Row]:
     zero = [ring.zero] * width
     span = {tuple(map(key, zero)): zero}
     for v in vectors:

@@ -8,7 +8,7 @@ from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants, Coordinates, conjugate, multiply, norm, trace
+from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.local.field import DIGITS, LocalField
 from hfield.rings.local.roots import hensel
@@ -33,7 +33,7 @@ class LocalArithmetic(GlobalField):
         super().__init__(ring)
         self.below = known_field(self.ring.global_field)
 
-    def read_place(self, text: Any) -> Any:
+    def read_place(self, text: object) -> Any:
         """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
         place = self.ring.place if text is None else self.below.read_place(text)
         if place != self.ring.place:
@@ -42,7 +42,9 @@ class LocalArithmetic(GlobalField):
 
     # --- symbols -----------------------------------------------------------------------------------
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return the symbol; in characteristic 2 that of [a, b | F), where a may be 0."""
         ring = self.ring
         self.read_place(place)
@@ -81,7 +83,7 @@ class LocalArithmetic(GlobalField):
             F.check_digits(c.b, pole + 1, f"whether {c.b} is a norm")
         return Constants(*(x.value for x in c))
 
-    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
         """Say by which symbol."""
         a, b = (self.ring.text(x) for x in form.constants)
         symbol = f"({a}, {b})" if form.kind == "symbol" else f"[{a}, {b})"
@@ -103,7 +105,7 @@ class LocalArithmetic(GlobalField):
             return None
         return self.below.unit_and_prime(Constants(*(x.value for x in c)), place)
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
         """Yield u and j at the one place, whatever else showed that the norm has no zero."""
         return super().evidence(c, self.ring.places())
 

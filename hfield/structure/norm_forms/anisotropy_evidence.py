@@ -20,7 +20,7 @@ def norm_evidence(algebra: str, ring: Ring, c: Constants, answer: ZeroNorm) -> E
     return next((data for data in candidates if is_certified(algebra, ring.name, data)), None)
 
 
-def evidence_at(ring: Ring, c: Constants, places: Iterable[Any]) -> Iterator[Evidence]:
+def evidence_at(ring: Ring, c: Constants, places: Iterable[object]) -> Iterator[Evidence]:
     """Yield the evidence at those places where the algebra is ramified and residues are finite."""
     field = global_field(ring)
     return iter(()) if field is None else field.evidence(c, places)

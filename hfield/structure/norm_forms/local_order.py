@@ -10,15 +10,21 @@ Where the algebra splits over the completion, the same steps end at a plane on w
 Hensel's lemma. Nothing is factored, and the characteristic does not matter, nor that of the residues.
 """
 
+from __future__ import annotations
+
 import random
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
-from hfield.product import Constants, norm
+from hfield.product import Constants, Scalar, norm
 from hfield.structure.minimal_conics import Vector, adapt, kernel_at
+
+if TYPE_CHECKING:
+    from hfield.rings.residues.kinds import FinitePlace
+
 
 MAX_STEPS = 1_000
 
@@ -38,7 +44,7 @@ class Halves:
     inside: tuple[Form, list[int]]
 
 
-def unit_and_prime(place: Any, c: Constants, one: Any) -> tuple[Vector, Vector] | None:
+def unit_and_prime(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vector, Vector] | None:
     """Return quaternions u, j in M: u generates its residue field, and N(j) is divisible by the prime once.
 
     None says that the norm form has a zero over the completion. ``place`` is a :class:`ResidueField` or a
@@ -52,7 +58,7 @@ def unit_and_prime(place: Any, c: Constants, one: Any) -> tuple[Vector, Vector] 
     return next(basis[n] for n in outside if _generates(place, c, basis[n], one)), basis[inside[0]]
 
 
-def hyperbolic_plane(place: Any, c: Constants, one: Any) -> tuple[Vector, Vector] | None:
+def hyperbolic_plane(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vector, Vector] | None:
     """Return quaternions q, u on whose span the norm has a zero over the completion, by Hensel's lemma.
 
     There ``N(X·q + Y·u) = N(q)·X² + T·XY + N(u)·Y²`` with T = tr(q·conj(u)) ≠ 0, and the prime divides
@@ -62,7 +68,7 @@ def hyperbolic_plane(place: Any, c: Constants, one: Any) -> tuple[Vector, Vector
     return _zero_of_halves(place, c, found) if isinstance(found, Halves) else found
 
 
-def _enlarged(place: Any, c: Constants, one: Any) -> Halves | tuple[Vector, Vector]:
+def _enlarged(place: FinitePlace, c: Constants, one: Scalar) -> Halves | tuple[Vector, Vector]:
     """Enlarge the lattice of the basis e, i, j, k until it is in halves, or a plane with a zero is met."""
     zero = one - one
     basis = [[one if m == n else zero for n in range(4)] for m in range(4)]
@@ -87,7 +93,7 @@ def _enlarged(place: Any, c: Constants, one: Any) -> Halves | tuple[Vector, Vect
     raise UndecidedError(f"no maximal order at {place} was found in {MAX_STEPS} steps")
 
 
-def _plane(place: Any, form: Form, basis: list[Vector]) -> tuple[Vector, Vector] | None:
+def _plane(place: FinitePlace, form: Form, basis: list[Vector]) -> tuple[Vector, Vector] | None:
     """Return two vectors of a basis that span a plane with a zero by Hensel's lemma, or None."""
     for m, n in combinations(range(len(basis)), 2):
         mixed, sizes = form[m, n], (form[m, m], form[n, n])
@@ -100,7 +106,9 @@ def _plane(place: Any, form: Form, basis: list[Vector]) -> tuple[Vector, Vector]
     return None
 
 
-def _zero_of_halves(place: Any, c: Constants, halves: Halves) -> tuple[Vector, Vector] | None:
+def _zero_of_halves(
+    place: FinitePlace, c: Constants, halves: Halves
+) -> tuple[Vector, Vector] | None:
     """Return a plane with a zero where one of the halves has a zero among the residues, or None."""
     for form, names in (halves.outside, halves.inside):
         v = _isotropic(place, form, names)
@@ -114,7 +122,7 @@ def _zero_of_halves(place: Any, c: Constants, halves: Halves) -> tuple[Vector, V
     return None
 
 
-def _isotropic(place: Any, form: Form, names: list[int]) -> Vector | None:
+def _isotropic(place: FinitePlace, form: Form, names: list[int]) -> Vector | None:
     """Return a zero over the residue field of a form in some coordinates; None where these are one or two.
 
     A regular form in three variables has zeros on half of all lines, so that a few random ones do.
@@ -148,7 +156,7 @@ def _norm(c: Constants, v: Vector) -> Any:
     return norm(c, (w, x, y, z))
 
 
-def _scale(v: Vector, place: Any, n: int) -> None:
+def _scale(v: Vector, place: FinitePlace, n: int) -> None:
     """Multiply a vector by something of the valuation n."""
     factor = place.uniformiser if n > 0 else place.inverse_uniformiser
     for _ in range(abs(n)):
@@ -164,7 +172,7 @@ def _form(c: Constants, basis: list[Vector]) -> Form:
     return form
 
 
-def _zeros(place: Any, form: Form, coordinates: Iterable[int]) -> list[Vector]:
+def _zeros(place: FinitePlace, form: Form, coordinates: Iterable[int]) -> list[Vector]:
     """Return a basis, in k⁴, of the zeros over the residue field of a form in some of the coordinates.
 
     They are a subspace if the rest has no zero: the radical of the polar form, or in even characteristic the
@@ -189,6 +197,6 @@ def _zeros(place: Any, form: Form, coordinates: Iterable[int]) -> list[Vector]:
     ]
 
 
-def _value(place: Any, form: Form, v: Vector) -> Any:
+def _value(place: FinitePlace, form: Form, v: Vector) -> Any:
     """Return the value of a form with coefficients in the residue field."""
     return sum((f * v[m] * v[n] for (m, n), f in form.items()), place.zero) % place.modulus

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.product import Constants, Coordinates, conjugate, multiply
+from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply
 from hfield.rings.base import Ring
 
 CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and this is one"
@@ -31,7 +31,7 @@ class ZeroNorm:
         return self.element is not None
 
 
-def found(ring: Ring, c: Constants, q: Iterable[Any], method: str, reason: str) -> ZeroNorm:
+def found(ring: Ring, c: Constants, q: Iterable[Scalar], method: str, reason: str) -> ZeroNorm:
     """Wrap a zero-norm element after multiplying it out: q ≠ 0 and q·conj(q) = 0."""
     w, x, y, z = q
     element = (w, x, y, z)

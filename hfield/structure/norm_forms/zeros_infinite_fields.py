@@ -27,10 +27,9 @@ def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
             if answer is None:
                 raise
             return answer
-        shown = ", ".join(map(str, partial))
         return none(
             "ramified places",
-            f"the algebra is ramified at {shown}, maybe elsewhere too",
+            f"{field.why_ramified(form, partial)}, maybe elsewhere, too",
             partial,
             field.cited,
         )

@@ -1,9 +1,11 @@
 """Zero norms over rings that are not fields: ℤ, ℤ/n, and polynomial rings."""
 
+from __future__ import annotations
+
 import itertools
 import math
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
@@ -13,6 +15,13 @@ from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.forms import discriminant
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.structure.rationals.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.flint_types import SparsePolynomial
+    from hfield.rings.functions import FunctionField
+
 
 Decide = Callable[[Ring, Constants], ZeroNorm]
 MAX_TERMS = 40
@@ -102,11 +111,13 @@ def _functions(ring: PolynomialRing, variable: str) -> Any:
     return read_ring(f"{base}({variable})")
 
 
-def _degree_in(x: Any, index: int) -> int:
+def _degree_in(x: SparsePolynomial, index: int) -> int:
     return max((int(e[index]) for e, _ in x.terms()), default=0)
 
 
-def _specialise(x: Any, field: Any, index: int, point: dict[int, int]) -> Any:
+def _specialise(
+    x: SparsePolynomial, field: FunctionField, index: int, point: dict[int, int]
+) -> Any:
     """Return x with the variable ``index`` kept and those in ``point`` given values."""
     total = field.zero
     for exponents, c in x.terms():
@@ -118,7 +129,9 @@ def _specialise(x: Any, field: Any, index: int, point: dict[int, int]) -> Any:
     return total
 
 
-def _lift(ring: PolynomialRing, field: Any, index: int, q: Coordinates) -> list[Any]:
+def _lift(
+    ring: PolynomialRing, field: FunctionField, index: int, q: Coordinates
+) -> list[flint.nmod_mpoly]:
     """Clear the denominators of four rational functions and read them in the polynomial ring."""
     common = field.one
     for x in q:

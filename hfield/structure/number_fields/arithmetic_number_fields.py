@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from hfield.factorisation import Factors, is_prime
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import Place, place_of_number_field
@@ -41,11 +41,13 @@ class NumberFieldArithmetic(GlobalField):
         super().__init__(ring)
         self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
 
-    def read_place(self, text: Any) -> Place:
+    def read_place(self, text: object) -> Place:
         """Return a prime ideal or an infinite place."""
         return place_of_number_field(self.ring, text)
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return the symbol; nothing is factored."""
         return hilbert_symbol_number_field(self.ring(a), self.ring(b), self.read_place(place))
 
@@ -75,7 +77,7 @@ class NumberFieldArithmetic(GlobalField):
         """Return the prime ideal with its residue field."""
         return local_place(place) if isinstance(place, PrimeIdeal) else None
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, Any]]:
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
         """Yield the evidence; where ℤ[s] is not maximal at a place, in other generators as well."""
         for place in places:
             for data in super().evidence(c, [place]):

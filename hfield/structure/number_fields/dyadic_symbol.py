@@ -13,11 +13,15 @@ whose first entry is closer to 1 than both. A unit matters modulo P^(2e+1) alone
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_primes import PrimeIdeal
 from hfield.rings.residue_polynomials import residues
+
+if TYPE_CHECKING:
+    import flint
+
 
 DIGITS = 2**6  # 2⁶ lies in P^(2e+1), with room for what is divided by uniformisers
 
@@ -96,7 +100,7 @@ class DyadicPrime:
         return powers
 
     @cached_property
-    def _four(self) -> Any:
+    def _four(self) -> flint.nmod_poly:
         """The residue of 4/ϖ^(2e)."""
         return self.prime.residue_of(self._powers[2 * self.e] * 4)
 
@@ -111,7 +115,7 @@ class DyadicPrime:
                 return k
         return 2 * self.e + 1
 
-    def _with_leading(self, k: int, residue: Any) -> FieldElement:
+    def _with_leading(self, k: int, residue: flint.nmod_poly) -> FieldElement:
         """Return an integer x of valuation k for which x/ϖᵏ has the given residue."""
         prime = self.prime
         ratio = prime.residue_of(prime.uniformiser * self._inverse)
@@ -129,7 +133,7 @@ class DyadicPrime:
 
     # --- the residue field, of 2^f elements ------------------------------------------------------
 
-    def _power(self, x: Any, n: int) -> Any:
+    def _power(self, x: flint.nmod_poly, n: int) -> flint.nmod_poly:
         result = residues(2, [1])
         for bit in bin(n)[2:]:
             result = result * result % self.prime.residue
@@ -137,13 +141,13 @@ class DyadicPrime:
                 result = result * x % self.prime.residue
         return result
 
-    def _root(self, x: Any) -> Any:
+    def _root(self, x: flint.nmod_poly) -> flint.nmod_poly:
         return self._power(x, 2 ** (self.prime.f - 1))
 
-    def _invert(self, x: Any) -> Any:
+    def _invert(self, x: flint.nmod_poly) -> flint.nmod_poly:
         return self._power(x, 2**self.prime.f - 2)
 
-    def _has_trace_0(self, x: Any) -> bool:
+    def _has_trace_0(self, x: flint.nmod_poly) -> bool:
         """Tell whether t² + t = x has a root: whether the trace of x is 0."""
         total = x
         for _ in range(self.prime.f - 1):

@@ -10,7 +10,7 @@ from typing import Any
 import flint
 
 from hfield.errors import RingError
-from hfield.factorisation import factorise
+from hfield.factorisation import NORM_BITS, factorise
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import Place, RealPlace
@@ -76,7 +76,7 @@ def candidates(field: NumberField, x: FieldElement) -> set[int]:
     below = math.lcm(*(int(c.q) for c in terms))
     above = math.gcd(*(int((c * below).p) for c in terms))
     norm = (x * flint.fmpq(below, above)).norm()
-    return {p for n in (int(norm.p), below, above) for p in factorise(n)}
+    return {p for n in (int(norm.p), below, above) for p in factorise(n, sieved=NORM_BITS)}
 
 
 def finite_ramified(a: FieldElement, b: FieldElement, primes: set[int]) -> Iterator[PrimeIdeal]:

@@ -1,11 +1,13 @@
 """Quadratic number fields as global fields."""
 
+from __future__ import annotations
+
 import functools
 from collections.abc import Iterable, Mapping
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from hfield.factorisation import Factors, known_primes
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.integers import QQ
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_as_number_field import (
@@ -33,6 +35,9 @@ from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
+if TYPE_CHECKING:
+    from hfield.rings.surds import Surd
+
 
 class QuadraticArithmetic(GlobalField):
     """The arithmetic of ℚ(√d): tame symbols, and the product formula at a lone place above 2."""
@@ -41,11 +46,13 @@ class QuadraticArithmetic(GlobalField):
     # a root of unity of degree at most 2 over it has order 1 to 6, 8, 10 or 12
     finite_orders: ClassVar[Mapping[int, int]] = {2: 3, 3: 1, 5: 1}
 
-    def read_place(self, text: Any) -> QuadraticPlace:
+    def read_place(self, text: object) -> QuadraticPlace:
         """Return a prime ideal or an infinite place."""
         return place_of_quadratic(self.ring.d, text)
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return the symbol; at a lone place above 2 the norms of a and b are factored."""
         x, y = (pair(self.ring, self.ring(x)) for x in (a, b))
         with known_primes(factors):
@@ -56,11 +63,11 @@ class QuadraticArithmetic(GlobalField):
         a, b = (pair(self.ring, x) for x in form.constants)
         return ramified_places_quadratic(self.ring.d, a, b)
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> tuple[QuadraticPlace, ...]:
+    def discriminant(self, ramified: tuple[QuadraticPlace, ...]) -> tuple[QuadraticPlace, ...]:
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
 
-    def with_ramification(self, places: Iterable[Any]) -> tuple[Any, Any]:
+    def with_ramification(self, places: Iterable[object]) -> tuple[Any, Any]:
         """Return constants found in ℚ[s]/(s² − d), which is the same field."""
         field = as_number_field(self.ring)
         same = [place_in_number_field(field, self.read_place(v)) for v in places]
@@ -102,13 +109,15 @@ class QuadraticArithmetic(GlobalField):
             return None
         return generator_by_slot(self.ring, s, c, *self._slot(c, [c.a, s]))[0]
 
-    def _slot(self, c: Constants, numbers: list[Any]) -> tuple[Any, Point]:
+    def _slot(self, c: Constants, numbers: list[Surd]) -> tuple[Any, Point]:
         """Return a common slot built from local classes, and what solves conics with its primes."""
         e, primes = common_slot(self.ring, c, numbers)
         return e, functools.partial(_conic_point, self.ring, primes)
 
 
-def _conic_point(field: QuadraticField, known: Iterable[int], c: Constants) -> tuple[Any, Any, Any]:
+def _conic_point(
+    field: QuadraticField, known: Iterable[int], c: Constants
+) -> tuple[Surd, Surd, Surd]:
     """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``, given the primes of the norms of a and b."""
     x, y, w = solve_conic_quadratic(field, c.a, c.b, known)
     return w, x, y

@@ -10,13 +10,15 @@ walk on a Hilbert modular surface, or a Bianchi threefold, whose cusps are the z
 Compare Cremona and Rusin, "Efficient solution of rational conics", Math. Comp. 72 (2003).
 """
 
+from __future__ import annotations
+
 import cmath
 import itertools
 import math
 import operator
 import random
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -26,6 +28,10 @@ from hfield.rings.residues.prime_ideals import coordinates
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
 from hfield.structure.rationals.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    from hfield.rings.surds import Surd
+
 
 TRIALS = 10_000
 _PAIRS = list(itertools.combinations_with_replacement(range(6), 2))
@@ -39,8 +45,8 @@ Integers = list[list[int]]
 
 
 def solve_conic_quadratic(
-    field: QuadraticField, a: Any, b: Any, known: Iterable[int] = ()
-) -> tuple[Any, Any, Any]:
+    field: QuadraticField, a: Surd, b: Surd, known: Iterable[int] = ()
+) -> tuple[Surd, Surd, Surd]:
     """Return ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``, for nonzero a and b in ℚ(√d).
 
     The conic must have a point, that is, ``(a, b | ℚ(√d))`` must ramify nowhere. ``known`` may name
@@ -142,7 +148,7 @@ def _combine(coefficients: list[int], basis: list[Vector]) -> Vector:
     return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
 
 
-def _grams(field: QuadraticField, form: Vector, basis: list[Vector]) -> list[Any]:
+def _grams(field: QuadraticField, form: Vector, basis: list[Vector]) -> list[flint.fmpz_mat]:
     """Return integer matrices G, H: up to a factor the bilinear form is G + √d·H on the basis."""
     entries = [
         sum((f * x * y for f, x, y in zip(form, u, v, strict=True)), field.zero)
@@ -164,7 +170,7 @@ def _embedded(field: QuadraticField, form: Vector, basis: list[Vector]) -> Integ
         root = flint.acb(field.d).sqrt()
         places = [root, -root] if field.d > 0 else [root]
 
-        def embed(x: Any, place: Any) -> Any:
+        def embed(x: Surd, place: flint.acb) -> flint.acb:
             return flint.acb(x.terms.get(1, 0)) + flint.acb(x.terms.get(field.d, 0)) * place
 
         roots = [[embed(f, place).sqrt() * scale for f in form] for place in places]

@@ -5,10 +5,12 @@ is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is
 the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
 """
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import RingError
 from hfield.factorisation import factorise, remove
@@ -17,10 +19,14 @@ from hfield.rings.quadratic_places import QuadraticPlace, place_of_quadratic, pl
 from hfield.structure.rationals.hilbert_rationals import _symbol
 from hfield.structure.rationals.whole_numbers import fraction
 
+if TYPE_CHECKING:
+    from hfield.rings.surds import Surd
+
+
 Pair = tuple[Fraction, Fraction]
 
 
-def pair(field: QuadraticField, x: Any) -> Pair:
+def pair(field: QuadraticField, x: Surd) -> Pair:
     """Return the coordinates of u + v√d."""
     terms = field(x).terms
     return fraction(terms.get(1, 0)), fraction(terms.get(field.d, 0))

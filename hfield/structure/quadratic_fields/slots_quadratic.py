@@ -9,11 +9,13 @@ one and at a lone place above 2 the symbols are right or wrong together, by the 
 Inside, numbers are pairs (s, t) of integers, s + t√d.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 import random
 from collections.abc import Callable, Collection, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise, is_prime, remove
@@ -29,13 +31,17 @@ from hfield.structure.quadratic_fields.hilbert_quadratic import (
 )
 from hfield.structure.rationals.whole_numbers import crt
 
+if TYPE_CHECKING:
+    from hfield.rings.surds import Surd
+
+
 TRIALS = 50_000
 LOCAL_TRIALS = 300
 Whole = tuple[int, int]
 
 
 def common_slot(
-    field: QuadraticField, c: Constants, numbers: Sequence[Any]
+    field: QuadraticField, c: Constants, numbers: Sequence[Surd]
 ) -> tuple[Any, list[int]]:
     """Return an e with (x, e) isomorphic to the algebra (a, b), for each of the numbers x.
 

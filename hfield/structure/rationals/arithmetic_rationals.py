@@ -1,12 +1,14 @@
 """ℚ as a global field."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from hfield.factorisation import WORD, Factors, is_prime, known_primes, shared_primes
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.structure.forms import NormalForm
@@ -21,6 +23,9 @@ from hfield.structure.rationals.hilbert_rationals import (
 from hfield.structure.rationals.rational_embedding import embed_rational, traceless_root_rational
 from hfield.structure.rationals.whole_numbers import fraction, square_class
 
+if TYPE_CHECKING:
+    import flint
+
 
 class RationalArithmetic(GlobalField):
     """The arithmetic of ℚ: symbols by formula, places as primes and ``"inf"``."""
@@ -28,11 +33,13 @@ class RationalArithmetic(GlobalField):
     # a root of unity of degree at most 2 has order 1, 2, 3, 4 or 6
     finite_orders: ClassVar[Mapping[int, int]] = {2: 2, 3: 1}
 
-    def read_place(self, text: Any) -> Place:
+    def read_place(self, text: object) -> Place:
         """Return a prime or ``"inf"``."""
         return place_of_q(text)
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Return the symbol by formula; nothing is factored."""
         a, b = (self.ring(x) if isinstance(x, str) else x for x in (a, b))
         return hilbert_symbol_q(a, b, place)
@@ -41,7 +48,7 @@ class RationalArithmetic(GlobalField):
         """Return the primes, and ``"inf"``, with a symbol of −1."""
         return ramified_places_q(form.a, form.b)
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> int:
+    def discriminant(self, ramified: tuple[int, ...]) -> int:
         """Return the product of the primes."""
         return discriminant_q(ramified)
 
@@ -73,6 +80,6 @@ class RationalArithmetic(GlobalField):
         """Return I and J by an isometry of lattices."""
         return embed_rational(self.ring, outer, inner)
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: flint.fmpq) -> Coordinates | None:
         """Return x by an isometry with an algebra (s, e) of the same ramification."""
         return traceless_root_rational(self.ring, Constants(form.a, self.ring.zero, form.b), s)

@@ -1,7 +1,9 @@
 """Inside a division algebra over ℚ: the i and j of an isomorphic one, and square roots of numbers."""
 
+from __future__ import annotations
+
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.factorisation import is_prime, known_primes
 from hfield.product import Constants, Coordinates
@@ -12,6 +14,9 @@ from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.unimodular_lattice import isometry
 from hfield.structure.rationals.whole_numbers import crt, fraction, square_class, squarefree
 
+if TYPE_CHECKING:
+    import flint
+
 
 class _Diagonal:
     """The norm on the quaternions of trace 0 of (a, b | ℚ), with squarefree coefficients.
@@ -19,7 +24,7 @@ class _Diagonal:
     ``scales`` are those of i, j and k = ij that have ``−form`` as squares.
     """
 
-    def __init__(self, a: Any, b: Any) -> None:
+    def __init__(self, a: flint.fmpq, b: flint.fmpq) -> None:
         m, r, in_m = squarefree(square_class(a))
         n, s, in_n = squarefree(square_class(b))
         common = math.gcd(m, n)
@@ -45,7 +50,7 @@ def embed_rational(
     return found[0], found[1]
 
 
-def traceless_root_rational(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+def traceless_root_rational(ring: Ring, c: Constants, s: flint.fmpq) -> Coordinates | None:
     """Return some x of trace 0 with ``x² = s`` in a division algebra (a, b | ℚ), or None; s is not 0.
 
     It is the image of i in an algebra (s, e) with the same ramification, if ℚ(√s) splits the algebra: if s is

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.functions import FunctionField
 from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
@@ -23,6 +23,12 @@ from hfield.structure.several_variables.residues_several import (
     valuation,
 )
 
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.rings.quotient import Quotient
+
+
 POINTS = 12  # as many values of each variable are tried for a point where nothing vanishes
 
 
@@ -37,7 +43,7 @@ class SeveralArithmetic(GlobalField):
     splits_if_unramified = False
     cited = "residues at prime polynomials (Gille and Szamuely, Central Simple Algebras, chapter 6)"
 
-    def read_place(self, text: Any) -> PolynomialPlace:
+    def read_place(self, text: object) -> PolynomialPlace:
         """Return a place from a prime polynomial, its text, or ``1/x`` for infinity of x."""
         F = self.ring
         if isinstance(text, PolynomialPlace):
@@ -54,7 +60,9 @@ class SeveralArithmetic(GlobalField):
             )
         return places_of(F, x)[0]
 
-    def hilbert_symbol(self, a: Any, b: Any, place: Any, factors: Factors | None) -> int:
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
         """Refuse: completions at prime polynomials are no local fields."""
         raise UndecidedError(
             f"the completions of {self.ring} are not local fields: ask for residues"
@@ -63,21 +71,32 @@ class SeveralArithmetic(GlobalField):
     # --- residues ------------------------------------------------------------------------------
 
     def ramified(self, form: NormalForm) -> tuple[PolynomialPlace, ...]:
-        """Return the places where a residue is not trivial. Raises :class:`UndecidedError` if none is found.
+        """Return the places where a residue is not trivial.
 
-        It is raised where all other residues are trivial but some are not decided.
+        Raises :class:`UndecidedError` where some residues are not decided.
         """
-        found, open_ones = [], []
+        found, left_open = self._residues(form)
+        if not left_open:
+            return found
+        shown = ", ".join(map(str, left_open))
+        raise UndecidedError(f"whether the residues at {shown} are squares is not decided")
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[PolynomialPlace, ...]:
+        """Return the places where a residue is known not to be trivial."""
+        return self._residues(form)[0]
+
+    def _residues(
+        self, form: NormalForm
+    ) -> tuple[tuple[PolynomialPlace, ...], tuple[PolynomialPlace, ...]]:
+        """Return the places with a residue that is not trivial, and those where that is not decided."""
+        found, left_open = [], []
         for place in places_of(self.ring, *(x for x in form.constants if not self.ring.is_zero(x))):
             try:
                 if not self._is_trivial(form, place):
                     found.append(place)
             except UndecidedError:
-                open_ones.append(place)
-        if found or not open_ones:
-            return tuple(found)
-        shown = ", ".join(map(str, open_ones))
-        raise UndecidedError(f"whether the residues at {shown} are squares is not decided")
+                left_open.append(place)
+        return tuple(found), tuple(left_open)
 
     def _is_trivial(self, form: NormalForm, place: PolynomialPlace) -> bool:
         if form.kind == "artin-schreier":
@@ -160,7 +179,7 @@ class SeveralArithmetic(GlobalField):
             f"no residue shows a division algebra, and no zero of norms over {F} is sought"
         )
 
-    def _at(self, x: Any, n: int) -> Any:
+    def _at(self, x: Quotient, n: int) -> flint.fmpq:
         """Return the value at a point that depends on n, None where it is 0 or has a pole."""
         point = [n + 3 * m + m * m * n for m in range(len(self.ring.variables))]
         over, under = (p(*point) for p in (x.num, x.den))
@@ -172,10 +191,11 @@ class SeveralArithmetic(GlobalField):
 
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
         """Tell that two algebras are different by the places where they ramify."""
-        if self.ramified(form) != self.ramified(other):
+        (found, left_open), (others, other_open) = map(self._residues, (form, other))
+        if not {*found} <= {*others, *other_open} or not {*others} <= {*found, *left_open}:
             return False
         raise UndecidedError(
-            f"isomorphism over {self.ring} is not decided where the same places ramify"
+            f"isomorphism over {self.ring} is not decided where the same places may ramify"
         )
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:

@@ -7,9 +7,11 @@ in a dictionary: that of a polynomial is the least exponent in it. Where v(a) an
 the sum of theirs. Nothing in this depends on k, nor on its characteristic.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from itertools import permutations, product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.product import Constants
 from hfield.rings.base import Ring
@@ -17,6 +19,10 @@ from hfield.rings.extensions import SimpleExtension
 from hfield.rings.several_variables import RationalFunctions
 from hfield.structure.forms import NormalForm
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, none
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import SparsePolynomial
+
 
 MAX_VARIABLES = 4
 Exponents = tuple[int, ...]
@@ -78,7 +84,7 @@ def _value(x: Any, order: Order) -> Exponents:
     return min(values, key=lambda e: _placed(e, order))
 
 
-def _least(poly: Any, order: Order) -> Exponents:
+def _least(poly: SparsePolynomial, order: Order) -> Exponents:
     exponents = (tuple(int(n) for n in e) for e, _ in poly.terms())
     return min(exponents, key=lambda e: _placed(e, order))
 

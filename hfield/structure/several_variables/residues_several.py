@@ -7,13 +7,17 @@ variable the leading coefficients stand for the residue.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
 from hfield.rings.functions import build as build_functions
 from hfield.rings.several_variables import RationalFunctions
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import SparsePolynomial
+    from hfield.rings.quotient import Quotient
 
 
 @dataclass(frozen=True)
@@ -21,7 +25,7 @@ class PolynomialPlace:
     """A prime polynomial of k[x, y, …], as flint has it, or infinity of the variable with that index."""
 
     name: str
-    poly: Any = None
+    poly: Any = field(default=None, hash=False)
     infinite: int | None = None
 
     def __str__(self) -> str:
@@ -60,7 +64,7 @@ def places_of(F: RationalFunctions, *elements: Any) -> list[PolynomialPlace]:
     return finite + [PolynomialPlace(f"1/{name}", None, n) for n, name in enumerate(F.variables)]
 
 
-def valuation(F: RationalFunctions, x: Any, place: PolynomialPlace) -> int:
+def valuation(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> int:
     """Return the order of a nonzero rational function at a place."""
     if place.infinite is not None:
         over, under = (int(p.degrees()[place.infinite]) for p in (x.num, x.den))
@@ -68,7 +72,7 @@ def valuation(F: RationalFunctions, x: Any, place: PolynomialPlace) -> int:
     return _order(x.num, place.poly) - _order(x.den, place.poly)
 
 
-def _order(poly: Any, p: Any) -> int:
+def _order(poly: SparsePolynomial, p: SparsePolynomial) -> int:
     n = 0
     while True:
         quotient, rest = divmod(poly, p)
@@ -77,7 +81,7 @@ def _order(poly: Any, p: Any) -> int:
         poly, n = quotient, n + 1
 
 
-def unit_part(F: RationalFunctions, x: Any, place: PolynomialPlace) -> Any:
+def unit_part(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> Any:
     """Return x times a power of the prime, or of 1/v, without zero or pole at the place."""
     n = valuation(F, x, place)
     if place.infinite is not None:
@@ -85,7 +89,7 @@ def unit_part(F: RationalFunctions, x: Any, place: PolynomialPlace) -> Any:
     return x * F.power(F.quotient(place.poly, F.polynomials.one), -n)
 
 
-def residue(F: RationalFunctions, unit: Any, place: PolynomialPlace) -> Residue:
+def residue(F: RationalFunctions, unit: Quotient, place: PolynomialPlace) -> Residue:
     """Return the residue of a unit at a place, or a norm of it. Raises :class:`UndecidedError`."""
     if place.infinite is not None:
         target = _without(F, place.infinite)
@@ -101,7 +105,7 @@ def residue(F: RationalFunctions, unit: Any, place: PolynomialPlace) -> Residue:
     return Residue(F, unit) if F.sqrt(unit) is not None else _norm(F, unit, place)
 
 
-def _norm(F: RationalFunctions, unit: Any, place: PolynomialPlace) -> Residue:
+def _norm(F: RationalFunctions, unit: Quotient, place: PolynomialPlace) -> Residue:
     """Return the norm of a residue down to the other variables, up to squares, by resultants."""
     degrees = {m: int(e) for m, e in enumerate(place.poly.degrees()) if int(e)}
     n = max(degrees, key=lambda m: degrees[m] % 2)  # in odd degree the norm of a constant tells
@@ -119,7 +123,9 @@ def _without(F: RationalFunctions, n: int) -> Ring:
     return build_functions(F.base, F.variables[:n] + F.variables[n + 1 :])
 
 
-def _coefficient(F: RationalFunctions, poly: Any, n: int, exponent: int, target: Ring) -> Any:
+def _coefficient(
+    F: RationalFunctions, poly: SparsePolynomial, n: int, exponent: int, target: Ring
+) -> Any:
     """Return the coefficient of a power of the n-th variable."""
     gens = target.names()
     total = target.zero
@@ -133,11 +139,11 @@ def _coefficient(F: RationalFunctions, poly: Any, n: int, exponent: int, target:
     return total
 
 
-def _leading(F: RationalFunctions, poly: Any, n: int, target: Ring) -> Any:
+def _leading(F: RationalFunctions, poly: SparsePolynomial, n: int, target: Ring) -> Any:
     return _coefficient(F, poly, n, int(poly.degrees()[n]), target)
 
 
-def _value(F: RationalFunctions, poly: Any, n: int, at: Any, target: Ring) -> Any:
+def _value(F: RationalFunctions, poly: SparsePolynomial, n: int, at: Quotient, target: Ring) -> Any:
     """Return the value with an element of the target for the n-th variable."""
     total = target.zero
     for e in range(int(poly.degrees()[n]), -1, -1):

@@ -6,10 +6,12 @@ sums of square roots, n divides 240: the Galois group of ℚ(√…, λ) has exp
 Enclosures of λ and μ leave one candidate each, or none, and the candidates are compared exactly.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from fractions import Fraction
 from math import lcm
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -17,6 +19,10 @@ from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import factorise
 from hfield.rings.base import Ring
 from hfield.rings.surds import Surd
+
+if TYPE_CHECKING:
+    from hfield.rings.closed import Closed
+
 
 SURDS = 240  # the orders of roots of unity that are quadratic over sums of square roots divide it
 GREATEST = 10**9  # greater orders are not looked for
@@ -75,7 +81,7 @@ def _shown(t: Any, n: Any, scalar: Any) -> str:
     return f"trace {shorten(t)} and norm {shorten(n)}"
 
 
-def _degree(numbers: list[Any]) -> int | None:
+def _degree(numbers: list[Surd | Closed]) -> int | None:
     """Return a bound of the degree of the field of the numbers, or None."""
     degree = 1
     for x in numbers:
@@ -88,7 +94,7 @@ def _degree(numbers: list[Any]) -> int | None:
     return degree
 
 
-def _root_ball(t: Any, n: Any, sign: int, bits: int) -> Any:
+def _root_ball(t: Surd | Closed, n: Surd | Closed, sign: int, bits: int) -> flint.acb | None:
     """Enclose ``(T ± √(T² − 4N))/2``; None where the enclosure of the discriminant contains 0."""
     with flint.ctx.workprec(bits):
         trace = t.ball(bits)
@@ -135,7 +141,12 @@ def _totient(n: int) -> int:
 
 
 def _agrees(
-    ring: Ring, t: Any, n: Any, scalar: Any, angles: list[Fraction], power: int | None
+    ring: Ring,
+    t: Surd | Closed,
+    n: Surd | Closed,
+    scalar: Surd | Closed,
+    angles: list[Fraction],
+    power: int | None,
 ) -> bool:
     """Tell whether the numbers are these roots of unity, or their sum and product, exactly."""
     if power is not None:  # sums of square roots: Xᵖ modulo X² − T·X + N, or the power of a scalar
@@ -152,7 +163,7 @@ def _agrees(
     return bool(n == _unit_root(sum(angles))) and bool(t == _unit_root(*angles))
 
 
-def _unit_root(*angles: Any) -> Any:
+def _unit_root(*angles: Any) -> Surd | Closed:
     """Return the sum of the ``exp(2πi·r)``."""
     import sympy
 

@@ -2,17 +2,18 @@
 
 import itertools
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, multiply, norm, trace
+from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring, power
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.structure.linear_algebra.kernels import kernel
 
 
-def characteristic_polynomial(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Any, Any]:
+def characteristic_polynomial(
+    ring: Ring, c: Constants, q: Coordinates
+) -> tuple[Scalar, Scalar, Scalar]:
     """Return the coefficients of ``x² − tr(q)·x + N(q)``, low degree first."""
     return norm(c, q), ring.zero - trace(c, q), ring.one
 
@@ -25,7 +26,7 @@ def is_nilpotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
     return all(_nilpotent_scalar(ring, x) for x in (trace(c, q), norm(c, q)))
 
 
-def _nilpotent_scalar(ring: Ring, x: Any) -> bool:
+def _nilpotent_scalar(ring: Ring, x: Scalar) -> bool:
     if ring.is_zero(x) or ring.is_field:
         return ring.is_zero(x)
     if ring.order is not None:

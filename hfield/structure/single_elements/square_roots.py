@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, multiply, norm, trace
+from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import global_field, known_field
@@ -56,7 +56,7 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
     return SquareRoots(tuple(found))
 
 
-def _both_roots(ring: Ring, x: Any) -> list[Any]:
+def _both_roots(ring: Ring, x: Scalar) -> list[Scalar]:
     """Return the square roots of a scalar: none, one or two."""
     root = ring.sqrt(x)
     if root is None:
@@ -64,7 +64,7 @@ def _both_roots(ring: Ring, x: Any) -> list[Any]:
     return [root] if ring.equal(root, ring.zero - root) else [root, ring.zero - root]
 
 
-def _of_scalar(ring: Ring, c: Constants, s: Any) -> SquareRoots:
+def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> SquareRoots:
     """Return the roots of s·e: scalars, and the elements of trace 0 and norm −s."""
     o = ring.zero
     if ring.is_zero(s):
@@ -102,7 +102,7 @@ def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
     raise AssertionError("a zero divisor generates an ideal of dimension 2")
 
 
-def traceless_root(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+def traceless_root(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
     """Return some x of trace 0 with ``x² = s``, s ≠ 0, or None when there is none."""
     if ring.characteristic == 2:
         return _traceless_root_even(ring, c, s)
@@ -122,7 +122,7 @@ def traceless_root(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
     return _in_division_algebra(ring, form, s)
 
 
-def _traceless_root_even(ring: Ring, c: Constants, s: Any) -> Coordinates | None:
+def _traceless_root_even(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
     """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0."""
     o = ring.zero
     scalar = ring.sqrt(s)
@@ -142,14 +142,14 @@ def _traceless_root_even(ring: Ring, c: Constants, s: Any) -> Coordinates | None
     return splitting.from_matrix([[o, s], [ring.one, o]])
 
 
-def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | None:
+def _in_division_algebra(ring: Ring, form: NormalForm, s: Scalar) -> Coordinates | None:
     """Return x in a division algebra (a, b | F), in the coordinates that it was given in."""
     o = ring.zero
     if ring.closure is not None:  # an algebra over the real numbers
         if ring.sign(s) > 0:
             return None
         return form.back((o, ring.sqrt(ring.divide(s, form.a)), o, o))
-    if ring.sqrt(s) is not None:
+    if ring.is_square(s):
         return None  # its roots commute with everything that commutes with it: only scalars
     field = global_field(ring)
     if field is not None:
@@ -160,7 +160,7 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Any) -> Coordinates | 
     )
 
 
-def quadric(ring: Ring, c: Constants, s: Any) -> Iterator[Coordinates]:
+def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
     """Run through the elements of trace 0 and norm −s over a finite field; in steps of O(1) each.
 
     In odd characteristic ``−a·x² − b·y² + ab·z² = −s`` in the normal form. In characteristic 2 trace 0 says

@@ -5,13 +5,15 @@ q is a root of unity itself, or the two roots of this polynomial are different r
 of them in fields of bounded degree.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates, multiply, norm, trace
+from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.functions import FunctionField
 from hfield.rings.integers import QQ
@@ -19,6 +21,10 @@ from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.global_field import global_field
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.single_elements.closed_torsion import closed_order
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Coefficient
+
 
 SEARCHED_ORDERS = 120
 """Orders up to this are tried over infinite rings of which nothing is known."""
@@ -53,7 +59,7 @@ def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None
 
 
 def _over_constants(
-    ring: FunctionField | PolynomialRing, q: Coordinates, t: Any, n: Any
+    ring: FunctionField | PolynomialRing, q: Coordinates, t: Scalar, n: Scalar
 ) -> int | None:
     """Answer over k(x) or k[x, …], where sums and products of roots of unity are constants."""
     values = [_constant(ring, x) for x in (q[0], t, n)]
@@ -68,7 +74,7 @@ def _over_constants(
     return multiplicative_order(base, algebra, element)
 
 
-def _constant(ring: FunctionField | PolynomialRing, x: Any) -> Any:
+def _constant(ring: FunctionField | PolynomialRing, x: Any) -> Coefficient | None:
     """Return the element of the field or ring of constants that x is, or None."""
     if isinstance(ring, PolynomialRing):
         return ring.constant_part(x) if x.is_constant() else None

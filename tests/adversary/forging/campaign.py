@@ -15,6 +15,7 @@ from hfield.certificates.check import Established, Pin, check_text
 from hfield.certificates.rejection import Rejected
 from tests.adversary.forging.kinds import forged
 from tests.adversary.forging.mutants import mutated
+from tests.adversary.forging.sight import seen_false, witness
 from tests.adversary.forging.spelling import SPELLINGS
 from tests.adversary.forging.targets import NO_FIELDS, TARGETS, Certificate, Target
 from tests.adversary.forging.validity import same_target, why_valid
@@ -43,9 +44,11 @@ def false_claim(data: Certificate, established: Established, seed: int = 0) -> s
         return _false_whole(statement, where, verdict)
     if statement.lstrip().startswith("associative"):
         return ""
-    found = {"verdict": verdict, "scope": established.scope, "witness": None}
+    shown = witness(data["evidence"])
+    found = {"verdict": verdict, "scope": established.scope, "witness": shown}
     try:
-        return "; ".join(judge(statement, where, data["algebra"], found, seed))
+        wrong = judge(statement, where, data["algebra"], found, seed)
+        return "; ".join(wrong) or seen_false(data)
     except NotRead as error:
         return f"the judge reads no statement: {error}"
 

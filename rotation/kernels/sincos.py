@@ -3,8 +3,7 @@
 import math
 from typing import Any
 
-from rotation.kernels.compiled.compiling import inlined
-from rotation.kernels.compiled.lanes import bit, where
+from rotation.native.tracing import abs, bit, where
 
 # π/2 = P1 + P2 + P3 with 23 bits in P1 and in P2: the products with a whole number below 2^30 and the
 # differences are exact, with or without FMA (Cody and Waite 1980). P3 holds the next 53 bits.
@@ -22,13 +21,11 @@ C1, C2, C3 = 4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872
 C4, C5, C6 = -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11
 
 
-@inlined
 def reachable(x: Any) -> Any:
     """Tell whether the fast way reaches ``x``; NaN and inf are not reachable."""
     return abs(x) <= REACH
 
 
-@inlined
 def sincos(x: Any) -> Any:
     """Return sine and cosine of reachable lanes ``x``."""
     k = x * TWO_OVER_PI + ROUND

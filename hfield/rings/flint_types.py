@@ -1,0 +1,19 @@
+"""Names for what flint's values are: numbers, coefficients, polynomials in one or several variables."""
+
+from fractions import Fraction
+from typing import TypeAlias
+
+import flint
+
+Rational: TypeAlias = int | Fraction | flint.fmpz | flint.fmpq
+Coefficient: TypeAlias = flint.fmpz | flint.fmpq | flint.nmod | flint.fmpz_mod | flint.fq_default
+Polynomial: TypeAlias = (
+    flint.fmpz_poly
+    | flint.fmpq_poly
+    | flint.nmod_poly
+    | flint.fmpz_mod_poly
+    | flint.fq_default_poly
+)
+SparsePolynomial: TypeAlias = (
+    flint.fmpz_mpoly | flint.fmpq_mpoly | flint.nmod_mpoly | flint.fmpz_mod_mpoly
+)

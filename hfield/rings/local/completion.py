@@ -1,0 +1,81 @@
+"""What the completions of a global field share: their elements are elements of that field, first of all."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable, Iterator
+from random import Random
+from typing import Any
+
+from hfield.errors import CoercionError
+from hfield.rings.base import Ring
+from hfield.rings.operators import Element
+from hfield.rings.rational import rational, unwrap
+
+
+class Completion(Ring):
+    """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
+
+    Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
+    what they mean there.
+    """
+
+    is_field = True
+
+    def __init__(self, name: str, words: str, global_field: Ring, place: Any) -> None:
+        self.name, self._words = name, words
+        self.global_field, self.place = global_field, place
+        self.characteristic = global_field.characteristic
+        self.gen_name = global_field.gen_name
+        self.parse_limit = global_field.parse_limit
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return self._words
+
+    def __call__(self, x: Any) -> Any:
+        """Turn a number or an element of the global field into an exact element; read a text.
+
+        Raises :class:`CoercionError`.
+        """
+        x = unwrap(x)
+        if isinstance(x, Element) and isinstance(x.field, Completion):
+            if x.field == self:
+                return x
+            raise self.refuse(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        try:
+            return self.exact(self.global_field(x if number is None else number))
+        except CoercionError:
+            raise self.refuse(x) from None
+
+    @abstractmethod
+    def exact(self, value: Any) -> Any:
+        """Return an element of the global field as one of this field."""
+
+    @property
+    def gen(self) -> Any:
+        """The generator of the global field."""
+        return self.exact(self.global_field.gen) if self.gen_name else super().gen
+
+    def names(self) -> dict[str, Any]:
+        """What names mean in the global field."""
+        return {name: self.exact(x) for name, x in self.global_field.names().items()}
+
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """What functions mean in the global field."""
+        return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
+
+    def _lifted(self, f: Callable[..., Any]) -> Callable[..., Any]:
+        """Return a function of the global field as one of exact elements."""
+        return lambda *xs: self(f(*(x.value for x in xs)))
+
+    def places(self) -> Iterator[Any]:
+        """Run through the places: there is one."""
+        yield self.place
+
+    def random(self, rng: Random) -> Any:
+        """Return a small random exact element; the same for the same seed."""
+        return self.exact(self.global_field.random(rng))

@@ -1,0 +1,100 @@
+"""The operators of elements that know their field, from a sum, a negative and a product of two elements."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import Any, Self
+
+from hfield.errors import CoercionError
+from hfield.rings.rational import rational
+
+
+class Element:
+    """An immutable element of ``field``, which mixes with elements of the same field and with numbers.
+
+    A class of elements gives :meth:`plus`, ``-x``, :meth:`times` and :meth:`same`.
+    """
+
+    __slots__ = ("field",)
+
+    field: Any  # a ring, which stands above this room
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"elements of {self.field} are immutable")
+
+    @abstractmethod
+    def plus(self, other: Self) -> Self:
+        """Return the sum with an element of the same field."""
+
+    @abstractmethod
+    def __neg__(self) -> Self: ...
+
+    @abstractmethod
+    def times(self, other: Self) -> Self:
+        """Return the product with an element of the same field."""
+
+    @abstractmethod
+    def same(self, other: Self) -> bool:
+        """Tell whether an element of the same field is equal to this one."""
+
+    def coerced(self, other: object) -> Self | None:
+        """Return ``other`` as an element of the same field, None if it cannot mix in.
+
+        Raises :class:`CoercionError` for an element of another field.
+        """
+        if type(other) is type(self):
+            if other.field is self.field or other.field == self.field:
+                return other
+            raise CoercionError(
+                f"cannot mix elements of {self.field} and {other.field}; convert one explicitly"
+            )
+        number = rational(other)
+        return None if number is None else self.field(number)
+
+    def __add__(self, other: object) -> Any:
+        o = self.coerced(other)
+        return NotImplemented if o is None else self.plus(o)
+
+    __radd__ = __add__
+
+    def __pos__(self) -> Self:
+        return self
+
+    def __sub__(self, other: object) -> Any:
+        o = self.coerced(other)
+        return NotImplemented if o is None else self.plus(-o)
+
+    def __rsub__(self, other: object) -> Any:
+        return -self + other
+
+    def __mul__(self, other: object) -> Any:
+        o = self.coerced(other)
+        return NotImplemented if o is None else self.times(o)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: object) -> Any:
+        o = self.coerced(other)
+        return NotImplemented if o is None else self.times(self.field.inverse(o))
+
+    def __rtruediv__(self, other: object) -> Any:
+        return self.field.inverse(self) * other
+
+    def __pow__(self, n: int) -> Self:
+        result: Self = self.field.power(self, n)
+        return result
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is type(self) and other.field != self.field:
+            return False
+        o = self.coerced(other)
+        return NotImplemented if o is None else self.same(o)
+
+    def __hash__(self) -> int:
+        return hash(self.field.key(self))
+
+    def __repr__(self) -> str:
+        return str(self.field.text(self))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return self.field, (self.field.text(self),)

@@ -1,0 +1,103 @@
+"""The judge of forgeries sees: true claims are called true, false ones false, of every shape.
+
+A campaign without breaks says nothing where its judge is blind.
+"""
+
+import json
+
+import pytest
+
+from hfield.certificates.check import Established, check
+from tests.adversary.forging.campaign import Forgery, _judged, false_claim
+from tests.adversary.forging.targets import NO_FIELDS, TARGETS, Certificate, Target
+from tests.adversary.test_breaks import FILES
+from tests.adversary.test_forgeries import pool
+
+WORDS = (
+    ("division", "QQ", True), ("division", "GF(3)", False), ("division", "QQ(sqrt(-7))", True),
+    ("level-above{1}", "GF(3)", True), ("level-above{2}", "GF(3)", False), ("formally-real", "QQ(I)", False),
+    ("not-everywhere{s == 0}", None, True), ("every{1 == 1; 1 == 2}", "QQ", False),
+    ("every{s == s; p*q == q*p}", "GF(3)", False), ("implies{1 == 2; s == 0}", "QQ", True),
+    ("iff{1 == 1; 1 == 2}", "GF(5)", False), ("centre{2}", "GF(2)", True),
+    ("over{GF(3); p*q == q*p}", None, False), ("over{GF(2); p*q == q*p}", None, True),
+    ("modulus-law{*}", "GF(5)", False), ("basis{2; 1,0; 0,2}", "QQ", True),
+    ("basis{2; 1,1; 1,1}", "QQ", False),
+)  # fmt: skip
+# What the judge cannot see: for which s there is no y, no sample of y says.
+UNSEEN = {"exists y: not (s*y == 1) and s*y == 1", "implies{x != 0; 2 == 0}"}
+TRUE_WITH_BAD_EVIDENCE = {"s**2 == s", "s**3 == s", "s**6 == s**2"}
+
+
+def said(data: Certificate, scope: str | None = None) -> str:
+    """Return what the judge has against a claim, in the scope of its form if no other is given."""
+    scope = scope or ("fields" if data["field"] is None else "field")
+    parts = (data[name] for name in ("statement", "algebra", "field", "verdict"))
+    return false_claim(data, Established(*parts, scope, ()))
+
+
+def test_what_is_true_is_called_true() -> None:
+    for data in pool():
+        assert said(data, check(data).scope) == "", data["statement"]
+
+
+def test_what_is_false_is_called_false() -> None:
+    forged = [(t, None) for t in TARGETS] + list(FILES)
+    blind = {t.statement for t, evidence in forged if not said(t.certificate(evidence))}
+    assert blind <= UNSEEN | TRUE_WITH_BAD_EVIDENCE
+
+
+@pytest.mark.parametrize(
+    ("statement", "field", "verdict", "values", "right"),
+    [
+        ("p*q == q*p", "QQ", "refuted", {"p": "0 1 0 0", "q": "0 0 1 0"}, True),
+        ("p*q == q*p", "QQ", "refuted", {"p": "0 1 0 0", "q": "0 2 0 0"}, False),
+        ("p*q == q*p", None, "refuted", {"p": "0 1 0 0", "q": "0 0 1 0"}, True),
+        ("s**2 != 2", "QQ(sqrt(2))", "refuted", {"s": "sqrt(2)"}, True),
+        ("s**2 != 2", "QQ(sqrt(2))", "refuted", {"s": "1"}, False),
+        ("exists s: s**2 == 4", "QQ", "proved", {"s": "-2"}, True),
+        ("exists s: s**2 == 4", "QQ", "proved", {"s": "1"}, False),
+        ("exists q: q*q == -1", "QQ(x)", "proved", {"q": "0 0 1 0"}, True),
+        ("exists q: q*q == -1", "QQ(x)", "proved", {"q": "0 x 1 0"}, False),
+    ],
+)
+def test_witnesses_are_evaluated(
+    statement: str, field: str | None, verdict: str, values: dict[str, str], right: bool
+) -> None:
+    texts = {name: text.split() for name, text in values.items()}
+    evidence = {"kind": "witness", "field": field or "GF(3)", "values": texts}
+    assert (not said(Target(statement, field, verdict).certificate(evidence))) is right
+
+
+@pytest.mark.parametrize("field", NO_FIELDS)
+def test_there_is_no_such_ring(field: str) -> None:
+    assert said(Target("s == s", field).certificate(None)).startswith("there is no ring")
+
+
+@pytest.mark.parametrize(("statement", "field", "truth"), WORDS)
+def test_words(statement: str, field: str | None, truth: bool) -> None:
+    proved, refuted = (
+        said(Target(statement, field, verdict).certificate(None))
+        for verdict in ("proved", "refuted")
+    )
+    assert (proved == "") is truth
+    if field is not None:  # what is refuted over all fields may be true over those that are tried
+        assert (refuted == "") is not truth
+
+
+def test_a_true_claim_turned_round_is_false() -> None:
+    for data in pool():
+        other = {"proved": "refuted", "refuted": "proved", "vacuous": "refuted"}[data["verdict"]]
+        assert said({**data, "verdict": other}), (other, data["statement"], data["field"])
+
+
+def test_a_campaign_reports_what_passes() -> None:
+    true = next(d for d in pool() if d["verdict"] == "proved" and d["field"] == "QQ")
+    false = {**true, "statement": "p*q == q*p"}
+    established = Established(false["statement"], false["algebra"], "QQ", "proved", "field", ())
+    for made in (
+        Forgery("evidence", json.dumps(false), target=Target("p*q == q*p")),
+        Forgery("mutants", json.dumps(false), original=true),
+        Forgery("wholes", json.dumps(false)),
+    ):
+        assert _judged(made, established, 0)
+    assert not _judged(Forgery("mutants", json.dumps(true), original=true), established, 0)

@@ -1,0 +1,16 @@
+"""Every operation on lattices, orders, ideals and classes at random cases, against plain arithmetic.
+
+``scripts/check_lattices.py`` takes as many as one likes.
+"""
+
+import pytest
+
+from tests.lattices.recomputed import OPERATIONS, run
+
+CASES = 60
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_random_cases(name: str) -> None:
+    for n in range(CASES):
+        run(name, n, seed=1)

@@ -1,0 +1,205 @@
+"""What holds elements and arrays of any ring, as they are, against the table of products."""
+
+from itertools import product
+from random import Random
+
+import numpy as np
+import pytest
+
+from hfield import QuaternionAlgebra, ring
+from hfield.errors import CoercionError, HFieldError
+from hfield.product import Constants
+from hfield.rings.arrays import check_shapes, objects, one_shape
+from hfield.rings.holding import Batch, Holding
+
+NAMES = ("QQ", "QQ[x]", "GF(5)[x,y]", "ZZ/6", "QQ(sqrt(2))", "QQ(x)[u]/(u^2-x)")
+
+
+def table(R, constants, p, q):
+    """Return p·q from i² = a + t·i, j² = b, ij = k, ji = t·j − k, summing over pairs of basis elements."""
+    a, b, t = constants.a, constants.b, constants.t
+    o, e = R.zero, R.one
+    products = {
+        (1, 1): (a, t, o, o), (1, 2): (o, o, o, e), (1, 3): (o, o, a, t),
+        (2, 1): (o, o, t, -e), (2, 2): (b, o, o, o), (2, 3): (t * b, -b, o, o),
+        (3, 1): (o, o, -a, o), (3, 2): (o, b, o, o), (3, 3): (-(a * b), o, o, o),
+    }  # fmt: skip
+    units = [tuple(e if m == n else o for n in range(4)) for m in range(4)]
+    products |= {(0, n): units[n] for n in range(4)} | {(n, 0): units[n] for n in range(4)}
+    total = [o, o, o, o]
+    for (m, n), four in products.items():
+        for k in range(4):
+            total[k] = total[k] + p[m] * q[n] * four[k]
+    return tuple(total)
+
+
+def same(R, p, q):
+    return all(map(R.equal, p, q))
+
+
+def drawn(name, count=4):
+    R, rng = ring(name), Random(5)
+    constants = Constants(R.random(rng) + 1, R(2), R.random(rng))
+    elements = [tuple(R.random(rng) for _ in range(4)) for _ in range(count)]
+    return R, constants, [*elements, (R.one, R.zero, R.zero, R.zero), (R.zero,) * 4]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_elements_held_as_they_are(name: str) -> None:
+    R, constants, elements = drawn(name)
+    held = Holding(R, constants)
+    zero = (R.zero,) * 4
+    for p, q in product(elements, elements):
+        assert same(R, held.product(p, q), table(R, constants, p, q))
+        assert same(R, held.sum(p, q), [x + y for x, y in zip(p, q, strict=True)])
+        assert same(R, held.difference(p, q), [x - y for x, y in zip(p, q, strict=True)])
+        assert held.equal(p, q) == same(R, p, q)
+        assert (held.key(p) == held.key(q)) == same(R, p, q)
+    for p in elements:
+        conjugate = held.conjugate(p)
+        assert same(R, held.negative(p), [-x for x in p])
+        assert same(R, held.product(p, conjugate), (held.norm(p), R.zero, R.zero, R.zero))
+        assert same(R, held.sum(p, conjugate), (held.trace(p), R.zero, R.zero, R.zero))
+        assert same(R, held.scaled(p, R(3)), [x * 3 for x in p])
+        assert held.is_zero(p) == same(R, p, zero)
+        assert same(R, held.read(held.state(p)), p)
+        inverse = held.inverse(p)
+        assert (inverse is None) == (not R.is_unit(held.norm(p)))
+        if inverse is not None:
+            assert same(R, held.product(p, inverse), (R.one, R.zero, R.zero, R.zero))
+    assert held.coordinates(held.hold(elements[0])) == elements[0]
+    assert held.explain("product") == "# the formula of hfield.product, on the coordinates: product"
+    assert (held.ring, held.constants, held.is_batch, held.is_unique) == (
+        R,
+        constants,
+        False,
+        False,
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_arrays_held_as_they_are(name: str) -> None:
+    R, constants, elements = drawn(name)
+    held, one = Batch(R, constants), Holding(R, constants)
+    columns = [[p[n] for p in elements] for n in range(4)]
+    p = held.read(tuple(columns))
+    q = held.read(tuple(list(reversed(c)) for c in columns))
+    backwards = list(reversed(elements))
+
+    def entries(array):
+        return [held.single(held.part(array, n)) for n in range(len(elements))]
+
+    assert held.shape(p) == (len(elements),)
+    for operation in ("product", "sum", "difference"):
+        found = entries(getattr(held, operation)(p, q))
+        wanted = [getattr(one, operation)(x, y) for x, y in zip(elements, backwards, strict=True)]
+        assert all(same(R, x, y) for x, y in zip(found, wanted, strict=True))
+    for operation in ("negative", "conjugate"):
+        found = entries(getattr(held, operation)(p))
+        assert all(
+            same(R, x, getattr(one, operation)(y)) for x, y in zip(found, elements, strict=True)
+        )
+    for operation in ("norm", "trace"):
+        found = [R.scalar(x) for x in getattr(held, operation)(p)]
+        assert all(
+            R.equal(x, getattr(one, operation)(y)) for x, y in zip(found, elements, strict=True)
+        )
+    assert list(held.units(p)) == [R.is_unit(one.norm(x)) for x in elements]
+    assert list(held.equal(p, q)) == [
+        one.equal(x, y) for x, y in zip(elements, backwards, strict=True)
+    ]
+    assert list(held.is_zero(p)) == [one.is_zero(x) for x in elements]
+    assert held.equal(p, p).dtype == bool
+    assert held.inverse(p) is None  # 0 is among them
+    good = [n for n, x in enumerate(elements) if R.is_unit(one.norm(x))]
+    units = held.part(p, good)
+    assert held.shape(units) == (len(good),)
+    ones = held.product(units, held.inverse(units))
+    assert held.equal(ones, held.lift((R.one, R.zero, R.zero, R.zero))).all()
+    square = held.reshaped(p, (2, 3))
+    assert held.shape(square) == (2, 3)
+    assert same(R, held.single(held.part(square, (1, 0))), elements[3])
+    single = held.lift(elements[0])
+    assert held.shape(single) == ()
+    assert same(R, held.single(single), elements[0])
+    assert held.shape(held.product(single, p)) == (len(elements),)
+    assert held.shape(held.sum(square, single)) == (2, 3)
+    for operation, word in (("product", "multiply"), ("sum", "add"), ("difference", "subtract"),
+                            ("equal", "compare")):  # fmt: skip
+        with pytest.raises(CoercionError) as caught:
+            getattr(held, operation)(p, held.part(p, slice(0, 4)))
+        assert str(caught.value) == (
+            f"cannot {word} arrays of quaternions of the shapes (6,) and (4,): expected one shape for both, "
+            "or shapes that broadcast as numpy's do"
+        )
+    for work in (held.to_array, held.from_array):
+        with pytest.raises(CoercionError) as caught:
+            work(p)
+        assert str(caught.value) == (
+            f"arrays of quaternions over {R} have no form of integers: pickle them"
+        )
+    with pytest.raises(
+        CoercionError, match=r"shapes \(6,\), \(4,\), \(6,\), \(6,\); expected one shape"
+    ):
+        held.read((columns[0], columns[1][:4], columns[2], columns[3]))
+    assert held.shape(held.read((columns[0], R.one, R.zero, columns[3]))) == (6,)
+
+
+def test_shapes() -> None:
+    a, b = np.zeros((3, 1)), np.zeros((2,))
+    assert [x.shape for x in one_shape([a, b, a, a])] == [(3, 2)] * 4
+    assert one_shape([a, a])[0] is a
+    check_shapes((3, 1), (2,), "add")
+    with pytest.raises(
+        CoercionError, match=r"cannot add arrays of quaternions of the shapes \(3,\) and \(2,\)"
+    ):
+        check_shapes((3,), (2,), "add")
+    R = ring("QQ")
+    assert objects([], R).shape == (0,)
+    assert objects([[1, 2], [3, 4]], R).shape == (2, 2)
+    assert objects(np.array([[1, 2]]), R)[0, 1] == 2
+    assert objects(5, R).shape == ()
+    with pytest.raises(
+        CoercionError, match=r"a list with parts of the shapes \(1,\), \(2,\); expected one shape"
+    ):
+        objects([[1], [2, 3]], R)
+    x = objects([1, "1/2"], R)
+    for found, wanted in (
+        (x + 1, [2, R("3/2")]),
+        (2 * x, [2, 1]),
+        (x * x, [1, R("1/4")]),
+        (-x, [-1, R("-1/2")]),
+    ):
+        assert list(found) == wanted
+    y = np.add(x, x, out=objects([0, 0], R))
+    assert list(y) == [2, 1]
+    assert isinstance((x[0:1] + x[0:1]).reshape(()) * x, type(x))
+    assert list(x == x) == [True, True]
+
+
+@pytest.mark.parametrize("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "QQ(sqrt(2))",
+                                  "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s-1)", "RR"])  # fmt: skip
+def test_compact_forms_compute_the_table(name: str) -> None:
+    R, constants, elements = drawn(name)
+    held = R.holding(constants)
+    forms = [held.hold(p) for p in elements]
+    for (p, x), (q, y) in product(list(zip(elements, forms, strict=True)), repeat=2):
+        assert same(R, held.coordinates(held.product(x, y)), table(R, constants, p, q))
+        assert same(R, held.coordinates(held.sum(x, y)), [v + w for v, w in zip(p, q, strict=True)])
+    for p, x in zip(elements, forms, strict=True):
+        assert same(R, held.coordinates(x), p)
+        conjugate = held.coordinates(held.conjugate(x))
+        assert same(R, table(R, constants, p, conjugate), (held.norm(x), R.zero, R.zero, R.zero))
+        assert R.equal(held.trace(x), p[0] + conjugate[0])
+    arrays = R.array_holding(constants)
+    columns = tuple([p[n] for p in elements] for n in range(4))
+    array = arrays.read(columns)
+    squares = arrays.product(array, array)
+    for n, p in enumerate(elements):
+        assert same(R, arrays.single(arrays.part(squares, n)), table(R, constants, p, p))
+
+
+def test_arrays_of_an_algebra_without_a_form_of_integers() -> None:
+    H = QuaternionAlgebra(ring("QQ[x]"), -1, -1)
+    with pytest.raises(HFieldError):
+        H([[1, 2, 3, 4], [1, 2, 3]])
