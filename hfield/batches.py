@@ -99,8 +99,9 @@ class BatchMethods:
         """Return all coordinates as one numpy array of integers, which ``A.from_array`` takes back.
 
         Its shape is ``(4, *shape)``. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element
-        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold them. Over ℚ it is ``(5, *shape)``: four numerators over
-        the denominator that comes last, after the basis is scaled to integral structure constants. It is
+        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold
+        them. Over ℚ it is ``(5, *shape)``: four numerators over the denominator that comes last, after the
+        basis is scaled to integral structure constants. It is
         read-only, and no copy where the array was computed. Raises :class:`CoercionError` over other
         rings, and for numbers of more than 64 bits.
 
