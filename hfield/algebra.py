@@ -128,7 +128,9 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
         if isinstance(x, Quaternion):
             return self(x)
-        return self._element((x, 0, 0, 0))
+        if type(x) is int or is_many(x):
+            return self._element((x, 0, 0, 0))
+        return held_by(self, self.holding, self.holding.scalar(self.ring(x)))
 
     def parse(self, text: str) -> Quaternion:
         """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and

@@ -1,10 +1,10 @@
-"""What arrays of quaternions can do beside arithmetic: sums, ordered products, other shapes, plain arrays."""
+"""What arrays of quaternions can do beside arithmetic: indexing, sums, ordered products, plain arrays."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, Self
 
 from hfield.errors import CoercionError
 from hfield.product import Scalar
@@ -21,16 +21,34 @@ class BatchMethods:
     _how: Any
     _held: Any
 
-    def _alike(self, held: Any) -> Any:
+    def _alike(self, held: Any) -> Self:
         raise NotImplementedError
 
-    def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Any:
+    def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Self:
         raise NotImplementedError
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of an array of quaternions; ``()`` for a single one."""
         return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("a single quaternion has no length; its coordinates are .coordinates")
+        return self.shape[0]
+
+    def __getitem__(self, index: Any) -> Self:
+        """Take elements out of an array of quaternions, as numpy indexes arrays."""
+        how = self._how
+        if not isinstance(how, Batch) or not how.shape(self._held):
+            raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
+        part = how.part(self._held, index)
+        if not how.shape(part):
+            return self._new(*how.single(part))
+        return self._alike(part)
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
 
     def _array(self, what: str) -> Batch:
         if not isinstance(self._how, Batch):
@@ -82,8 +100,9 @@ class BatchMethods:
         """Return all coordinates as one numpy array of integers, which ``A.from_array`` takes back.
 
         Its shape is ``(4, *shape)``. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element
-        in base p, as galois has them), over ℤ the numbers. Over ℚ it is ``(5, *shape)``: four numerators over
-        the denominator that comes last, after the basis is scaled to integral structure constants. It is
+        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold
+        them. Over ℚ it is ``(5, *shape)``: four numerators over the denominator that comes last, after the
+        basis is scaled to integral structure constants. It is
         read-only, and no copy where the array was computed. Raises :class:`CoercionError` over other
         rings, and for numbers of more than 64 bits.
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, Self, TypeVar
 
 from hfield import product, structure
+from hfield.embedding import embedding
 from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, shorten
 from hfield.hints import ELEMENT, Hinted
 from hfield.product import Coordinates, Scalar
+from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 
 Q = TypeVar("Q")
@@ -97,13 +99,16 @@ class SquareRoots(Generic[Q]):
 
 
 class ElementFacts(Hinted):
-    """The part of a single quaternion's methods that answer what it is. The shape is always ()."""
+    """The part of a quaternion's methods that answer what it is; but for its parts, asked of single ones."""
 
     __slots__ = ()
     elsewhere = ELEMENT
 
     algebra: Any
     coordinates: Coordinates
+
+    def _new(self, w: Any, x: Any, y: Any, z: Any) -> Self:
+        raise NotImplementedError
 
     def _single(self) -> tuple[Any, product.Constants, Coordinates]:
         """Return the arguments that functions of ``structure`` take."""
@@ -113,6 +118,30 @@ class ElementFacts(Hinted):
                 "this is asked of a single quaternion, not of an array: take one, q[n], or loop"
             )
         return self.algebra.ring, self.algebra.constants, coordinates
+
+    # --- parts ---------------------------------------------------------------------------------
+
+    @property
+    def scalar_part(self) -> Any:
+        """The coordinate of e, in the base ring (thesis 1.4.2)."""
+        return self.coordinates[0]
+
+    @property
+    def vector_part(self) -> Self:
+        """The element without its scalar part, ``x·i + y·j + z·k`` (thesis 1.4.2)."""
+        w, x, y, z = self.coordinates
+        return self._new(w - w, x, y, z)
+
+    def matrix(self) -> tuple[tuple[Any, ...], ...]:
+        """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n)."""
+        columns = [(self * b).coordinates for b in self.algebra.basis]
+        return tuple(zip(*columns, strict=True))
+
+    def change_ring(self, ring: Ring | str) -> Self:
+        """Return q in the algebra with the same constants over ``ring``, which must contain them."""
+        A = self.algebra.change_ring(ring)
+        q: Self = A(*map(embedding(self.algebra.ring, A.ring), self.coordinates))
+        return q
 
     # --- units and zero divisors ---------------------------------------------------------------
 
@@ -139,6 +168,17 @@ class ElementFacts(Hinted):
         y = self.algebra(*(s * x for x in product.conjugate(c, q)))
         # If s·conj(q) = 0, then s·q = 0: the scalar s itself annihilates q.
         return self.algebra.scalar(s) if y.is_zero() else y
+
+    def _why_no_inverse(self) -> str:
+        """Say why this single quaternion has no inverse."""
+        ring, c, q = self._single()
+        if all(map(ring.is_zero, q)):
+            return f"cannot invert 0 in {self.algebra}"
+        norm, y = shorten(ring.text(product.norm(c, q))), self.annihilator()
+        start = f"cannot invert q = {shorten(self)} in {self.algebra}: its norm"
+        if y is None:
+            return f"{start} {norm} is not a unit of {ring}"
+        return f"{start} is {norm}, and q·y = 0 for y = {shorten(y)}"
 
     def order(self) -> int | None:
         """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
-from hfield.batches import BatchMethods, raised
+from hfield.batches import raised
+from hfield.element_text import ElementText
 from hfield.elements import ElementFacts
-from hfield.embedding import embedding
-from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
-from hfield.notation import element_text
+from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring, power
 from hfield.rings.holding import Batch, Holding
@@ -39,7 +37,7 @@ class Parent(Protocol):
     def latex(self) -> str: ...  # noqa: D102
 
 
-class Quaternion(ElementFacts, BatchMethods):
+class Quaternion(ElementFacts, ElementText):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
     Elements are made by calling their algebra. The four coordinates are elements of the base ring,
@@ -104,24 +102,6 @@ class Quaternion(ElementFacts, BatchMethods):
     def is_batch(self) -> bool:
         """Whether this is an array of quaternions."""
         return self._how.is_batch
-
-    def __len__(self) -> int:
-        if not self.shape:
-            raise TypeError("a single quaternion has no length; its coordinates are .coordinates")
-        return self.shape[0]
-
-    def __getitem__(self, index: Any) -> Quaternion:
-        """Take elements out of an array of quaternions, as numpy indexes arrays."""
-        how = self._how
-        if not isinstance(how, Batch) or not how.shape(self._held):
-            raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
-        part = how.part(self._held, index)
-        if not how.shape(part):
-            return self._new(*how.single(part))
-        return held_by(self._algebra, how, part)
-
-    def __iter__(self) -> Iterator[Quaternion]:
-        return (self[n] for n in range(len(self)))
 
     def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Quaternion:
         return Quaternion(self._algebra, (w, x, y, z))
@@ -213,6 +193,11 @@ class Quaternion(ElementFacts, BatchMethods):
 
     def __truediv__(self, other: object) -> Quaternion:
         """Return ``self · other⁻¹``."""
+        how = self._how
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            held = how.divided(self._held, self._algebra.ring(other))
+            if held is not None:
+                return held_by(self._algebra, how, held)
         return self * self._operand(other, "divide").inverse()
 
     def __rtruediv__(self, other: object) -> Quaternion:
@@ -260,17 +245,6 @@ class Quaternion(ElementFacts, BatchMethods):
 
     # --- what the algebra knows of it ----------------------------------------------------------
 
-    @property
-    def scalar_part(self) -> Any:
-        """The coordinate of e, in the base ring (thesis 1.4.2)."""
-        return self.coordinates[0]
-
-    @property
-    def vector_part(self) -> Quaternion:
-        """The element without its scalar part, ``x·i + y·j + z·k`` (thesis 1.4.2)."""
-        w, x, y, z = self.coordinates
-        return self._new(w - w, x, y, z)
-
     def conjugate(self) -> Quaternion:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
         how = self._how
@@ -298,75 +272,16 @@ class Quaternion(ElementFacts, BatchMethods):
         if held is not None:
             return held_by(self._algebra, how, held)
         if not isinstance(how, Batch):
-            raise NotInvertibleError(self._failure())
+            raise NotInvertibleError(self._why_no_inverse())
         where = _first(~how.units(self._held))
         q = self._new(*how.single(how.part(self._held, where)))
-        raise NotInvertibleError(f"at index {where} of the array: {q._failure()}")
+        raise NotInvertibleError(f"at index {where} of the array: {q._why_no_inverse()}")
 
     inv = inverse
-
-    def _failure(self) -> str:
-        """Say why this single quaternion has no inverse."""
-        if self.is_zero():
-            return f"cannot invert 0 in {self.algebra}"
-        n, y = self.norm(), self.annihilator()
-        if y is None:
-            return (
-                f"cannot invert q = {shorten(self)} in {self.algebra}: its norm "
-                f"{shorten(self.ring.text(n))} is not a unit of {self.ring}"
-            )
-        return (
-            f"cannot invert q = {shorten(self)} in {self.algebra}: its norm is "
-            f"{shorten(self.ring.text(n))}, and q·y = 0 for y = {shorten(y)}"
-        )
 
     def is_zero(self) -> Any:
         """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
         return self._how.is_zero(self._held)
-
-    def matrix(self) -> tuple[tuple[Any, ...], ...]:
-        """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n)."""
-        columns = [(self * b).coordinates for b in self.algebra.basis]
-        return tuple(zip(*columns, strict=True))
-
-    def change_ring(self, ring: Ring | str) -> Quaternion:
-        """Return q in the algebra with the same constants over ``ring``, which must contain them."""
-        A = self.algebra.change_ring(ring)
-        return A(*map(embedding(self.ring, A.ring), self.coordinates))
-
-    # --- text ----------------------------------------------------------------------------------
-
-    def text(self, style: str = "plain") -> str:
-        """Write q in the style ``plain`` (which the algebra reads back), ``unicode`` or ``latex``."""
-        if not self.is_batch:
-            return element_text(self.ring, self.coordinates, style)
-        shown = (
-            ", ".join(self[n].text(style) for n in range(min(len(self), 3))) if self.shape else ""
-        )
-        more = ", …" if self.shape and len(self) > 3 else ""
-        return f"<array of shape {self.shape} over {self.algebra}: {shown}{more}>"
-
-    def __str__(self) -> str:
-        return self.text("plain")
-
-    def __repr__(self) -> str:
-        return self.text("unicode")
-
-    def _repr_latex_(self) -> str | None:
-        return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
-
-    def __reduce__(self) -> tuple[object, ...]:
-        state = self.ring.state
-        if not self.is_batch:
-            return self.algebra, tuple(map(state, self.coordinates))
-        try:
-            return _from_array, (self.algebra, self.to_array())
-        except CoercionError:
-            coordinates = self.coordinates
-        if coordinates[0].dtype != object:  # numpy's arrays pickle as they are
-            return Quaternion, (self.algebra, coordinates)
-        rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
-        return _unpickled, (self.algebra, self.shape, rows)
 
 
 def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
@@ -387,18 +302,6 @@ def _first(flags: np.ndarray) -> tuple[int, ...]:
     import numpy as np
 
     return tuple(map(int, np.argwhere(flags)[0]))
-
-
-def _from_array(algebra: Parent, block: np.ndarray) -> Quaternion:
-    """Make an array of quaternions again from its integers."""
-    how = algebra.array_holding
-    return held_by(algebra, how, how.from_array(block))
-
-
-def _unpickled(algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]) -> Quaternion:
-    """Make an array of quaternions again from what stood for its entries."""
-    w, x, y, z = (algebra.ring.array(row).reshape(shape) for row in rows)
-    return Quaternion(algebra, (w, x, y, z))
 
 
 def is_array(x: object) -> bool:

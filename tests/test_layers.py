@@ -24,6 +24,7 @@ FLOORS = [
     {"hfield.notation", "hfield.embedding", "hfield.latex"},
     {"hfield.structure"},
     {"hfield.elements", "hfield.batches"},
+    {"hfield.element_text"},
     {"hfield.quaternion"},
     {"hfield.functions", "hfield.maps", "hfield.array_makers", "hfield.lattices"},
     {"hfield.invariants"},

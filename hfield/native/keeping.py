@@ -43,5 +43,8 @@ def keep(key: str, code: bytes) -> None:
         place = directory()
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
         part = place / f"{key}.{os.getpid()}"
-        part.write_bytes(hashlib.sha256(code).digest() + code)
-        os.replace(part, place / key)
+        try:
+            part.write_bytes(hashlib.sha256(code).digest() + code)
+            os.replace(part, place / key)
+        finally:  # of a full disk, or where something else stands in the place
+            part.unlink(missing_ok=True)

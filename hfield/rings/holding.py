@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield import product
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
@@ -42,6 +42,11 @@ class Holding:
         """Return the coordinates as elements of the ring: the library's own values."""
         four: Coordinates = held
         return four
+
+    def scalar(self, s: Scalar) -> Any:
+        """Hold s·e for an element s of the ring."""
+        zero = self.ring.zero
+        return self.hold((s, zero, zero, zero))
 
     def read(self, values: tuple[Any, ...]) -> object:
         """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
@@ -82,12 +87,13 @@ class Holding:
         w, x, y, z = self.coordinates(p)
         return self.hold((w * s, x * s, y * s, z * s))
 
+    def divided(self, p: Any, s: Scalar) -> Any:
+        """Return p/s, or None where s is not a unit of the ring."""
+        return self.scaled(p, self.ring.inverse(s)) if self.ring.is_unit(s) else None
+
     def inverse(self, p: Any, /) -> object:
         """Return p⁻¹, or None where the norm is not a unit of the ring."""
-        n = self.norm(p)
-        if not self.ring.is_unit(n):
-            return None
-        return self.scaled(self.conjugate(p), self.ring.inverse(n))
+        return self.divided(self.conjugate(p), self.norm(p))
 
     # --- elements to the ring ------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hfield import QuaternionAlgebra, product, ring
+from hfield.errors import NotInvertibleError
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE
@@ -83,6 +84,16 @@ def test_every_operation_is_the_formula(name, seed) -> None:
         assert F.equal(how.norm(p), product.norm(A.constants, u))
         assert F.equal(how.trace(p), product.trace(A.constants, u))
         assert how.equal(p, q) == plain.equal(u, v)
+        scalar, quotient = how.scalar(s), how.divided(p, s)
+        assert scalar == how.hold((s, F.zero, F.zero, F.zero)) or not how.is_unique
+        assert how.equal(scalar, how.hold((s, F.zero, F.zero, F.zero)))
+        assert how.equal(how.whole(5, -3, 0, 2**300), how.hold(tuple(map(F, (5, -3, 0, 2**300)))))
+        assert (quotient is None) == (not F.is_unit(s))
+        if quotient is not None:
+            expected = how.hold(tuple(F.divide(x, s) for x in u))
+            assert quotient == expected or not how.is_unique
+            assert how.equal(quotient, expected)
+        assert how.divided(p, F.zero) is None or F.is_unit(F.zero)
         inverse = how.inverse(p)
         assert (inverse is None) == (not F.is_unit(how.norm(p)))
         if inverse is not None:
@@ -284,7 +295,20 @@ def test_explain_product(capsys) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["QQ", "QQ(sqrt(-7))", "QQ(I)", "QQ[s]/(s^3-2)", "QQ[s]/(s^3+s^2-4*s-1/2)"]
+    "name",
+    [
+        *("QQ", "QQ(sqrt(-7))", "QQ(I)", "QQ[s]/(s^3-2)", "QQ[s]/(s^3+s^2-4*s-1/2)"),
+        *(
+            "QQ(zeta5)",
+            "QQ[s]/(s^5-1/3*s+2/5)",
+            "GF(7)",
+            "GF(9)",
+            "GF(65537)",
+            "QQ(x)",
+            "ZZ/6",
+            "ZZ",
+        ),
+    ],
 )
 def test_multiples_and_inverses_are_held_as_products_are(name) -> None:
     F, rng = ring(name), Random(5)
@@ -292,6 +316,13 @@ def test_multiples_and_inverses_are_held_as_products_are(name) -> None:
     for _ in range(5):
         p, s = A(*(F.random(rng) for _ in range(4))), F.random(rng)
         assert (s * p)._held == (p * s)._held == (A.scalar(s) * p)._held
+        large = s + F(2) ** 300
+        assert ((p * large) + large)._held == (p * A.scalar(large) + A(large, 0, 0, 0))._held
+        if F.is_unit(s):
+            assert (p / s)._held == (p * A.scalar(s).inverse())._held
+        else:
+            with pytest.raises(NotInvertibleError, match="cannot invert"):
+                p / s
         if p.is_unit():
             assert p * p.inverse() == A.one
             assert p.inverse()._held == (p.conjugate() * A.scalar(F.inverse(p.norm())))._held

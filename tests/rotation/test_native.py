@@ -132,6 +132,13 @@ def test_what_is_kept_is_whole_or_not_used(tmp_path: Path, monkeypatch: pytest.M
     (file,) = (tmp_path / keeping.FOLDER).iterdir()
     file.write_bytes(file.read_bytes()[:-1])
     assert keeping.kept("key") is None
+    file.unlink()
+    file.mkdir()  # something else stands in the place
+    keeping.keep("key", b"machine code")
+    assert keeping.kept("key") is None
+    assert list(file.parent.iterdir()) == [file]
+    file.rmdir()
+    file.write_text("no folder")
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(file))
     keeping.keep("key", b"nowhere to write")
     assert keeping.kept("key") is None

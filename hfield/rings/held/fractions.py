@@ -83,6 +83,12 @@ class Fractions(Numerators):
         held = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
         return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
+    def scalar(self, s: Any) -> Held:
+        """Hold s·e for an element s of the field."""
+        *numerators, d = self._fraction(s)
+        held = *numerators, *(0,) * (3 * self.degree), d
+        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
+
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, elements of the field."""
         element, m, k, n = self._element, self._m, self._k, self.degree
@@ -133,16 +139,37 @@ class Fractions(Numerators):
 
     def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
-        vector = self._vector(s)
-        d = _denominator(vector)
-        held: Held = self.multiple(p, (*(int(c.p) * (d // int(c.q)) for c in vector), d))
+        held: Held = self.multiple(p, self._fraction(s))
         return held
 
+    def divided(self, p: Held, s: Scalar) -> Held | None:
+        """Return p/s for an element s of the ring, or None where it is not a unit."""
+        held: Held | None
+        if not self.ring.is_field:
+            held = super().divided(p, s)
+            return held
+        *numerators, d1 = self._fraction(s)
+        *inverse, d = self._reciprocal(*numerators)
+        if d == 0:
+            return None
+        if d < 0:
+            d, d1 = -d, -d1
+        held = self.multiple(p, (*(c * d1 for c in inverse), d))
+        return held
+
+    def _fraction(self, s: Scalar) -> Held:
+        """Return the numerators of an element of the ring over one denominator."""
+        vector = self._vector(s)
+        d = _denominator(vector)
+        return *(int(c.p) * (d // int(c.q)) for c in vector), d
+
     def _reciprocal(self, *s: Any) -> tuple[int, ...]:
-        """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 2 or 3.
+        """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 1, 2 or 3.
 
         The matrix of multiplication by the first sum has the second, up to d, for its inverse's first column.
         """
+        if len(s) == 1:
+            return 1, *s
         if len(s) == 2:
             (x, y), (m0, m1) = s, self.whole_relation
             u = x + m1 * y

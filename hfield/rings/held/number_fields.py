@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.product import Constants, Coordinates
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.held.compact import Compact
 from hfield.rings.held.fractions import Fractions
 from hfield.rings.held.numerators import Held, Numerators
@@ -86,6 +86,29 @@ class IntegralPolynomials(Numerators):
         d = lcm(*(int(c.denom()) for c in every))
         w, x, y, z = (c.numer() * (d // int(c.denom())) for c in every)
         return self._lowest(w, x, y, z, d)
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        if self._m != 1 or self._k != 1:
+            held: Held = super().whole(w, x, y, z)
+            return held
+        return (*(flint.fmpz_poly([c]) for c in (w, x, y, z)), 1)
+
+    def scalar(self, s: Scalar) -> Held:
+        """Hold s·e for an element s of the field."""
+        zero = flint.fmpz_poly()
+        numerator, d = self._fraction(s)
+        return numerator, zero, zero, zero, d
+
+    def scaled(self, p: Held, s: Scalar) -> Held:
+        """Return s·p for an element s of the field."""
+        held: Held = self.multiple(p, self._fraction(s))
+        return held
+
+    def _fraction(self, s: Any) -> tuple[Any, int]:
+        """Return s as a polynomial in c·s over ℤ, and its denominator."""
+        poly = self._polynomial(s)
+        return poly.numer(), int(poly.denom())
 
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, elements of the field."""

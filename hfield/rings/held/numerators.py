@@ -80,15 +80,12 @@ class Numerators(Compact):
 
     def _by_norm(self, p: Held) -> Held | None:
         """Return the inverse through that of the norm in the ring."""
-        n = self.norm(p)
-        if not self.ring.is_unit(n):
-            return None
-        return self.scaled(self.conjugate(p), self.ring.inverse(n))
+        held: Held | None = self.divided(self.conjugate(p), self.norm(p))
+        return held
 
     def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
-        zero = self.ring.zero
-        held: Held = self.product(p, self.hold((s, zero, zero, zero)))
+        held: Held = self.product(p, self.scalar(s))
         return held
 
     def is_zero(self, p: Held) -> bool:

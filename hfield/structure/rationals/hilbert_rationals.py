@@ -62,38 +62,38 @@ def ramified_places_q(
     :class:`UnfactoredError`.
     """
     m, n = square_class(a), square_class(b)
-    if factors is None:
-        in_m, in_n = _odd_prime_powers(m), _odd_prime_powers(n)
+    m_, n_ = flint.fmpz(m), flint.fmpz(n)
+    if factors is None and -WORD < m < WORD and -WORD < n < WORD:
+        in_m, in_n = m_.factor(), n_.factor()
     else:
         with known_primes(factors, ""):
-            in_m, in_n = _odd_prime_powers(m), _odd_prime_powers(n)
-    symbol_of_m, symbol_of_n = flint.fmpz(m).jacobi, flint.fmpz(n).jacobi
+            in_m, in_n = _prime_powers(m), _prime_powers(n)
+    # the odd primes p; the number of ramified places is even (reciprocity), which decides about 2
     primes = []
-    for p, alpha in in_m:
-        sign = symbol_of_n(p)
-        if not sign:  # p divides both
-            prime = int(p)
-            sign = _symbol(prime, *remove(m, prime), *remove(n, prime))
-        elif not alpha & 1:
-            continue
+    symbol = n_.jacobi
+    for p, alpha in in_m if m & 1 else in_m[1:]:
+        sign = symbol(p)
         if sign < 0:
+            if alpha & 1:
+                primes.append(int(p))
+        elif not sign:  # p divides both
+            p = int(p)
+            if _symbol(p, *remove(m, p), *remove(n, p)) < 0:
+                primes.append(p)
+    symbol = m_.jacobi
+    for p, beta in in_n if n & 1 else in_n[1:]:
+        if beta & 1 and symbol(p) < 0:
             primes.append(int(p))
-    primes += [int(p) for p, beta in in_n if beta & 1 and symbol_of_m(p) < 0]
     infinite = m < 0 and n < 0
-    if (len(primes) + infinite) & 1:  # the number of ramified places is even: reciprocity
+    if len(primes) & 1 != infinite:
         primes.append(2)
     primes.sort()
     return (*primes, INFINITE) if infinite else tuple(primes)
 
 
-def _odd_prime_powers(n: int) -> list[tuple[Any, int]]:
-    """Return the odd primes of n, as FLINT's integers, with their exponents, ascending."""
-    powers: list[tuple[Any, int]]
-    if -WORD < n < WORD:
-        powers = flint.fmpz(n).factor()
-    else:
-        powers = [(flint.fmpz(p), e) for p, e in sorted(factorise(n).items())]
-    return powers if n & 1 else powers[1:]
+def _prime_powers(n: int) -> list[tuple[Any, int]]:
+    """Return the primes of n, as FLINT's integers, with their exponents, ascending."""
+    return [(flint.fmpz(p), e) for p, e in sorted(factorise(n).items())]
 
 
 def discriminant_q(places: Iterable[Place]) -> int:
