@@ -183,7 +183,8 @@ def test_shapes() -> None:
     assert list(x == x) == [True, True]
 
 
-@pytest.mark.parametrize("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "GF(2^100)", "QQ(sqrt(2))",
+@pytest.mark.parametrize("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "GF(9)", "GF(2^100)",
+                                  "QQ(sqrt(2))",
                                   "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s-1)", "RR"])  # fmt: skip
 def test_compact_forms_compute_the_table(name: str) -> None:
     R, constants, elements = drawn(name)
@@ -197,6 +198,8 @@ def test_compact_forms_compute_the_table(name: str) -> None:
         conjugate = held.coordinates(held.conjugate(x))
         assert same(R, table(R, constants, p, conjugate), (held.norm(x), R.zero, R.zero, R.zero))
         assert R.equal(held.trace(x), p[0] + conjugate[0])
+    if name == "GF(9)":  # arrays over it are galois's, and tested with galois
+        return
     arrays = R.array_holding(constants)
     columns = tuple([p[n] for p in elements] for n in range(4))
     array = arrays.read(columns)
