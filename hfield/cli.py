@@ -68,8 +68,13 @@ def _fail(message: str, status: int) -> int:
 
         traceback.print_exc()
     STATUS.erase()
-    line = " ".join(message.split())
-    print(encodable(f"hfield: error: {line}", sys.stderr), file=sys.stderr)
+    line = f"hfield: error: {' '.join(message.split())}"
+    if sys.stderr.isatty():
+        from textwrap import fill
+
+        width = min(100, get_terminal_size((100, 24)).columns)
+        line = fill(line, width, subsequent_indent="  ", break_on_hyphens=False)
+    print(encodable(line, sys.stderr), file=sys.stderr)
     return status
 
 

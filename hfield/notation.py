@@ -49,14 +49,18 @@ def parse_algebra(text: str) -> tuple[Ring, Constants]:
 
 def algebra_text(F: Ring, c: Constants) -> str:
     """Write an algebra so that :func:`parse_algebra` reads it back."""
-    minus_one = F(-1)
+    zero, one, minus_one = (F.key(F(n)) for n in (0, 1, -1))  # keys: with O() little is decided
     # In characteristic 2 −1 is 1, and only Hamilton's algebra is written with it there.
-    hamilton = F.is_zero(c.t) and F.equal(c.a, minus_one) and F.equal(c.b, minus_one)
+    keys = Constants(*map(F.key, c))
+    hamilton = keys == (minus_one, zero, minus_one)
     signed = hamilton or F.characteristic != 2
-    a, b = ("-1" if signed and F.equal(x, minus_one) else F.text(x) for x in (c.a, c.b))
-    if F.is_zero(c.t):
+    a, b = (
+        "-1" if signed and key == minus_one else F.text(x)
+        for x, key in ((c.a, keys.a), (c.b, keys.b))
+    )
+    if keys.t == zero:
         return f"({a},{b}|{F.name})"
-    if F.equal(c.t, F.one):
+    if keys.t == one:
         return f"[{a},{b}|{F.name})"
     return f"[{a},{b},{F.text(c.t)}|{F.name})"
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from rotation.errors import RotationError
 from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows, spread
+from rotation.optimum import following, held
 from rotation.quaternions import canonical, normalised
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
@@ -70,7 +71,7 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     moment = xp.matmul(xp.matrix_transpose(weighted), q)
     finite = xp.all(xp.isfinite(moment), axis=(-2, -1))
     identity = xp.eye(4, dtype=moment.dtype)
-    values, vectors = xp.linalg.eigh(xp.where(finite[..., None, None], moment, identity))
+    values, vectors = xp.linalg.eigh(xp.where(finite[..., None, None], held(moment), identity))
     gap = values[..., 3] - values[..., 2]
     refuse_rows(
         finite & (gap <= _TIE * float(xp.finfo(q.dtype).eps)),
@@ -78,7 +79,8 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
         "is not determined: the rotations spread evenly about several",
     )
     best = xp.where(finite[..., None], vectors[..., 3], xp.nan * vectors[..., 3])
-    return canonical(normalised(best))
+    rows = tuple(tuple(moment[..., r, c] for c in range(4)) for r in range(4))
+    return following(canonical(normalised(best)), rows)
 
 
 def _axes(axis: Any, ndim: int) -> tuple[int, ...]:

@@ -15,6 +15,7 @@ from rotation.namespaces import (
     quiet,
     refuse_rows,
 )
+from rotation.optimum import davenport, following, held
 from rotation.rowwise import Formula, rarely, tell
 
 # How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
@@ -174,15 +175,14 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
         "is a reflection (its determinant is negative), not a rotation",
     )
     if orthonormalize:
-        m = _nearest(xp, m)
-    else:
-        refuse_rows(
-            faults[..., 1] > tolerance,
-            "the matrix",
-            f"is not orthogonal to within {tolerance:g}; orthonormalize=True takes the nearest rotation",
-        )
-        return q
-    return _FROM_MATRIX[tolerance](m)
+        q = _FROM_MATRIX[tolerance](_nearest(xp, held(m)))
+        return following(q, davenport(_entries(m)))
+    refuse_rows(
+        faults[..., 1] > tolerance,
+        "the matrix",
+        f"is not orthogonal to within {tolerance:g}; orthonormalize=True takes the nearest rotation",
+    )
+    return q
 
 
 def _from_matrix(m: Array, tolerance: float) -> Array:
@@ -319,18 +319,12 @@ def _dominant_row(xp: Any, r: Entries) -> Coordinates:
 
     S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1 (1978).
     """
-    (a, b, c), (d, e, f), (g, h, i) = r
-    diagonal = (1.0 + a + e + i, 1.0 + a - e - i, 1.0 - a + e - i, 1.0 - a - e + i)
-    wx, wy, wz = h - f, c - g, d - b
-    xy, xz, yz = b + d, c + g, f + h
-    rows = (
-        (diagonal[0], wx, wy, wz),
-        (wx, diagonal[1], xy, xz),
-        (wy, xy, diagonal[2], yz),
-        (wz, xz, yz, diagonal[3]),
-    )
-    best, largest = rows[0], diagonal[0]
-    for row, entry in zip(rows[1:], diagonal[1:], strict=True):
+    rows = [list(row) for row in davenport(r)]
+    for n, row in enumerate(rows):
+        row[n] = 1.0 + row[n]
+    best, largest = tuple(rows[0]), rows[0][0]
+    for n, row in enumerate(rows[1:], 1):
+        entry = row[n]
         better = entry > largest
         best = tuple(xp.where(better, x, y) for x, y in zip(row, best, strict=True))
         largest = xp.where(better, entry, largest)

@@ -11,6 +11,7 @@ from hfield import product as formula
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
 from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_zeros
+from rotation.optimum import derived, held
 from rotation.rowwise import Formula, rarely, tell
 
 HAMILTON = formula.Constants(-1.0, 0.0, -1.0)
@@ -45,16 +46,19 @@ def normalise(q: Array) -> Array:
     tell(xp, norm == 0.0)
     info = xp.finfo(q.dtype)
     exact = xp.abs(norm - 1.0) <= 4.0 * float(info.eps)
-    modulus = xp.where(exact, xp.ones_like(norm), xp.sqrt(norm))
+    one = xp.ones_like(norm)
+    if derived(norm):  # √norm beside 1, which is 1 here but has its derivatives
+        off = norm - held(norm)
+        one = one + off * (0.5 - 0.125 * off)
+    modulus = xp.where(exact, one, xp.sqrt(norm))
     wide = float(info.max) ** 0.6
     far = ~((norm > 1.0 / wide) & (norm < wide))  # squares may have been rounded off, or NaN
-    return join(
-        xp, rarely(xp, far, lambda: _brought_near(xp, c, exact), tuple(a / modulus for a in c))
-    )
+    near = tuple(a / modulus for a in c)
 
+    def brought_near() -> Coordinates:
+        return tuple(xp.where(exact, a, b) for a, b in zip(near, unit(xp, c), strict=True))
 
-def _brought_near(xp: Any, c: Coordinates, exact: Array) -> Coordinates:
-    return tuple(xp.where(exact, a, b) for a, b in zip(c, unit(xp, c), strict=True))
+    return join(xp, rarely(xp, far, brought_near, near))
 
 
 _NORMALISED = Formula(normalise, (4,))

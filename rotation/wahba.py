@@ -22,6 +22,7 @@ from rotation.namespaces import (
     refuse_rows,
     spread,
 )
+from rotation.optimum import davenport, derived, following, held
 from rotation.quaternions import product
 from rotation.vectors import between, from_axis_angle
 
@@ -148,7 +149,7 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     m = xp.matmul(xp.matrix_transpose(a * w[..., None]), b)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     m = xp.where(finite[..., None, None], m, xp.eye(3, dtype=m.dtype))
-    u, s, vt = xp.linalg.svd(m)
+    u, s, vt = xp.linalg.svd(held(m))
     refuse_rows(
         s[..., 0] == 0.0,
         "the vectors",
@@ -164,9 +165,16 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     )
     signs = xp.stack([xp.ones_like(sign), xp.ones_like(sign), sign], axis=-1)
     best = from_matrix(xp.matmul(u * signs[..., None, :], vt))
-    shortest = between(vt[..., 0, :], u[..., :, 0])
+    if derived(m):
+        nothing = xp.eye(3, dtype=m.dtype)
+        k = xp.where(line[..., None, None], nothing, m)
+        first = xp.where(line[..., None], xp.eye(4, dtype=m.dtype)[0, :], best)
+        best = following(first, davenport([[k[..., r, c] for c in range(3)] for r in range(3)]))
+    shortest = between(
+        xp.matmul(u[..., None, :, 0], m)[..., 0, :], xp.matmul(m, vt[..., 0, :, None])[..., 0]
+    )
     q = xp.where(line[..., None], shortest, best)
-    return xp.where(finite[..., None], q, xp.nan * q)
+    return xp.where(finite[..., None], q, xp.nan * xp.ones_like(q))
 
 
 def _scaled(xp: Any, v: Array) -> Array:

@@ -70,7 +70,16 @@ def test_every_command_has_examples_that_its_arguments_take(capsys, name):
 def test_help_fits_a_narrow_terminal(capsys, monkeypatch, name):
     monkeypatch.setenv("COLUMNS", "60")
     _, out, _ = run(capsys, "help", *([name] if name else []))
-    assert [line for line in out.partition("examples:")[0].splitlines() if len(line) > 60] == []
+    assert [line for line in out.splitlines() if len(line) > 60] == []
+
+
+def test_a_long_example_goes_on_below_as_a_shell_reads_it(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "60")
+    long = [line for line in catalogue.command("prove")[0].EXAMPLES if len(line) > 58]
+    assert long
+    below = run(capsys, "help", "prove")[1].partition("examples:")[2]
+    joined = [shlex.split(line) for line in below.replace("\\\n", " ").splitlines()]
+    assert all(shlex.split(line) in joined for line in long)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """Writes one page of reference for each package: every public name, with what its docstring says."""
 
+from dataclasses import fields, is_dataclass
 from importlib import import_module
 from inspect import isclass, ismodule, isroutine
 from pathlib import Path
@@ -10,6 +11,7 @@ PACKAGES = {
     "rotation": "Rotations and rigid motions of space, one or a million.",
     "anim": "The spinning top: its shape, its motion, its pictures.",
 }
+LONG = 12
 
 
 def write(app: Any) -> None:
@@ -44,7 +46,15 @@ def _sections(package: str) -> list[str]:
     return [f"## {kind}\n\n" + "\n\n".join(entries) for kind, entries in found.items() if entries]
 
 
+def _answer(app: Any, what: str, name: str, value: Any, *signature: Any) -> tuple[str, None] | None:
+    """Leave out how a long record is called: it is an answer, which nobody makes by hand."""
+    if what == "class" and is_dataclass(value) and len(fields(value)) > LONG:
+        return "", None
+    return None
+
+
 def setup(app: Any) -> dict[str, bool]:
     """Join Sphinx."""
     app.connect("builder-inited", write)
+    app.connect("autodoc-process-signature", _answer)
     return {"parallel_read_safe": True}

@@ -6,7 +6,8 @@ import platform
 import sys
 from argparse import ArgumentParser, Namespace
 from importlib.metadata import PackageNotFoundError, requires, version
-from shutil import which
+from shutil import get_terminal_size, which
+from textwrap import wrap
 
 from hfield import __version__
 from hfield.commands.output import open_output
@@ -71,6 +72,7 @@ def _version(name: str) -> str | None:
 
 
 def _page(needed: dict[str, str | None], others: dict[str, str | None]) -> list[str]:
+    width = min(100, get_terminal_size((100, 24)).columns)
     encoding = getattr(sys.stdout, "encoding", None) or "unknown"
     lines = [
         f"hfield {__version__} on Python {platform.python_version()}, {platform.system()}",
@@ -86,7 +88,7 @@ def _page(needed: dict[str, str | None], others: dict[str, str | None]) -> list[
     ]
     for name, (how, adds) in (OPTIONAL | PROGRAMS).items():
         found = others[name]
-        lines.append(f"  {name:<16} {found}" if found else f"  {name:<16} missing; it adds {adds}")
-        if not found:
-            lines.append(f"  {'':<16} {how}")
+        told = [found] if found else [f"missing; it adds {adds}", how]
+        beside = [line for text in told for line in wrap(text, width - 19, break_on_hyphens=False)]
+        lines += [f"  {'' if n else name:<16} {line}" for n, line in enumerate(beside)]
     return lines

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
 
 _OPTION = re.compile(r"\[[^][]*(\[[^][]*\][^][]*)*\]")
+_SHELL_WORD = re.compile(r"""(?:'[^']*'|"[^"]*"|[^\s'"])+""")
 _LONG_OPTION = re.compile(r"--[A-Za-z][\w-]*(=.*)?", re.DOTALL)
 MOST_PROCESSES = 1024
 
@@ -61,7 +62,7 @@ class Parser(ArgumentParser):
     def format_help(self) -> str:
         """Return the help, with examples below."""
         _, _, text = super().format_help().partition("\n\n")
-        below = ["", "examples:", *(f"  {line}" for line in self.examples)] if self.examples else []
+        below = ["", "examples:", *_fitted(self.examples)] if self.examples else []
         return "\n".join([self.format_usage(), text.rstrip("\n"), *below, ""])
 
     def print_help(self, file: Any = None) -> None:
@@ -102,6 +103,26 @@ class Parser(ArgumentParser):
         name = word.partition("=")[0]
         hint = suggest(name, (s for s in self._option_string_actions if s.startswith("--")))
         self.error(f"unknown option {shorten(name)!r}" + (f": {hint}" if hint else ""))
+
+
+def _fitted(examples: Sequence[str]) -> list[str]:
+    """Indent lines for a shell; one wider than the terminal goes on below, as a shell reads it."""
+    width = min(100, get_terminal_size((100, 24)).columns)
+    lines: list[str] = []
+    for example in examples:
+        if len(example) + 2 <= width:
+            lines.append(f"  {example}")
+            continue
+        command, mark, remark = example.partition("  # ")
+        lines += [f"  # {line}" for line in wrap(remark, width - 4)] if mark else []
+        told = ""
+        for word in _SHELL_WORD.findall(command):
+            if told and len(told) + len(word) + 5 > width:
+                lines.append(f"  {told} \\")
+                told = "  "
+            told += " " * bool(told.strip()) + word
+        lines.append(f"  {told}")
+    return lines
 
 
 def processes(text: str) -> int:

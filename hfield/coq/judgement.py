@@ -12,7 +12,7 @@ from hfield.coq.existence import by_cases, by_terms, none_exists
 from hfield.coq.rooms import FIELDS, Room, room_of
 from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError
-from hfield.coq.universal import MAX_CASES, conjunction, exhausted, implied, multilinear
+from hfield.coq.universal import conjunction, exhausted, implied, multilinear
 from hfield.coq.witnesses import counterexample, example
 from hfield.proving.statements.language import Sort, Statement, read_statement
 from hfield.proving.statements.printing import to_text
@@ -20,6 +20,8 @@ from hfield.proving.statements.setting import Setting
 from hfield.proving.statements.trees import walk
 from hfield.rings import ring
 from hfield.syntax import Name, Node, Not
+
+FEW = 4_096  # cases
 
 
 class Judgement:
@@ -78,7 +80,7 @@ class Judgement:
         if field is None or field.order is None or not (statement.divides or self.setting.divides):
             return False
         width = sum(1 if sort is Sort.SCALAR else 4 for _, sort in statement.unknowns)
-        return bool(field.is_field and field.order**width <= MAX_CASES)
+        return bool(field.is_field and field.order**width <= FEW)
 
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the opposite of the statement."""

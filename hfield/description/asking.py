@@ -164,13 +164,13 @@ def info(A: QuaternionAlgebra | str, factors: Factors | None = None) -> Descript
 def _describe(A: QuaternionAlgebra) -> Description:
     F, c = A.ring, A.constants
     d = Description(A, relations(A))
-    d.commutative = A.is_commutative()
+    d.commutative = d.ask("commutative", A.is_commutative)
     d.center = d.ask("center", A.center)
     if F.is_exact:
         d.radical = d.ask("radical", A.radical)
     if F.is_field and F.is_exact:
-        d.central_simple = A.is_central_simple()
-    d.normal_form, d.substitution = _normal_form(A)
+        d.central_simple = d.ask("central simple", A.is_central_simple)
+    d.normal_form, d.substitution = d.ask("normal form", lambda: _normal_form(A)) or (None, "")
     derivations = d.ask("derivations", A.derivations)
     d.derivations = None if derivations is None else len(derivations)
     if d.central_simple:

@@ -112,13 +112,18 @@ def _algebra(d: Description) -> list[tuple[str, str]]:
         rows.append(("isomorphic to", f"{d.normal_form}, {d.substitution}"))
     if _is_hamilton(d):
         rows.append(("known as", f"H({F.name}), Hamilton's quaternions over {F.name}"))
-    rows.append(("commutative", "yes" if d.commutative else "no"))
+    if d.commutative is None:
+        rows.append(("commutative", _undecided(d, "commutative")))
+    else:
+        rows.append(("commutative", "yes" if d.commutative else "no"))
     rows.append(("centre", _span(d, "center", d.center)))
     if d.radical is not None or "radical" in d.undecided:
         rows.append(("radical", _span(d, "radical", d.radical)))
     if d.central_simple is not None:
         degenerate = "no, it is degenerate: (t² + 4a)·b = 0"
         rows.append(("central simple", "yes" if d.central_simple else degenerate))
+    elif "central simple" in d.undecided:
+        rows.append(("central simple", _undecided(d, "central simple")))
     rows.append(("derivations", _derivations(d)))
     rows.append(("division algebra", _division(d)))
     if d.assumes:
@@ -139,8 +144,8 @@ def _algebra(d: Description) -> list[tuple[str, str]]:
 
 
 def _is_hamilton(d: Description) -> bool:
-    F, (a, t, b) = d.algebra.ring, d.algebra.constants
-    return all(F.is_zero(x) for x in (a + F.one, t, b + F.one))
+    F, c = d.algebra.ring, d.algebra.constants
+    return all(F.key(x) == F.key(F(n)) for x, n in zip(c, (-1, 0, -1), strict=True))
 
 
 def _division(d: Description) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterator
+from dataclasses import replace
 
 from hfield.errors import shorten
 from hfield.ledger.claim import UNIVERSAL
@@ -32,11 +33,12 @@ def decision_lines(
     text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
 ) -> Iterator[str]:
     """Yield verdict, steps, witness and what was assumed or tried, each wrapped beside its label."""
-    verdict = f"{style.mark(decision.verdict)} {decision.verdict.replace('-', ' ')}"
-    method = ""
+    mark = replace(style, colour=False).mark(decision.verdict)
+    verdict = f"{mark} {decision.verdict.replace('-', ' ')}"
     if decision.verdict != NOT_APPLICABLE:
-        method = f"  (by {decision.method}{scope_text(decision)})"
-    yield from wrapped("verdict", verdict + method, style, plain=False)
+        verdict += f"  (by {decision.method}{scope_text(decision)})"
+    first, *rest = wrapped("verdict", verdict, style)
+    yield from (first.replace(mark, style.mark(decision.verdict), 1), *rest)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
         told = shorten(step.strip(), _MOST)
@@ -66,12 +68,9 @@ def scope_text(decision: Decision) -> str:
     return f"; it holds exactly in characteristic{plural} {primes[1]}"
 
 
-def wrapped(
-    label: str, text: str, style: Style, indent: int = 0, plain: bool = True
-) -> Iterator[str]:
+def wrapped(label: str, text: str, style: Style, indent: int = 0) -> Iterator[str]:
     """Yield the label and the text beside it, wrapped to the width of the terminal."""
     head = f"  {label:<{_LABEL}}" + " " * indent
     room = max(style.width - len(head), 30)
-    lines = textwrap.wrap(text, room, break_on_hyphens=False) if plain else [text]
-    for n, line in enumerate(lines):
+    for n, line in enumerate(textwrap.wrap(text, room, break_on_hyphens=False)):
         yield (head if n == 0 else " " * len(head)) + line

@@ -50,8 +50,14 @@ class Style:
         return "-" if self.ascii_only else "─"
 
     def legend(self, verdicts: Sequence[str] = VERDICTS) -> str:
-        """Return the meaning of the marks."""
-        return "   ".join(f"{self.mark(v)} {v.replace('-', ' ')}" for v in verdicts)
+        """Return the meaning of the marks, in lines as wide as the terminal."""
+        lines, used = "", 0
+        for v in verdicts:
+            word, room = v.replace("-", " "), len(v) + 2
+            gap = "" if not lines else "   " if used + 3 + room <= self.width else "\n"
+            lines += f"{gap}{self.mark(v)} {word}"
+            used = room + (used + 3 if gap == "   " else 0)
+        return lines
 
 
 def columns_of(rows: Sequence[Row]) -> list[str]:

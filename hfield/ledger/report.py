@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
+from dataclasses import replace
 
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
 from hfield.ledger.columns import head
@@ -30,7 +31,7 @@ def report(
         title = "The claims" if chosen or everything else "Headline claims"
         parts += [style.bold(f"{title}, as printed"), matrix(shown, style), _legend(shown, style)]
     if rest:
-        parts += [style.bold("The other claims, rows by verdict as printed"), summary(rest)]
+        parts += [style.bold("The other claims, rows by verdict as printed"), summary(rest, style)]
     if everything:
         parts += [style.bold("Every row"), "\n".join(_line(row, style) for row in rows)]
     sections = {
@@ -40,7 +41,7 @@ def report(
     }
     for title, text in sections.items():
         parts += [style.bold(title), text] if text else []
-    return "\n\n".join([*parts, totals(rows)])
+    return "\n\n".join([*parts, totals(rows, style.width)])
 
 
 def _legend(rows: Sequence[Row], style: Style) -> str:
@@ -54,10 +55,13 @@ def _legend(rows: Sequence[Row], style: Style) -> str:
     return "\n".join(lines)
 
 
-def summary(rows: Sequence[Row]) -> str:
-    """Count claims and rows by section and verdict, with totals."""
+def summary(rows: Sequence[Row], style: Style) -> str:
+    """Count claims and rows by section and verdict, with totals; a narrow table has marks for heads."""
     sections = list(dict.fromkeys(row.claim.section for row in rows))
-    grid = [["section", "claims", *(v.replace("-", " ") for v in VERDICTS)]]
+    words = ["section", "claims", *(v.replace("-", " ") for v in VERDICTS)]
+    if sum(len(word) + 2 for word in words) > style.width:
+        words[2:] = [replace(style, colour=False).mark(v) for v in VERDICTS]
+    grid = [words]
     for section in sections:
         grid.append([section, *_counts([row for row in rows if row.claim.section == section])])
     if len(sections) > 1:
@@ -75,8 +79,8 @@ def _counts(rows: Sequence[Row]) -> list[str]:
     return [str(len({row.claim.id for row in rows})), *(str(counts[v]) for v in VERDICTS)]
 
 
-def totals(rows: Sequence[Row]) -> str:
-    """Say in one or two lines how many rows there are of each verdict."""
+def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
+    """Say how many rows there are of each verdict, in lines of a width."""
     counts = tally(rows)
     claims = {row.claim.id: row.claim for row in rows}
     beyond = sum(not claim.checkable for claim in claims.values())
@@ -85,12 +89,13 @@ def totals(rows: Sequence[Row]) -> str:
         + ", ".join(f"{counts[v]} {v.replace('-', ' ')}" for v in VERDICTS if counts[v])
         + "."
     )
+    text = textwrap.fill(text, width, subsequent_indent="  ")
     if beyond:
         named = (
             f"{_plural(beyond, 'claim')} can be checked by no program "
             f"(history, opinion, announcement): {', '.join(_beyond(list(claims.values())))}."
         )
-        text += "\n" + textwrap.fill(named, _WIDTH, subsequent_indent="  ", break_on_hyphens=False)
+        text += "\n" + textwrap.fill(named, width, subsequent_indent="  ", break_on_hyphens=False)
     return text
 
 

@@ -20,7 +20,7 @@ from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
-from hfield.rings.number_field_specs import MAX_CONDUCTOR, MAX_DEGREE
+from hfield.rings.number_field_specs import LARGEST_DEGREE, MAX_CONDUCTOR, MAX_DEGREE
 from hfield.rings.number_sums import Value, common_root, evaluate, factor_at, sums_of_roots
 from hfield.rings.printing import number_text, sum_text
 from hfield.rings.rational import rational
@@ -54,6 +54,10 @@ class SpelledField(NumberField):
             images = self._adjoin(images, number)
         if self.degree < 2:
             raise RingError(f"{shorten(name)} is QQ itself: write QQ")
+        if self.degree > LARGEST_DEGREE:
+            raise RingError(
+                f"{shorten(name)} has degree {self.degree}; at most {LARGEST_DEGREE} is taken"
+            )
         self._images = images
         self.gen_name = self.text(self.gen)
 

@@ -115,8 +115,8 @@ class PolynomialRing(Ring):
         return self.context.constant(int(c) if self.characteristic else c)
 
     def constant_part(self, x: SparsePolynomial) -> Any:
-        """Return the element of the base ring that a constant polynomial is."""
-        c = x.leading_coefficient() if x != 0 else 0
+        """Return the leading coefficient, which a constant polynomial is, as an element of the base ring."""
+        c = x.leading_coefficient()  # 0 of the polynomial 0
         return self.base(int(c) if self.characteristic else c)
 
     def is_zero(self, x: SparsePolynomial) -> bool:
@@ -200,7 +200,7 @@ class PolynomialRing(Ring):
         """Return the sign in the ordering by leading coefficients, the first variable the largest."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
-        return self.base.sign(self.constant_part(_leading(x)))
+        return self.base.sign(self.constant_part(x))
 
     def random(self, rng: Random) -> SparsePolynomial:
         """Return a random polynomial of at most 3 terms; the same for the same seed."""
@@ -246,11 +246,6 @@ def _context(base: Ring, variables: tuple[str, ...]) -> Any:
     if base.characteristic < WORD:
         return flint.nmod_mpoly_ctx.get(variables, base.characteristic, order)
     return flint.fmpz_mod_mpoly_ctx.get(variables, base.characteristic, order)
-
-
-def _leading(x: SparsePolynomial) -> SparsePolynomial:
-    """Return the leading coefficient as a constant polynomial."""
-    return x.context().constant(x.leading_coefficient()) if x != 0 else x
 
 
 class _Size:

@@ -175,7 +175,11 @@ def place_of_quadratic(d: int, place: object) -> QuadraticPlace:
             if str(v).replace(" ", "") == text:
                 return v
         names = ", ".join(f'"{v}"' for v in above)
-        raise RingError(f"{place!r} names no single place of QQ(sqrt({d})): above it lie {names}")
+        raise RingError(f"{place!r} names no single place of {_name(d)}: above it lie {names}")
     raise RingError(
-        f'{place!r} is not a place of QQ(sqrt({d})): expected "inf", a prime, or the text of a place'
+        f'{place!r} is not a place of {_name(d)}: expected "inf", a prime, or the text of a place'
     )
+
+
+def _name(d: int) -> str:
+    return "QQ(I)" if d == -1 else f"QQ(sqrt({d}))"

@@ -20,6 +20,7 @@ from rotation.native import tracing
 from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
 from rotation.native.tracing import WIDTH, Lanes, Program, Rows
 
+AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
 _LIBRARY = {"sin": 1, "cos": 1, "atan": 1, "atan2": 2, "fmod": 2}
 
 Function = Callable[..., int]
@@ -164,6 +165,7 @@ def _module(
     text = "\n".join(
         [
             *declared,
+            "declare void @llvm.prefetch.p0(ptr, i32, i32, i32)",
             *intrinsics,
             FRAME,
             f"define internal i1 @block({pointers}, ptr noalias %out) alwaysinline {{",
@@ -196,6 +198,11 @@ def _store(program: Program, names: list[str]) -> None:
     """Write the columns as rows, one after the other: eights of them by themselves, then the rest."""
     width = len(names)
     whole = width - width % WIDTH if width >= WIDTH else 0
+    if whole:
+        for line in range(width):
+            place = AHEAD * width + line
+            at = program.value("ptr", f"getelementptr {program.kind}, ptr %out, i64 {place}")
+            program.lines.append(f"call void @llvm.prefetch.p0(ptr {at}, i32 1, i32 3, i32 1)")
     for first in range(0, whole, WIDTH):
         for row, name in enumerate(_transposed(program, names[first : first + WIDTH])):
             at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + first}")

@@ -4,16 +4,18 @@ from fractions import Fraction
 
 import pytest
 
+from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars import names, rationals, surds
+from hfield.certificates.scalars import names, rationals, real_roots, surds
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.number_fields import _without
 from hfield.certificates.scalars.quotients import MAX_DEGREE
 from hfield.certificates.scalars.quotients import Quotient as Residues
 from hfield.certificates.scalars.real_roots import RealRoot
 from hfield.certificates.scalars.root_discs import root_discs
+from hfield.certificates.statement import HAMILTON
 
 LONG = 10**9 + 7
 
@@ -54,7 +56,8 @@ def test_matrices_without_an_inverse() -> None:
         list(short_vectors(indefinite, 2))
 
 
-def test_roots_that_are_not_found() -> None:
+def test_roots_that_are_not_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(real_roots, "MAX_HALVINGS", 40)
     with pytest.raises(Rejected, match="too large for its roots"):
         root_discs([2**200, 0, 1])
     discs = root_discs([-2, 0, 1])
@@ -81,3 +84,14 @@ def test_elements_of_many_terms() -> None:
     many = {(m, 0): 1 for m in range(4_001)}
     with pytest.raises(Rejected, match="has more than 4000 terms"):
         ring._poly(many)
+
+
+def test_nothing_is_divided_by_a_quaternion() -> None:
+    # read_tree says so of texts; the evaluation says it again
+    ring = read_field("QQ")
+    q = Quaternion([ring.number(n) for n in (0, 1, 0, 0)])
+    evaluator = Evaluator(RingScalars(ring), HAMILTON, {("name", "q"): q})
+    with pytest.raises(Rejected, match="a quaternion stands where a scalar is meant"):
+        evaluator.value(("/", ("num", 1), ("name", "q")))
+    with pytest.raises(Rejected, match="a term cannot be evaluated"):
+        evaluator.value(("==", ("num", 1), ("num", 1)))

@@ -180,3 +180,27 @@ def test_without_a_residue_an_algebra_over_functions_may_be_one_over_constants(f
     assert about.division
     assert about.ramified == ()
     assert "no prime divisor" in str(about)
+
+
+@pytest.mark.parametrize(
+    ("text", "division"),
+    [
+        ("(2+O(5),5+O(5^2)|Qp(5))", True),
+        ("(2,3+O(2^2)|Qp(2))", None),
+        ("(O(5),5|Qp(5))", None),
+        ("[1,2+O(2^2),O(2)|Qp(2))", None),
+    ],
+)
+def test_too_few_digits_leave_questions_open_and_end_nothing(text, division):
+    about = info(text)
+    assert about.division is division
+    assert about.commutative is False
+    assert division or "give it up to" in str(about) or "at least" in str(about)
+    assert QuaternionAlgebra.from_text(about.algebra.name) == about.algebra
+
+
+def test_a_maximal_order_at_a_long_prime_is_left_out():
+    about = info("(10^40+121,s+1|QQ[s]/(s^3-2))")
+    assert about.ramified is not None
+    assert about.order is None
+    assert "machine's word" in about.undecided["maximal_order"]

@@ -148,7 +148,7 @@ def test_summary_and_totals():
         row("QQ", "vacuous", claim("C1.2-a")),
         row("QQ", "not-applicable", Claim("C1.2-b", "b", "remark", "An opinion", "", None)),
     ]
-    lines = [line.split() for line in summary(rows).splitlines()]
+    lines = [line.split() for line in summary(rows, Style()).splitlines()]
     assert lines[1] == ["1.1", "1", "1", "1", "0", "0", "0"]
     assert lines[2] == ["1.2", "2", "0", "0", "1", "0", "1"]
     assert lines[3] == ["total", "3", "1", "1", "1", "0", "1"]

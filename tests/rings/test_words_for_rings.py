@@ -5,9 +5,10 @@ from random import Random
 
 import pytest
 
-from hfield import GF, Zmod
+from hfield import GF, NumberField, Zmod
 from hfield.errors import CoercionError, RingError
 from hfield.rings import ring
+from hfield.rings.number_field_places import place_of_number_field
 from hfield.rings.printing import (
     blackboard,
     from_unicode,
@@ -248,3 +249,55 @@ def test_as_few_squares_as_can_be(n: int) -> None:
     found = R.minus_one_as_squares()
     assert len(found) == R.level.value == count
     assert sum((x * x for x in found), R.zero) == -1
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("QQ(sqrt(2))", "sqrt(2)"), ("RR", "pi"), ("QQ(x)", "1/x"), ("QQ(x,y)", "x/y"),
+        ("QQ[s]/(s^3-2)", "s"),
+        ("QQ(x)[u]/(u^2-x)", "u"), ("Qp(5)", "1/5"), ("GF(4)(t)", "x*t"), ("ZZ[a]", "a"), ("ZZ/6", "5"),
+        ("GF(9)", "x"),
+    ],
+)  # fmt: skip
+def test_elements_and_what_is_no_number(name: str, text: str) -> None:
+    R = ring(name)
+    x = R(text)
+    for other in ("1", None, [1], object()):
+        for work in (
+            lambda y: x + y, lambda y: y + x, lambda y: x - y, lambda y: y - x, lambda y: x / y,
+            lambda y: y / x,
+            lambda y: x * (y if y != [1] else object()),
+        ):  # fmt: skip
+            with pytest.raises(TypeError):
+                work(other)
+        assert x != other
+        assert not x == other  # noqa: SIM201  that the other method says so too
+    assert (x + 1 - 1, 1 + x - 1, 1 - (1 - x), 2 * x - x, x * 2 - x) == (x,) * 5
+    assert x + x - x == +x
+    assert -x + x + x == x
+
+
+def test_equal_fields_are_one_field() -> None:
+    K, L = NumberField("x^3-2", "s"), NumberField("s^3-2", "s")
+    assert K is not L
+    assert K == L
+    assert K.gen == L.gen
+    assert hash(K.gen) == hash(L.gen)
+    assert (K.gen + L.gen, K.gen - L.gen, K.gen * L.gen) == (2 * K.gen, 0, K.gen**2)
+    assert K.gen / L.gen == 1
+    assert K(L.gen) == K.gen
+    other = NumberField("x^3-3", "s")
+    assert K.gen != other.gen
+    with pytest.raises(TypeError):
+        K.gen + other.gen
+    for place, said in (
+        ("(2, w)", "the place '(2, w)' cannot be read"),
+        ("(4, s)", "'(4, s)' is not a place of QQ[s]/(s^3-2): expected a prime"),
+        ("(5, 1)", "'(5, 1)' names no single place of QQ[s]/(s^3-2): there lie"),
+        ("inf7", '\'inf7\' names no single place of QQ[s]/(s^3-2): there lie "inf0", "inf1"'),
+        (other.primes_above(2)[0], "is a place of QQ[s]/(s^3-3), not of QQ[s]/(s^3-2)"),
+    ):
+        with pytest.raises(RingError) as caught:
+            place_of_number_field(K, place)
+        assert said in str(caught.value)

@@ -18,7 +18,7 @@ import sympy
 from hfield.errors import HFieldError
 from hfield.rings import ring
 
-FILE = Path(__file__).parents[1] / "vectors" / "told.json"
+FILE = Path(__file__).with_name("told.json")
 RINGS = (
     *("ZZ", "QQ", "RR", "CC", "RDF", "ZZ/6", "ZZ/7", "ZZ/2", "ZZ/100003", "GF(2)", "GF(7)", "GF(9)"),
     *("GF(9, x^2+1)", "GF(13)", "QQ(sqrt(2))", "QQ(sqrt(-7))", "QQ(sqrt(-3))", "QQ(sqrt(-5))", "QQ(I)"),
@@ -93,6 +93,9 @@ def told(name: str) -> dict[str, str]:
         "modulo": lambda: R.modulo(3),
         "annihilators": lambda: [R.annihilator(x) for x in (R.zero, R.one, two)],
         "negative power": lambda: R.text(R.power(drawn[0] + 1, -2)),
+        "powers of 0": lambda: [R.power(R.zero, n) for n in (0, 1, 3)],
+        "a negative power of 0": lambda: R.power(R.zero, -1),
+        "powers of 2": lambda: [R.text(R.power(two, n)) for n in (0, 1, 5)],
         "state": lambda: R.state(drawn[0]),
         "refused": lambda: R(object),
         "no text": lambda: R("1+"),

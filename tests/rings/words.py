@@ -9,7 +9,7 @@ from pathlib import Path
 from hfield.errors import HFieldError
 from hfield.rings import ring
 
-FILE = Path(__file__).parents[1] / "vectors" / "ring_names.json"
+FILE = Path(__file__).with_name("ring_names.json")
 
 
 def named(text: str) -> str:

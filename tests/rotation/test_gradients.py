@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rotation import Rotation, integrate, slerp
+from rotation.namespaces import namespace
 
 HALF = np.vstack([np.zeros(3), 0.5 * np.eye(3)])
 E = np.eye(3)
@@ -20,6 +21,18 @@ def generators() -> np.ndarray:
 def half_of_skew() -> np.ndarray:
     """Of the rotation vector by the entries of the matrix: half their differences across the diagonal."""
     return 0.5 * generators().transpose(2, 0, 1)
+
+
+def like(x: Any, values: Any) -> Any:
+    """Return values as an array of the library of x."""
+    return namespace(x).asarray(np.asarray(values, float))
+
+
+def differences(function: Callable[[Any], Any], at: Any) -> np.ndarray:
+    """Return the derivative by central differences of numpy's answers, right to about 1e-9."""
+    steps = 1e-6 * np.eye(np.size(at)).reshape(-1, *np.shape(at))
+    found = [np.asarray(function(at + h)) - np.asarray(function(at - h)) for h in steps]
+    return np.moveaxis(found, 0, -1).reshape(*np.shape(found[0]), *np.shape(at)) / 2e-6
 
 
 # What is derived, at what, and the derivative known on paper.
@@ -50,6 +63,40 @@ CASES: dict[str, tuple[Callable[[Any], Any], Any, Any]] = {
     "integrate": (lambda w: integrate(w, [0.0, 2.0])[1].as_rotvec(), 0 * E[0], 2 * E),
 }
 
+SEVERAL = Rotation.random(4, seed=1)
+VECTORS = np.random.default_rng(2).normal(size=(5, 3))
+# Found by decompositions, also where two singular values or eigenvalues are equal.
+FOUND: dict[str, tuple[Callable[[Any], Any], Any]] = {
+    "unit quaternion": (lambda q: Rotation.from_quat(q).as_quat(), SEVERAL[0].as_quat()),
+    "nearest to the identity": (
+        lambda m: Rotation.from_matrix(m, orthonormalize=True).as_quat(),
+        E,
+    ),
+    "nearest to twice a rotation": (
+        lambda m: Rotation.from_matrix(m, orthonormalize=True).as_matrix(),
+        2 * SEVERAL[1].as_matrix(),
+    ),
+    "nearest": (
+        lambda m: Rotation.from_matrix(m, orthonormalize=True).as_matrix(),
+        SEVERAL[2].as_matrix() @ np.diag([1.0, 2.0, 3.0]),
+    ),
+    "mean": (lambda q: Rotation.from_quat(q).mean().as_quat(), SEVERAL.as_quat()),
+    "mean of one": (lambda q: Rotation.from_quat(q).mean().as_quat(), np.full((3, 4), 0.5)),
+    "mean by weights": (
+        lambda w: Rotation.from_quat(like(w, SEVERAL.as_quat())).mean(w).as_quat(),
+        np.arange(1.0, 5.0),
+    ),
+    "fit of axes": (lambda a: Rotation.align_vectors(a, like(a, E))[0].as_quat(), E),
+    "fit": (
+        lambda a: Rotation.align_vectors(a, like(a, VECTORS))[0].as_quat(),
+        VECTORS[::-1].copy(),
+    ),
+    "fit of one": (
+        lambda a: Rotation.align_vectors(a, like(a, [0.0, 0.0, 1.0]))[0].as_quat(),
+        VECTORS[0],
+    ),
+}
+
 
 @pytest.mark.parametrize("name", ["from_rotvec", "from_matrix", "power"])  # XLA takes seconds each
 def test_by_jax_compiled(name: str) -> None:
@@ -67,6 +114,37 @@ def test_by_torch(name: str) -> None:
     function, at, wanted = CASES[name]
     found = torch.autograd.functional.jacobian(function, torch.tensor(np.array(at)))
     np.testing.assert_allclose(found.numpy(), wanted, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_what_decompositions_find_has_derivatives_by_torch(name: str) -> None:
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("array_api_compat")
+    function, at = FOUND[name]
+    found = torch.autograd.functional.jacobian(function, torch.tensor(np.array(at)))
+    np.testing.assert_allclose(found.numpy(), differences(function, at), atol=1e-7)
+
+
+def test_what_decompositions_find_has_second_derivatives() -> None:
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("array_api_compat")
+    function, at = FOUND["nearest to twice a rotation"]
+    jacobian = torch.autograd.functional.jacobian
+
+    def first(m: Any) -> Any:
+        return jacobian(function, torch.as_tensor(m), create_graph=True)
+
+    found = jacobian(first, torch.tensor(np.array(at)))
+    wanted = differences(lambda m: first(m).detach().numpy(), at)
+    np.testing.assert_allclose(found.numpy(), wanted, atol=1e-7)
+
+
+def test_what_decompositions_find_has_derivatives_by_jax() -> None:
+    jax = pytest.importorskip("jax")
+    function, at = FOUND["nearest to the identity"]
+    with jax.enable_x64(True):
+        found = jax.jit(jax.jacrev(function))(at)
+    np.testing.assert_allclose(found, differences(function, at), atol=1e-7)
 
 
 @pytest.mark.parametrize("seq", ["ZXZ", "zyx"])

@@ -82,7 +82,7 @@ def drawn(rng: Random, degree: int, n: int) -> str:
     """A number with small or large coefficients, integral or not; often a small rational one."""
     if n % 7 == 0:
         return str(rng.choice((-1, 2, -2, 3, -3, 5, -7)))
-    size = (2, 5, 30, 10**4)[n % 4]
+    size = (2, 5, 30, 10**4 if degree < 8 else 10**3)[n % 4]
     terms = [f"({rng.randint(-size, size)})*x^{k}" for k in range(degree)]
     return f"({'+'.join(terms)})/{rng.randint(2, 12) if n % 5 == 0 else 1}"
 

@@ -1,0 +1,91 @@
+"""The unit quaternion of the largest ``qᵀ·K·q``: derivatives of what a decomposition has found.
+
+Nearest rotations, means and best fits are all of this kind (P. Davenport's q-method). Derivatives through
+singular values or eigenvectors are NaN where two values are equal, though the quaternion itself moves
+smoothly with K. So the decomposition is done on numbers without derivatives, and Newton's method takes two
+steps from what it found: they change nothing but have the derivatives of the solution, the first and the
+second.
+"""
+
+from importlib import import_module
+from typing import Any
+
+from rotation.coordinates import Coordinates, join, split, unit
+from rotation.namespaces import Array, namespace
+
+Matrix = tuple[tuple[Array, ...], ...]
+
+
+def derived(array: Array) -> bool:
+    """Tell whether an array is of a library that takes derivatives."""
+    return type(array).__module__.partition(".")[0] in ("torch", "jax", "jaxlib")
+
+
+def held(array: Array) -> Array:
+    """Return the same numbers without derivatives."""
+    if not derived(array):
+        return array
+    if hasattr(array, "detach"):
+        return array.detach()
+    return import_module("jax.lax").stop_gradient(array)
+
+
+def davenport(m: Any) -> Matrix:
+    """Return the rows of K for entries of matrices M: ``qᵀ·K·q`` is the trace of ``Rᵀ·M``."""
+    (a, b, c), (d, e, f), (g, h, i) = m
+    wx, wy, wz = h - f, c - g, d - b
+    xy, xz, yz = b + d, c + g, f + h
+    return (
+        (a + e + i, wx, wy, wz),
+        (wx, a - e - i, xy, xz),
+        (wy, xy, e - a - i, yz),
+        (wz, xz, yz, i - a - e),
+    )
+
+
+def following(q: Array, k: Matrix) -> Array:
+    """Return q (…, 4), at which ``qᵀ·K·q`` is largest, with the derivatives that it has by K."""
+    if not any(derived(entry) for row in k for entry in row):
+        return q
+    c = split(held(q))
+    for _ in range(2):
+        c = _newton(namespace(q), c, k)
+    return join(namespace(q), c)
+
+
+def _newton(xp: Any, q: Coordinates, k: Matrix) -> Coordinates:
+    """Take a step in the three directions ``q·i``, ``q·j``, ``q·k``."""
+    w, x, y, z = q
+    ways = ((-x, w, z, -y), (-y, -z, w, x), (-z, y, -x, w))
+    images = [_image(k, way) for way in ways]
+    image = _image(k, q)
+    value, slopes = _dot(q, image), [_dot(way, image) for way in ways]
+    bend = [[-_dot(way, other) for other in images] for way in ways]
+    for n in range(3):
+        bend[n][n] = bend[n][n] + value
+    step = _solved(bend, slopes)
+    moved = tuple(
+        c + (step[0] * e + (step[1] * f + step[2] * g)) for c, e, f, g in zip(q, *ways, strict=True)
+    )
+    return unit(xp, moved)
+
+
+def _dot(a: Coordinates, b: Coordinates) -> Array:
+    first, *others = (x * y for x, y in zip(a, b, strict=True))
+    return sum(others, first)
+
+
+def _image(k: Matrix, q: Coordinates) -> Coordinates:
+    return tuple(_dot(row, q) for row in k)
+
+
+def _solved(m: list[list[Array]], v: list[Array]) -> list[Array]:
+    """Solve ``M·x = v`` by cofactors: a library's own solver may raise for a row that holds NaN."""
+    (a, b, c), (d, e, f), (g, h, i) = m
+    cofactors = (
+        (e * i - f * h, c * h - b * i, b * f - c * e),
+        (f * g - d * i, a * i - c * g, c * d - a * f),
+        (d * h - e * g, b * g - a * h, a * e - b * d),
+    )
+    determinant = a * cofactors[0][0] + (b * cofactors[1][0] + c * cofactors[2][0])
+    return [_dot(row, tuple(v)) / determinant for row in cofactors]
