@@ -19,6 +19,8 @@ Rows = tuple[Vector, ...]
 Binary = tuple[Any, Any]
 
 ONE: Vector = (fmpq(1), fmpq(0), fmpq(0), fmpq(0))
+MOST_STEPS = 300
+"""Very skew bases are left as they are then."""
 LARGEST_BOX = 400
 """Boxes have about this many points at most: so far norms are compared."""
 
@@ -131,16 +133,17 @@ class Plain:
         """A basis of the same lattice: multiples of one element taken off another while it gets shorter."""
         gram, n = self.gram(basis), len(basis)
         steps = [[int(r == c) for c in range(n)] for r in range(n)]
-        while True:
+        for _ in range(MOST_STEPS):
             pairs = itertools.permutations(range(n), 2)
             r, k = next(((r, k) for r, k in pairs if 2 * abs(gram[r][k]) > gram[k][k]), (0, 0))
             if r == k:
-                return [combination(step, basis) for step in steps]
+                break
             c = round(gram[r][k] / gram[k][k])
             steps[r] = [x - c * y for x, y in zip(steps[r], steps[k], strict=True)]
             gram[r] = [x - c * y for x, y in zip(gram[r], gram[k], strict=True)]
             for line in gram:
                 line[r] -= c * line[k]
+        return [combination(step, basis) for step in steps]
 
     def short(self, basis: Sequence[Vector], bound: Any) -> Iterator[tuple[Vector, Any]]:
         """All elements of norm at most a bound, of a definite algebra, with their norms."""
@@ -158,11 +161,15 @@ class Plain:
             if value <= largest:
                 yield combination(c, basis), fmpq(value, scale)
 
-    def affordable(self, basis: Sequence[Vector], bound: Any) -> bool:
-        """Whether the box for :meth:`short` is small enough to be run through."""
+    def volume_of_box(self, basis: Sequence[Vector], bound: Any) -> int:
+        """How many points the box for :meth:`short` has."""
         back = inverse([[x / 2 for x in row] for row in self.gram(basis)])
         sides = [2 * math.isqrt(math.floor(bound * back[n][n])) + 1 for n in range(len(basis))]
-        return math.prod(sides) <= LARGEST_BOX
+        return math.prod(sides)
+
+    def affordable(self, basis: Sequence[Vector], bound: Any) -> bool:
+        """Whether the box for :meth:`short` is small enough to be run through."""
+        return self.volume_of_box(basis, bound) <= LARGEST_BOX
 
     def sample_bound(self, basis: Sequence[Vector]) -> Any:
         """A norm up to which elements may be listed, as large as is affordable."""
