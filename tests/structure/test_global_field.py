@@ -25,8 +25,8 @@ FIELDS = [
 ]
 
 
-# A local field has one place, and functions in several variables have residues: no lists of places.
-OTHERS = ["Qp(5)", "QQ(x,y)"]
+# A completion has one place, and functions in several variables have residues: no lists of places.
+OTHERS = ["Qp(5)", "QQ(sqrt(2))_inf-", "QQ(x,y)"]
 
 
 @pytest.mark.parametrize("name", [*FIELDS, *OTHERS])
