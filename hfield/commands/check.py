@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from hfield.certificates.check import Established, Pin, check_text
@@ -28,6 +28,7 @@ EXAMPLES = (
     "hfield check --statement 'norm(q) == 0 => q == 0' --field Q anisotropic.json",
     "hfield check *.json --coq",
 )
+MANY = ".jsonl"  # a file of many, one a line
 COLUMNS = (
     *("file", "accepted", "statement", "algebra", "field", "verdict", "scope"),
     *("theorems", "assumptions", "vacuous", "reason"),
@@ -42,7 +43,9 @@ class UnreadableError(HFieldError, OSError):
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    add_inputs(parser, "FILE", "certificates, hfield-cert/1", "plain", "json")
+    add_inputs(
+        parser, "FILE", f"certificates, hfield-cert/1; in a {MANY} one a line", "plain", "json"
+    )
     parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
     parser.add_argument("--statement", metavar="S", help="they must be of this statement")
     parser.add_argument(
@@ -67,7 +70,10 @@ def run(args: Namespace) -> int:
     """Check every file, report, and return the exit status."""
     pin = _pin(args)
     check_given(args)
-    outcomes = [(name, _check(name, pin)) for name in texts(args)]
+    names = list(texts(args))
+    if args.coq and any(name.endswith(MANY) for name in names):
+        raise UsageError(f"--coq takes files of one certificate each, no {MANY}")
+    outcomes = [found for name in names for found in _checked(name, pin)]
     accepted = [name for name, outcome in outcomes if isinstance(outcome, Established)]
     coq = coq_verdicts(accepted) if args.coq else {}
     with open_output(args.output) as out:
@@ -100,20 +106,30 @@ def _exit_status(outcomes: Sequence[tuple[str, Outcome]], allow_assumptions: boo
 Outcome = Established | Rejected | UnreadableError
 
 
-def _check(name: str, pin: Pin | None) -> Outcome:
+def _checked(name: str, pin: Pin | None) -> Iterator[tuple[str, Outcome]]:
+    """Yield a file, or each line of one that has many, with what came out."""
     try:
-        return check_text(_read(name), pin)
-    except (Rejected, UnreadableError) as error:
+        with Path(name).open("rb") as stream:
+            if not name.endswith(MANY):
+                yield name, _check(stream.read(MAX_BYTES + 1), pin)
+                return
+            lines = iter(lambda: stream.readline(MAX_BYTES + 1), b"")
+            for number, line in enumerate(lines, 1):
+                if line.strip():
+                    yield f"{name}:{number}", _check(line, pin)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        yield name, UnreadableError(f"cannot read {shorten(name)!r}: {reason}")
+
+
+def _check(content: bytes, pin: Pin | None) -> Outcome:
+    try:
+        return check_text(_decoded(content), pin)
+    except Rejected as error:
         return error
 
 
-def _read(name: str) -> str:
-    try:
-        with Path(name).open("rb") as stream:
-            content = stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise UnreadableError(f"cannot read {shorten(name)!r}: {reason}") from error
+def _decoded(content: bytes) -> str:
     if len(content) > MAX_BYTES:
         raise Rejected(f"the file is larger than {MAX_BYTES} bytes")
     try:

@@ -121,3 +121,25 @@ def test_the_whole_statement_is_shown(tmp_path: Path, capsys: pytest.CaptureFixt
     assert lines[0].endswith(": proved over QQ")
     assert "  statement: p*q == q*p or 0 == 0" in lines
     assert {"  field: QQ", "  algebra: (-1,-1|QQ)"} <= set(lines)
+
+
+def test_a_file_of_many_is_checked_line_by_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    one = json.loads(Path(written(tmp_path, "p*q == q*p", "--field", "GF(9)")).read_text("utf-8"))
+    two = json.loads(Path(written(tmp_path, "norm(i) == 1", "--field", "QQ")).read_text("utf-8"))
+    many = tmp_path / "many.jsonl"
+    many.write_text(f"{json.dumps(one)}\n\n{json.dumps(two)}\n", encoding="utf-8")
+    capsys.readouterr()
+    assert main(["check", str(many)]) == 0
+    told = capsys.readouterr().out
+    assert f"{many}:1: refuted over GF(9)" in told
+    assert f"{many}:3: proved over QQ" in told
+    with many.open("a", encoding="utf-8") as stream:
+        stream.write(json.dumps(two | {"verdict": "refuted"}) + "\n")
+    assert main(["check", str(many), "--format", "csv"]) == 1
+    assert "many.jsonl:4,false," in capsys.readouterr().out
+    assert main(["check", str(many), "--coq"]) == 2
+    assert "one certificate each" in capsys.readouterr().err
+    assert main(["check", str(tmp_path / "absent.jsonl")]) == 2
+    assert "absent.jsonl" in capsys.readouterr().out
