@@ -22,6 +22,7 @@ COMMANDS = {
     "export": "write what is proved for all fields as theorems for Coq",
     "info": "tell what an algebra is",
     "order": "show an order over the integers",
+    "ideal": "show an ideal of an order, and compare it with another",
     "classes": "enumerate the ideal classes of an order",
     "brandt": "print Brandt matrices and isogeny graphs",
     "survey": "tell class numbers over ranges, in parallel",

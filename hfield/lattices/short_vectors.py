@@ -6,19 +6,16 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
-from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
+from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
+from hfield.lattices.given import natural
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
-
-if TYPE_CHECKING:
-    import flint
-
 
 MANY = 10**6
 """More vectors than this are not listed."""
@@ -29,7 +26,7 @@ MOST_STEPS = 2 * 10**7
 class NormedLattice:
     """Four rows of integers over a denominator, and the norm of their combinations."""
 
-    def __init__(self, algebra: Parent, den: int, matrix: flint.fmpz_mat) -> None:
+    def __init__(self, algebra: Parent, den: int, matrix: fmpz_mat) -> None:
         self.algebra, self._den, self._matrix = algebra, den, matrix
 
     @property
@@ -48,7 +45,7 @@ class NormedLattice:
         d = self._den if den is None else den
         return self.algebra(*(Fraction(x, d) for x in row))
 
-    def norm(self) -> flint.fmpq:
+    def norm(self) -> fmpq:
         """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
         return fmpq(self._content[0], self._regular.scale * self._den * self._den)
 
@@ -65,7 +62,7 @@ class NormedLattice:
         return fmpz_poly(squares + mixed).content(), g  # the gcd of a list, as flint has it
 
     @cached_property
-    def _even(self) -> flint.fmpz_mat:
+    def _even(self) -> fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
         content, gram = self._content
         return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
@@ -184,7 +181,7 @@ class NormedLattice:
         Raises :class:`IndefiniteError`.
         """
         self._definite("theta_series()")
-        natural(n)
+        n = natural(n, "a theta series goes up to")
         _, gram = self._reduced
         self._affordable(enumeration.volume(gram, 2 * n, 4), "elements as short as")
         counts = enumeration.count_by_length(gram, 2 * n)
@@ -193,11 +190,3 @@ class NormedLattice:
 
 def _combine(x: Sequence[int], rows: flint.fmpz_mat) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
-
-
-def natural(n: object) -> None:
-    """Raise :class:`LatticeError` unless n is an integer ≥ 0."""
-    if not isinstance(n, int) or n < 0:
-        raise LatticeError(
-            f"a theta series goes up to an integer ≥ 0, and {shorten(repr(n))} is none"
-        )

@@ -112,6 +112,9 @@ class FieldElement:
     def __repr__(self) -> str:
         return self.field.text(self)
 
+    def _repr_latex_(self) -> str:
+        return f"${self.field.text(self, 'latex')}$"
+
     # --- what it is ----------------------------------------------------------------------------
 
     def is_rational(self) -> bool:

@@ -226,6 +226,9 @@ class Surd:
     def __repr__(self) -> str:
         return self.text()
 
+    def _repr_latex_(self) -> str:
+        return f"${self.text('latex')}$"
+
 
 ONE = Surd({1: flint.fmpq(1)})
 

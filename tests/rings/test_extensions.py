@@ -107,6 +107,7 @@ def test_elements_of_different_extensions_do_not_mix() -> None:
         ("QQ(x)[u]/(2*u^2-2)", "reducible"),
         ("GF(3)(t)[u]/(u^3-t^3)", "reducible"),
         ("GF(9)(t)[u]/(u^2-t^2)", "reducible, for its discriminant is a square"),
+        ("GF(9)(t)[u]/((u-1)*(u-t))", "reducible, for its discriminant is a square"),
         ("GF(9)(t)[u]/(u^2+2*u+1)", "reducible, for its discriminant is a square"),
         ("GF(9)(t)[u]/(u^3-t)", "whether the polynomial is irreducible is not decided over GF(9)(t)"),
         ("GF(4)(t)[u]/(u^2+u+t)", "whether the polynomial is irreducible is not decided over GF(4)(t)"),

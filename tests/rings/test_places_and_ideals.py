@@ -124,6 +124,7 @@ def test_infinite_places_of_quadratic_fields(d: int) -> None:
     K = as_number_field(F)
     above = places_above(d, 0)
     assert [str(v) for v in above] == (["inf+", "inf-"] if d > 0 else ["inf"])
+    assert [str(v) for v in K.infinite_places()] == (["inf0", "inf1"] if d > 0 else ["inf"])
     assert F.real_places() == (above[::-1] if d > 0 else ())
     assert [v.index for v in F.real_places()] == [0, 1][: len(F.real_places())]
     for v in above:

@@ -150,6 +150,7 @@ def _are_not_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: obje
     data = an_object(evidence, "kind", "the evidence", "trace norm bases")
     first, second = (an_order(algebra, part) for part in parts)
     if discriminant(first) != discriminant(second):
+        an_object(evidence, "kind", "the evidence of two discriminants")
         return Finding(FIELD, DISCRIMINANT)
     data = an_object(evidence, "kind trace norm bases", "the evidence")
     trace, norm = (an_integer(data[key], key) for key in ("trace", "norm"))
