@@ -19,6 +19,8 @@ from hfield.quaternion import Parent
 from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.lattices.order import Order
 
 
