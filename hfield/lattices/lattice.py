@@ -19,8 +19,6 @@ from hfield.quaternion import Parent
 from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.lattices.order import Order
 
 
@@ -215,7 +213,7 @@ class Lattice(NormedLattice):
         return self._make(*self._dual)
 
     @property
-    def _dual(self) -> tuple[int, flint.fmpz_mat]:
+    def _dual(self) -> tuple[int, fmpz_mat]:
         """A basis of the dual, as rows over a denominator that are in no normal form."""
         r = self._regular
         m, d = hermite.inverse(r.form * self._matrix.transpose())

@@ -18,7 +18,7 @@ from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
-    import flint
+    pass
 
 MANY = 10**6
 """More vectors than this are not listed."""
@@ -41,7 +41,7 @@ class NormedLattice:
         """The rows of the normal form as elements: a basis, the same for equal lattices."""
         return self._elements(self._matrix)
 
-    def _elements(self, matrix: flint.fmpz_mat) -> tuple[Quaternion, ...]:
+    def _elements(self, matrix: fmpz_mat) -> tuple[Quaternion, ...]:
         return tuple(self._element(row) for row in hermite.tuples(matrix))
 
     def _element(self, row: Sequence[int], den: int | None = None) -> Quaternion:
@@ -70,7 +70,7 @@ class NormedLattice:
         content, gram = self._content
         return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
 
-    def gram_matrix(self) -> tuple[tuple[flint.fmpq, ...], ...]:
+    def gram_matrix(self) -> tuple[tuple[fmpq, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
         F, norm = self.algebra.ring, self._norm
         return tuple(tuple(F(x * norm) for x in row) for row in hermite.tuples(self._even))
@@ -83,7 +83,7 @@ class NormedLattice:
             )
 
     @cached_property
-    def _reduced(self) -> tuple[flint.fmpz_mat, list[list[int]]]:
+    def _reduced(self) -> tuple[fmpz_mat, list[list[int]]]:
         """The rows of an LLL-reduced basis, and their matrix of ``tr(x·conj(y))/norm``.
 
         In an indefinite algebra the basis is reduced for a positive definite form that majorises the norm.
@@ -191,5 +191,5 @@ class NormedLattice:
         return [counts.get(2 * m, 0) for m in range(n + 1)]
 
 
-def _combine(x: Sequence[int], rows: flint.fmpz_mat) -> tuple[int, ...]:
+def _combine(x: Sequence[int], rows: fmpz_mat) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())

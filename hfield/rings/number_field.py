@@ -10,22 +10,18 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
-from hfield.factorisation import factorise
 from hfield.product import Constants
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
 from hfield.rings.printing import blackboard, number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
-from hfield.rings.squares import minus_one
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     from hfield.rings.number_field_places import ComplexPlace, Place, RealPlace
     from hfield.rings.number_primes import PrimeIdeal
-
-SEARCHED = 6_000  # elements x tried for −1 = x² + y²
 
 
 class NumberField(ValueRing):
@@ -237,23 +233,9 @@ class NumberField(ValueRing):
     @cached_property
     def level(self) -> Known:
         """∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
-        if self.signature[0]:
-            return Known(INFINITY, f"{self.name} has a real place, so it has an ordering")
-        if self.sqrt(self(-1)) is not None:
-            return Known(1, f"−1 = ({self.text(self.sqrt(self(-1)))})^2 in {self.name}")
-        odd = [P for P in self.primes_above(2) if P.e * P.f % 2]
-        fewer = "−1 itself is no square"
-        if odd:
-            fewer = (
-                f"the completion at {odd[0]} has odd degree over ℚ₂, where fewer squares do not do"
-            )
-        squares = self.minus_one_as_squares()
-        if squares:
-            shown = " + ".join(f"({self.text(y)})^2" for y in squares)
-            return Known(len(squares), f"−1 = {shown} in {self.name}, and {fewer}")
-        if odd:
-            return Known(4, fewer)
-        return Known(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")
+        from hfield.rings.number_field_level import level
+
+        return level(self)
 
     def minus_one_as_squares(self) -> tuple[FieldElement, ...]:
         """Return as few elements as the level says whose squares add up to −1, if some are small; else ()."""
@@ -261,32 +243,9 @@ class NumberField(ValueRing):
 
     @cached_property
     def _minus_one(self) -> tuple[Any, ...]:
-        if self.signature[0]:
-            return ()
-        root = self.sqrt(self(-1))
-        if root is not None:
-            return (root,)
-        odd = any(P.e * P.f % 2 for P in self.primes_above(2))
-        for m in _divisors(self.discriminant()):
-            if odd or m % 8 != 7:
-                root = self.sqrt(self(-m))
-                if root is not None:
-                    return minus_one(m, root)
-        others, rng = (3 if odd else 1), Random(1)
-        for trial in range(SEARCHED // others // max(1, self.degree // 8) ** 3):
-            chosen = [self._small(1 + trial // 2000, rng) for _ in range(others)]
-            below = self._small(1, rng) if trial > 500 else self.one
-            y = self.sqrt(sum((-x * x for x in chosen), -below * below)) if below else None
-            if y is not None:
-                return tuple(self.divide(x, below) for x in (*chosen, y))
-        return ()
+        from hfield.rings.number_field_level import minus_one_as_squares
 
-    def _small(self, size: int, rng: Random) -> FieldElement:
-        """Return a random integer of the field with coordinates of at most that size."""
-        x: FieldElement = self.zero
-        for w in self.integral_basis():
-            x = x + w * rng.randint(-size, size)
-        return x
+        return minus_one_as_squares(self)
 
     # --- integers and places ---------------------------------------------------------------------
 
@@ -346,11 +305,3 @@ class NumberField(ValueRing):
         from hfield.rings.local.completions import completion_of_number_field
 
         return completion_of_number_field(self, place)
-
-
-def _divisors(n: int) -> list[int]:
-    """Return products other than 1 of 2 and different primes of n, of the six smallest."""
-    out = [1]
-    for p in sorted({2, *factorise(n)})[:6]:
-        out += [p * m for m in out]
-    return sorted(out)[1:]
