@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.commands.orders import (
     add_certificate,
@@ -79,7 +79,7 @@ def _asked(args: Namespace) -> tuple[Ideal, Answer | None]:
     return I, I.equivalence(make(elements_of(A, args.other, "--with")))
 
 
-def to_json(I: Ideal, answer: Answer | None) -> dict[str, Any]:
+def to_json(I: Ideal, answer: Answer | None) -> dict[str, object]:
     """Return what programs read."""
     data = {
         "schema": "hfield-ideal/1",

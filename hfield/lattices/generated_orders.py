@@ -18,7 +18,7 @@ from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent
 
 
-def generated(algebra: Parent, elements: Iterable[Any]) -> tuple[int, Any]:
+def generated(algebra: Parent, elements: Iterable[object]) -> tuple[int, Any]:
     """Return the ring that elements generate, a denominator and a matrix. Raises :class:`LatticeError`."""
     r = regular(algebra)
     found = [element_row(algebra, x) for x in (1, *listed(elements))]

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
@@ -40,7 +40,7 @@ class Order(OrderInvariants):
     """
 
     @classmethod
-    def generated(cls, algebra: Parent, elements: Iterable[Any]) -> Order:
+    def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
         """Return the ring that elements generate.
 
         Raises :class:`LatticeError` when it has a rank below 4, or is no lattice, because it contains

@@ -237,7 +237,7 @@ class NumberField(ValueRing):
 
         return level(self)
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[FieldElement, ...]:
         """Return as few elements as the level says whose squares add up to −1, if some are small; else ()."""
         return self._minus_one
 
