@@ -217,6 +217,11 @@ class RigidTransform(Shaped):
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
 
+    def __rmul__(self, other: object) -> Any:
+        if isinstance(other, Rotation):
+            return self * other  # which refuses it
+        return NotImplemented
+
     def __pow__(self, exponent: Any) -> Self:
         """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast."""
         if not isinstance(exponent, int | float):

@@ -100,12 +100,12 @@ class Rotation(Conversions):
 
     def __mul__(self, other: object) -> Self:
         if not isinstance(other, Rotation):
-            _refuse_scipy(other)
+            _refuse_factor(other, "r * points", "r.apply(points)")
             return NotImplemented
         return self._of(_paired(self, other, quaternions.product))
 
     def __rmul__(self, other: object) -> Any:
-        _refuse_scipy(other)
+        _refuse_factor(other, "points * r", "r.apply(points)")
         return NotImplemented
 
     def __matmul__(self, other: object) -> Any:
@@ -218,15 +218,15 @@ class Rotation(Conversions):
     def _applied(self, points: Any, inverse: bool, out: Any) -> Array:
         q = quaternions.inverse(self._q) if inverse else self._q
         xp = namespace(q, points)
+        if not is_numpy(xp) and out is not None:
+            raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")
+        v = real(points, "points") if is_numpy(xp) else floats(points, "points", xp)
+        expect_last(v, (3,), "points")
+        common_batch(points=tuple(v.shape[:-1]), rotations=self.shape)
         if is_numpy(xp):
             from rotation.fused import rotate_quat
 
-            return rotate_quat(points, q, out=out)
-        if out is not None:
-            raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")
-        v = floats(points, "points", xp)
-        expect_last(v, (3,), "points")
-        common_batch(points=tuple(v.shape[:-1]), rotations=self.shape)
+            return rotate_quat(v, q, out=out)
         # A product of matrices could be computed in reduced precision on a GPU; these sums are not.
         turned = xp.sum(to_matrix(q) * v[..., None, :], axis=-1)
         return xp.astype(turned, v.dtype)
@@ -344,8 +344,10 @@ class Rotation(Conversions):
         return cls._of(q), rssd
 
 
-def _refuse_scipy(other: object) -> None:
-    """Raise DTypeError for scipy's rotations, which have the same name and other conventions."""
+def _refuse_factor(other: object, written: str, instead: str) -> None:
+    """Raise DTypeError for points, and for scipy's rotations: of the same name and other conventions."""
+    if isinstance(other, list | tuple) or hasattr(other, "__array__"):
+        raise DTypeError(f"{written} is not defined for rotations; write {instead}")
     if type(other).__module__.startswith("scipy."):
         raise DTypeError(
             "one rotation is scipy's, the other is ours: convert with Rotation.from_scipy(r) or r.to_scipy()"

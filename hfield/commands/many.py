@@ -50,7 +50,7 @@ def answer_all(args: Namespace, answer: Answer, columns: Sequence[str], apart: b
             else:
                 show(out)
             return status
-        if args.format not in (*LINES, "plain", "unicode"):
+        if args.format not in (*LINES, "plain", "unicode", "latex"):
             raise UsageError(
                 f"--format {args.format} shows one answer; of many, write jsonl or csv"
             )

@@ -39,6 +39,7 @@ class Sink:
 
     def __init__(self, stream: TextIO) -> None:
         self.stream = stream
+        self._ending = ""
 
     def write(self, text: str) -> None:
         """Write a text and end its last line."""
@@ -54,10 +55,18 @@ class Sink:
         print(text, file=self.stream)
 
     def write_latex(self, text: str, standalone: bool) -> None:
-        """Write a piece of LaTeX, in a document of its own if it is to stand alone."""
-        from hfield.latex import document
+        """Write a piece of LaTeX; pieces that are to stand alone come into one document."""
+        if standalone and not self._ending:
+            from hfield.latex import document
 
-        self.write(document(text) if standalone else text)
+            head, _, self._ending = document("\0").partition("\0")
+            self.write(head)
+        self.write(text)
+
+    def finish(self) -> None:
+        """Write what ends a document."""
+        if self._ending:
+            self.write(self._ending.lstrip("\n"))
 
     def style(self) -> Style:
         """Return what this place can show: its width, unicode, colours."""
@@ -79,13 +88,17 @@ def open_output(path: str | None) -> Iterator[Sink]:
     Raises :class:`OutputError` when the file cannot be written.
     """
     if path is None or path == "-":
-        yield Sink(sys.stdout)
+        sink = Sink(sys.stdout)
+        yield sink
+        sink.finish()
         return
     if not path:
         raise OutputError("the name of the output file is empty; expected -o FILE")
     try:
         with _open_file(Path(path)) as stream:
-            yield Sink(stream)
+            sink = Sink(stream)
+            yield sink
+            sink.finish()
     except OSError as error:
         if isinstance(error, HFieldError):
             raise

@@ -57,7 +57,7 @@ def run(args: Namespace) -> int:
     """Decide, write, and return the exit status."""
     from hfield.executors import open_executor
     from hfield.ledger.columns import split_columns
-    from hfield.ledger.document import read_ledgers
+    from hfield.ledger.document import read_ledgers, read_title
     from hfield.ledger.registry import claims
     from hfield.ledger.run import contradictions, decide_rows
     from hfield.ledger.selection import in_section, rows_to_decide
@@ -70,7 +70,7 @@ def run(args: Namespace) -> int:
     chosen = ledger if args.section is None else in_section(args.section, ledger)
     pieces = rows_to_decide(chosen, split_columns(args.field))
     wanted = _chapters(args)
-    title = ", ".join(PurePath(path).stem for path in args.ledgers) or None
+    title = ", ".join(map(read_title, args.ledgers)) or None
     with open_output(args.output) as out:
         with open_executor(args.jobs) as executor, Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)

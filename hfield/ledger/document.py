@@ -58,6 +58,12 @@ def read_ledger(path: str | Path) -> tuple[Claim, ...]:
     return _Document(text, str(path)).claims({}, verify=True)
 
 
+def read_title(path: str | Path) -> str:
+    """Return the title of a ledger that can be read: what it says at its top, or the name of its file."""
+    text = Path(path).read_text(encoding="utf-8")
+    return _Document(text, str(path)).title or Path(path).stem
+
+
 def read_ledgers(paths: Sequence[str | Path]) -> tuple[Claim, ...]:
     """Read several ledgers as one. Raises :class:`LedgerError`, also for an id that comes twice."""
     found: dict[str, str | Path] = {}
@@ -93,6 +99,10 @@ class _Document:
         for key in data:
             if key not in ("schema", "title", "claims"):
                 self.fail(None, key, "there is no such key; a ledger has [[claims]] tables")
+        title = data.get("title", "")
+        if not isinstance(title, str):
+            self.fail(None, "title", f"expected a text, found {type(title).__name__}")
+        self.title = " ".join(title.split())
         if data.get("schema", SCHEMA) != SCHEMA:
             self.fail(None, "schema", f"expected {SCHEMA!r}, found {data['schema']!r}")
         self.tables = data.get("claims", [])

@@ -21,6 +21,7 @@ from hfield.certificates.glossary import (
     WITNESS,
     ZERO_NORM,
 )
+from hfield.errors import UndecidedError
 from hfield.ledger.propositions import search_panel
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, norm
@@ -38,6 +39,17 @@ def hamilton(F: Ring) -> Constants:
 def texts(F: Ring, q: Coordinates) -> list[str]:
     """Write the coordinates of a witness."""
     return [F.text(x) for x in q]
+
+
+def known_equal(F: Ring, x: Any, y: Any) -> bool | None:
+    """Tell whether x = y; None where they agree to all digits that are known, as in a local field.
+
+    A number there that was found by Hensel's lemma stands for the root that begins with its digits.
+    """
+    try:
+        return F.equal(x, y)
+    except UndecidedError:
+        return None
 
 
 def _no_single_field() -> Decision:
@@ -82,12 +94,14 @@ class LevelAbove:
         total = field.zero
         for x in roots:
             total = total + x * x
-        if not field.equal(total, field(-1)):
+        exact = known_equal(field, total, field(-1))
+        if exact is False:
             return Decision(UNDECIDED, LEVEL, tried=(f"squares adding up to −1 in {field}",))
         shown = " + ".join(f"({field.text(x)})²" for x in roots)
         witness = {f"x{n}": [field.text(x)] for n, x in enumerate(roots, 1)}
-        evidence = {"kind": "squares", "values": [field.text(x) for x in roots]}
-        steps = (f"−1 = {shown}",)
+        squares = {"kind": "squares", "values": [field.text(x) for x in roots]}
+        evidence = squares if exact else None
+        steps = (f"−1 = {shown}",) if exact else (f"−1 = {shown}", f"The level is {level}.")
         return Decision(REFUTED, SUM_OF_SQUARES, witness=witness, steps=steps, evidence=evidence)
 
 
@@ -170,17 +184,21 @@ class PositiveNorm:
             candidates.append((*squares, *one[len(squares) :]))
         for q in candidates:
             n = norm(hamilton(field), q)
-            value = next((m for m in range(-20, 21) if m and field.equal(n, field(m))), None)
-            if value is not None and value * self.sign < 0:
+            value = next(
+                (m for m in range(-20, 21) if known_equal(field, n, field(m)) is not False), 0
+            )
+            if value * self.sign < 0:
                 shown = element_text(field, q, "unicode", "e")
                 step = f"q = {shown} has an inverse, though N(q) = {value}."
                 value_of_q = texts(field, q)
+                exact = known_equal(field, n, field(value))
+                evidence = {"kind": "witness", "value": value_of_q, "norm": value}
                 return Decision(
                     REFUTED,
                     WITNESS,
                     witness={"q": value_of_q},
                     steps=(step,),
-                    evidence={"kind": "witness", "value": value_of_q, "norm": value},
+                    evidence=evidence if exact else None,
                 )
         return Decision(
             UNDECIDED, ORDERING, tried=("multiples of e with a rational norm, and norms −1",)

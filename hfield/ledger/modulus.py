@@ -25,6 +25,7 @@ from hfield.certificates.glossary import (
     UNIQUE_ROOTS,
     WITNESS,
 )
+from hfield.errors import UndecidedError
 from hfield.ledger.facts import hamilton, texts
 from hfield.ledger.propositions import Statement, search_panel
 from hfield.product import Coordinates, multiply, norm
@@ -121,7 +122,14 @@ class ModulusLaw:
         iota = field.sqrt(field(-1))
         if iota is not None:
             sample.append((iota, zero, zero, zero))
-        bad = self._without_choice(field, sample)
+        try:
+            bad = self._without_choice(field, sample)
+        except UndecidedError:  # √−1 is known to some digits
+            if iota is None or self.operation != "*":
+                raise
+            step = "√1 = √1·√1 forces √1 = 1, and √(−1)·√(−1) = −1 is not √(−1·−1) then."
+            bad = {name: texts(field, sample[-1]) for name in "pq"}
+            return Decision(REFUTED, ALL_CHOICES_OF_ROOTS, witness=bad, steps=(step,))
         if bad is not None:
             steps = (
                 f"√1 = √1·√1 forces √1 = 1; then p, q break the law for each choice of the roots; "

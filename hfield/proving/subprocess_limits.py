@@ -19,19 +19,23 @@ GRACE = 1.0  # seconds beyond the time limit for starting and answering
 MAX_DIGITS = 12
 MAX_WEIGHT = 300
 SLOW_WEIGHT = 60  # where roots of numbers are compared
-MAX_NAME = 24
+MAX_NAME, MAX_NAME_DIGITS = 60, 20  # of a field: long names and long numbers make slow arithmetic
 
 
 def is_risky(problem: Problem) -> bool:
     """Tell whether deciding may take long in a single step, which no time limit could end."""
     statement, field = problem.statement, problem.field
-    digits = sum(c.isdigit() for text in problem.setting.constants for c in text)
+    digits = sum(map(_digits, problem.setting.constants))
     if digits > MAX_DIGITS or statement.weight > MAX_WEIGHT:
         return True
     if field is None:
         return False
     slow = field.closure is not None and statement.weight > SLOW_WEIGHT
-    return slow or len(field.name) > MAX_NAME
+    return slow or len(field.name) > MAX_NAME or _digits(field.name) > MAX_NAME_DIGITS
+
+
+def _digits(text: str) -> int:
+    return sum(c.isdigit() for c in text)
 
 
 def decide_apart(question: Question) -> Decision | None:

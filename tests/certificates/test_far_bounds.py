@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 
+from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
@@ -14,6 +15,7 @@ from hfield.certificates.scalars.quotients import MAX_DEGREE
 from hfield.certificates.scalars.quotients import Quotient as Residues
 from hfield.certificates.scalars.real_roots import RealRoot
 from hfield.certificates.scalars.root_discs import root_discs
+from hfield.certificates.statement import HAMILTON
 
 LONG = 10**9 + 7
 
@@ -82,3 +84,14 @@ def test_elements_of_many_terms() -> None:
     many = {(m, 0): 1 for m in range(4_001)}
     with pytest.raises(Rejected, match="has more than 4000 terms"):
         ring._poly(many)
+
+
+def test_nothing_is_divided_by_a_quaternion() -> None:
+    # read_tree says so of texts; the evaluation says it again
+    ring = read_field("QQ")
+    q = Quaternion([ring.number(n) for n in (0, 1, 0, 0)])
+    evaluator = Evaluator(RingScalars(ring), HAMILTON, {("name", "q"): q})
+    with pytest.raises(Rejected, match="a quaternion stands where a scalar is meant"):
+        evaluator.value(("/", ("num", 1), ("name", "q")))
+    with pytest.raises(Rejected, match="a term cannot be evaluated"):
+        evaluator.value(("==", ("num", 1), ("num", 1)))

@@ -115,3 +115,17 @@ def test_a_page_has_the_width_that_is_asked_for(capsys, monkeypatch, words):
     monkeypatch.setenv("COLUMNS", "60")
     assert main(words) in (0, 1)
     assert [line for line in capsys.readouterr().out.splitlines() if len(line) > 60] == []
+
+
+def test_latex_of_several_inputs_is_one_document(capsys):
+    words = ["prove", "p*q == q*p", "norm(i) == 1", "--format", "latex"]
+    assert main(words) == 1
+    pieces = capsys.readouterr().out
+    assert pieces.count(r"\noindent \textbf{") == 2
+    assert "documentclass" not in pieces
+    assert main([*words, "--standalone"]) == 1
+    whole = capsys.readouterr().out
+    assert pieces.strip() in whole
+    for part in (r"\documentclass", r"\begin{document}", r"\end{document}"):
+        assert whole.count(part) == 1
+    assert whole.endswith("\\end{document}\n")

@@ -7,7 +7,14 @@ import pytest
 
 from hfield.cli import main
 from hfield.ledger.claim import NO_FIELD, PANEL, decide
-from hfield.ledger.document import LedgerError, Propositions, load, read_ledger, read_ledgers
+from hfield.ledger.document import (
+    LedgerError,
+    Propositions,
+    load,
+    read_ledger,
+    read_ledgers,
+    read_title,
+)
 from hfield.ledger.registry import claims
 
 ROOT = Path(__file__).parents[2]
@@ -161,3 +168,15 @@ def test_the_thesis_is_kept_in_documents() -> None:
 def test_a_proposition_without_its_claim_is_refused() -> None:
     with pytest.raises(LedgerError, match="there is no claim C9"):
         load("anim.ledger", "chapter4.toml", {"C9": Propositions()})
+
+
+def test_the_title_is_what_the_file_says_or_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "sheet.toml"
+    claim = '[[claims]]\nid = "E1"\nname = "a"\nsection = "1"\nkind = "fact"\nstatement = "s"\n'
+    path.write_text(claim, encoding="utf-8")
+    assert read_title(path) == "sheet"
+    path.write_text('title = "Exercises,  week 3"\n' + claim, encoding="utf-8")
+    assert read_title(path) == "Exercises, week 3"
+    path.write_text("title = 3\n" + claim, encoding="utf-8")
+    with pytest.raises(LedgerError, match=r"title.*expected a text, found int"):
+        read_ledger(path)
