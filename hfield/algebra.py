@@ -40,7 +40,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
     (True, True)
     """
 
-    def __init__(self, ring: Ring | str, a: Any, b: Any, t: Any = 0) -> None:
+    def __init__(self, ring: Ring | str, a: object, b: object, t: object = 0) -> None:
         self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)
         self.constants = Constants(F(a), F(t), F(b))
 
@@ -52,7 +52,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
 
     @classmethod
     def from_ramification(
-        cls, ring: Ring | str, primes: Iterable[Any], infinite: bool | None = None
+        cls, ring: Ring | str, primes: Iterable[object], infinite: bool | None = None
     ) -> QuaternionAlgebra:
         """Return an algebra over ℚ or a number field that ramifies exactly at these places.
 
@@ -94,7 +94,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
 
     # --- elements ------------------------------------------------------------------------------
 
-    def __call__(self, *coordinates: Any) -> Quaternion:
+    def __call__(self, *coordinates: object) -> Quaternion:
         """Make an element from four coordinates, or from one scalar, text, quaternion or 4-tuple.
 
         Raises :class:`CoercionError` for anything else, :class:`NotationError` for unreadable text.
@@ -120,7 +120,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
             f"{len(coordinates)} were given"
         )
 
-    def _element(self, values: tuple[Any, ...]) -> Quaternion:
+    def _element(self, values: tuple[object, ...]) -> Quaternion:
         how: Holding = self.array_holding if any(map(is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
 
@@ -244,7 +244,7 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
     # --- identity and text ---------------------------------------------------------------------
 
     @cached_property
-    def _key(self) -> tuple[Any, ...]:
+    def _key(self) -> tuple[object, ...]:
         return (self.ring, *(self.ring.key(c) for c in self.constants))
 
     def __eq__(self, other: object) -> bool:

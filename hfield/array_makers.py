@@ -21,7 +21,7 @@ class ArrayMakers:
     one: Any
     __call__: Callable[..., Quaternion]
 
-    def from_array(self, values: Any) -> Quaternion:
+    def from_array(self, values: object) -> Quaternion:
         """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
 
         An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.

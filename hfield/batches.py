@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, Self
 
 from hfield.errors import CoercionError
+from hfield.product import Scalar
 from hfield.rings.growth import FEW, bits, check_growth
 from hfield.rings.holding import Batch
 
@@ -23,7 +24,7 @@ class BatchMethods:
     def _alike(self, held: Any) -> Self:
         raise NotImplementedError
 
-    def _new(self, w: Any, x: Any, y: Any, z: Any) -> Self:
+    def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Self:
         raise NotImplementedError
 
     @property
@@ -133,7 +134,7 @@ def folded(
     """Combine the elements along an axis, in a tree; neighbours with each other if ``ordered``."""
     n = how.shape(held)[axis]
 
-    def part(x: Any, index: Any) -> Any:
+    def part(x: Scalar, index: Any) -> Any:
         return how.part(x, (*(slice(None),) * axis, index))
 
     tail = None  # what comes after the last of those that are left

@@ -20,7 +20,7 @@ from hfield.rings.number_field import NumberField
 from hfield.rings.number_sums import evaluate, roots_in
 
 
-def embedding(source: Ring, target: Ring) -> Callable[[Any], Any]:
+def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:
     """Return the map of scalars of ``source`` into ``target``.
 
     It is a homomorphism where both are fields of one characteristic. From characteristic 0 it may
@@ -70,7 +70,7 @@ def _from_number_field(source: NumberField, target: NumberField) -> Callable[[An
     return lambda x: evaluate(target, x.poly, root)
 
 
-def _generators(source: Ring, target: Ring) -> dict[str, Any]:
+def _generators(source: Ring, target: Ring) -> dict[str, Scalar]:
     """Return the images of the generators whose text alone would not tell them."""
     if isinstance(source, ExtensionField):
         return {str(source.gen_name): _image(source, target)}

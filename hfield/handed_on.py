@@ -15,7 +15,7 @@ def handed_on(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str
     2
     """
 
-    def get(name: str) -> Any:
+    def get(name: str) -> object:
         if name.startswith("__"):  # what the import system asks of every module
             raise AttributeError(name)
         return getattr(import_module(package), name)

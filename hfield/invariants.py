@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -174,7 +174,7 @@ class Invariants(Hinted, Parent):
             )
         return answer
 
-    def to_matrix(self, q: Any) -> Any:
+    def to_matrix(self, q: object) -> Any:
         """Return the 2 × 2 matrix of q under :meth:`split`. Raises CoercionError if there is none."""
         return self._splitting().to_matrix(q)
 
@@ -184,7 +184,7 @@ class Invariants(Hinted, Parent):
 
     # --- ramification --------------------------------------------------------------------------
 
-    def ramified_places(self, factors: Factors | None = None) -> tuple[Any, ...]:
+    def ramified_places(self, factors: Factors | None = None) -> tuple[Hashable, ...]:
         """Return the places where the algebra stays a division algebra, finite ones first.
 
         Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
@@ -270,7 +270,7 @@ class Invariants(Hinted, Parent):
 
     # --- lattices and orders over ℤ --------------------------------------------------------------
 
-    def lattice(self, elements: Iterable[Any]) -> Lattice:
+    def lattice(self, elements: Iterable[object]) -> Lattice:
         """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
 
         Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` over another field.
@@ -279,7 +279,7 @@ class Invariants(Hinted, Parent):
 
         return Lattice.spanned(self, elements)
 
-    def order(self, elements: Iterable[Any]) -> Order:
+    def order(self, elements: Iterable[object]) -> Order:
         """Return the order that elements generate as a ring.
 
         Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
@@ -288,7 +288,7 @@ class Invariants(Hinted, Parent):
 
         return Order.generated(self, elements)
 
-    def order_from_basis(self, elements: Iterable[Any]) -> Order:
+    def order_from_basis(self, elements: Iterable[object]) -> Order:
         """Return the order with a basis of four elements.
 
         Raises :class:`LatticeError` unless they span a ring with 1.

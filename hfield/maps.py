@@ -7,12 +7,12 @@ from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
-from hfield.product import Coordinates
+from hfield.product import Coordinates, Scalar
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.isomorphisms import splitting
 
 if TYPE_CHECKING:
-    import flint
+    from hfield.rings.base import Ring
 
 
 Matrix = splitting.Matrix
@@ -21,7 +21,7 @@ Matrix = splitting.Matrix
 class LinearMap:
     """A linear map of algebras over one ring, known by the ``images`` of e, i, j, k; call it."""
 
-    def __init__(self, source: Parent, target: Parent, images: Sequence[Any]) -> None:
+    def __init__(self, source: Parent, target: Parent, images: Sequence[object]) -> None:
         self.source, self.target = source, target
         e, i, j, k = (target(*q) if isinstance(q, (tuple, list)) else target(q) for q in images)
         self.images: tuple[Quaternion, Quaternion, Quaternion, Quaternion] = (e, i, j, k)
@@ -43,9 +43,10 @@ class LinearMap:
         return tuple(zip(*(q.coordinates for q in self.images), strict=True))
 
     @property
-    def determinant(self) -> flint.fmpq:
+    def determinant(self) -> Scalar:
         """The determinant of the matrix, an element of the base ring."""
-        m, total = self.matrix(), self.target.ring.zero
+        m = self.matrix()
+        total: Scalar = self.target.ring.zero
         for p in permutations(range(4)):
             sign = (-1) ** sum(p[s] > p[r] for r in range(4) for s in range(r))
             term = m[0][p[0]] * m[1][p[1]] * m[2][p[2]] * m[3][p[3]]
@@ -81,7 +82,7 @@ class Isomorphism(LinearMap):
     """
 
     def __init__(
-        self, source: Parent, target: Parent, images: Sequence[Any], reverses: bool = False
+        self, source: Parent, target: Parent, images: Sequence[object], reverses: bool = False
     ) -> None:
         super().__init__(source, target, images)
         self.reverses = reverses
@@ -115,7 +116,7 @@ class Isomorphism(LinearMap):
         return Isomorphism(self.target, self.source, columns, self.reverses)
 
 
-def _minor(m: list[list[Any]]) -> flint.fmpq:
+def _minor(m: list[list[Scalar]]) -> Scalar:
     """Return the determinant of a 3 × 3 matrix."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
@@ -141,7 +142,7 @@ class Splitting:
     def __iter__(self) -> Iterator[Matrix]:
         return iter((self.i, self.j))
 
-    def to_matrix(self, q: Any) -> Matrix:
+    def to_matrix(self, q: object) -> Matrix:
         """Return the matrix of q."""
         coordinates: Coordinates = self.algebra(q).coordinates
         return self._found.to_matrix(coordinates)
@@ -187,12 +188,12 @@ class Division:
         return f"{self.algebra} is a division algebra: {self.reason}"
 
 
-def matrix_latex(F: Any, m: Sequence[Sequence[Any]]) -> str:
+def matrix_latex(F: Ring, m: Sequence[Sequence[Scalar]]) -> str:
     """Write a matrix in LaTeX's mathematics."""
     rows = r" \\ ".join(" & ".join(F.text(x, "latex") for x in row) for row in m)
     return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
 
 
-def matrix_text(F: Any, m: Sequence[Sequence[Any]], style: str = "plain") -> str:
+def matrix_text(F: Ring, m: Sequence[Sequence[Scalar]], style: str = "plain") -> str:
     """Write a matrix in one line, ``[1, 0; 0, -1]``."""
     return "[" + "; ".join(", ".join(F.text(x, style) for x in row) for row in m) + "]"

@@ -31,8 +31,8 @@ class Parent(Protocol):
     def array_holding(self) -> Batch: ...  # noqa: D102
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
-    def __call__(self, *coordinates: Any) -> Quaternion: ...  # noqa: D102
-    def scalar(self, x: Any) -> Quaternion: ...  # noqa: D102
+    def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
+    def scalar(self, x: object) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
     def latex(self) -> str: ...  # noqa: D102
 

@@ -26,7 +26,7 @@ def export_session(answers: Iterable[Answer]) -> str:
     return export_session(answers).text
 
 
-def namespace(A: QuaternionAlgebra) -> dict[str, Any]:
+def namespace(A: QuaternionAlgebra) -> dict[str, object]:
     """Return the names of a session: the public ones, ``A``, ``F``, its generators, ``e i j k``."""
     from fractions import Fraction
 
@@ -91,7 +91,7 @@ def _one_line(error: BaseException) -> str:
     return f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def _run_piped(names: dict[str, Any]) -> int:
+def _run_piped(names: dict[str, object]) -> int:
     """Run the lines of stdin, as if typed; 1 if one of them failed."""
     console = _Console(names, "<stdin>")
     more = False
@@ -102,7 +102,7 @@ def _run_piped(names: dict[str, Any]) -> int:
     return int(console.failed)
 
 
-def _run_plain(names: dict[str, Any], greeting: str) -> int:
+def _run_plain(names: dict[str, object], greeting: str) -> int:
     try:
         import readline
         from rlcompleter import Completer
@@ -115,7 +115,7 @@ def _run_plain(names: dict[str, Any], greeting: str) -> int:
     return 0
 
 
-def _run_ipython(app: Any, names: dict[str, Any], greeting: str) -> int:
+def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
     from traitlets.config import Config
 
     config = Config()
@@ -125,7 +125,7 @@ def _run_ipython(app: Any, names: dict[str, Any], greeting: str) -> int:
     session.initialize([])
 
     def tell(
-        shell: Any, kind: Any, error: BaseException, trace: Any, tb_offset: Any = None
+        shell: object, kind: object, error: BaseException, trace: object, tb_offset: object = None
     ) -> None:
         print(_one_line(error), file=sys.stderr)
 

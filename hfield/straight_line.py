@@ -14,7 +14,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from hfield import product
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 
 ZERO, ONE, MINUS_ONE = "0", "1", "-1"
 FIRST, SECOND = ("w1", "x1", "y1", "z1"), ("w2", "x2", "y2", "z2")
@@ -257,7 +257,7 @@ def _program(tape: _Tape, outputs: list[str]) -> Program:
     return Program(tuple(inputs), tuple(kept), tuple(outputs))
 
 
-def named(x: Any, name: str, is_constant: Callable[[Any, int], bool]) -> str:
+def named(x: Scalar, name: str, is_constant: Callable[[Any, int], bool]) -> str:
     """Return x as :func:`specialise` takes it; ``is_constant(x, n)`` tells x = n·1."""
     return next((str(n) for n in (0, 1, -1) if is_constant(x, n)), name)
 

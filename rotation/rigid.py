@@ -1,26 +1,18 @@
 """`RigidTransform`: one rigid motion of space or a whole array of them, immutable."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any, Self
 
-import numpy as np
-
 from rotation import rigid_motions as motions
-from rotation import sampling, vectors
 from rotation.alignment import align_points
 from rotation.arrays import common_batch
-from rotation.batch import expect_rotations
-from rotation.errors import DTypeError, RotationError
-from rotation.matrices import from_matrix
-from rotation.namespaces import Array, copied, expect_last, floats, is_numpy, namespace, spread
+from rotation.errors import DTypeError
+from rotation.namespaces import Array, expect_last, floats, namespace, spread
+from rotation.rigid_forms import Forms
 from rotation.rotation import Rotation
-from rotation.screws import Screw, from_screw, to_screw
-from rotation.shaped import Shaped
-
-HELD = 16_384  # transforms whose matrices, once computed, are held: 2 MB
 
 
-class RigidTransform(Shaped):
+class RigidTransform(Forms):
     """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
 
     Method names are those of scipy; conventions are those of `Rotation`: ``p * q`` applies q first, dual
@@ -41,169 +33,11 @@ class RigidTransform(Shaped):
     array([0., 0., 0.])
     """
 
-    __slots__ = ("_matrix", "_t")
-
-    _t: Array
-    _matrix: Array | None  # when it was asked for, of not too many
-    _called = "transform"
+    __slots__ = ()
 
     def __new__(cls, matrix: Any) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""
         return cls.from_matrix(matrix)
-
-    @classmethod
-    def _of(cls, q: Array, t: Array) -> Self:
-        """Wrap unit quaternions and translations that nobody else writes to, of shapes that broadcast."""
-        xp = namespace(q, t)
-        batch = np.broadcast_shapes(tuple(q.shape[:-1]), tuple(t.shape[:-1]))
-        self = object.__new__(cls)
-        for name, array, length in (("_q", q, 4), ("_t", t, 3)):
-            if tuple(array.shape) != (*batch, length):
-                array = xp.broadcast_to(array, (*batch, length))
-            if is_numpy(xp) and array.flags.writeable:
-                array.flags.writeable = False
-            object.__setattr__(self, name, array)
-        object.__setattr__(self, "_matrix", None)
-        return self
-
-    @classmethod
-    def _of_rows(cls, rows: Array) -> Self:
-        return cls._of(rows[..., :4], rows[..., 4:])
-
-    # Making
-
-    @classmethod
-    def identity(cls, shape: int | Sequence[int] | None = None) -> Self:
-        """Return the motion that moves nothing, or a batch of it: ``shape`` is a number or a tuple."""
-        batch = sampling.as_shape(shape)
-        return cls._of(Rotation.identity(batch)._q, np.zeros((*batch, 3)))
-
-    @classmethod
-    def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False) -> Self:
-        """Make transforms from homogeneous matrices (…, 4, 4), whose last row is 0, 0, 0, 1.
-
-        Raises
-        ------
-        RotationError
-            Another last row, or the upper left 3 × 3 block is no rotation; see `Rotation.from_matrix`.
-        """
-        m = floats(matrix, "matrices")
-        motions.expect_affine(m)
-        q = from_matrix(m[..., :3, :3], orthonormalize)
-        return cls._of(q, copied(m[..., :3, 3]))
-
-    @classmethod
-    def from_rotation(cls, rotation: Rotation) -> Self:
-        """Make transforms that turn and do not shift."""
-        expect_rotations(rotation=rotation)
-        return cls._of(rotation._q, 0.0 * rotation._q[..., 1:])
-
-    @classmethod
-    def from_translation(cls, translation: Any) -> Self:
-        """Make transforms that shift by ``translation`` (…, 3) and do not turn."""
-        t = _copied(translation, "translations")
-        xp = namespace(t)
-        one, zero = xp.ones_like(t[..., :1]), xp.zeros_like(t)
-        return cls._of(xp.concat([one, zero], axis=-1), t)
-
-    @classmethod
-    def from_components(cls, translation: Any, rotation: Rotation) -> Self:
-        """Make transforms that turn first, then shift; the batch shapes broadcast."""
-        expect_rotations(rotation=rotation)
-        t = _copied(translation, "translations")
-        common_batch(translation=tuple(t.shape[:-1]), rotation=rotation.shape)
-        return cls._of(rotation._q, t)
-
-    @classmethod
-    def from_exp_coords(cls, exp_coords: Any) -> Self:
-        """Make transforms from exponential coordinates (…, 6): a rotation vector, then ``J⁻¹·t``."""
-        x = _copied(exp_coords, "exponential coordinates", 6)
-        v, u = x[..., :3], x[..., 3:]
-        return cls._of(vectors.from_rotvec(v), motions.SWEPT(v, u))
-
-    @classmethod
-    def from_dual_quat(cls, dual_quat: Any, *, scalar_first: bool = True) -> Self:
-        """Make transforms from dual quaternions (…, 8): ``q``, then ``½·t·q``; they are made unit.
-
-        Raises
-        ------
-        RotationError
-            The first half is zero.
-        """
-        d = _copied(dual_quat, "dual quaternions", 8)
-        xp = namespace(d)
-        if not scalar_first:
-            d = xp.concat(
-                [xp.roll(d[..., :4], 1, axis=-1), xp.roll(d[..., 4:], 1, axis=-1)], axis=-1
-            )
-        return cls._of(*motions.from_dual(d))
-
-    @classmethod
-    def from_screw(
-        cls, axis: Any, point: Any, angle: Any, displacement: Any, degrees: bool = False
-    ) -> Self:
-        """Make the motions along screws: a turn about a line and a shift along it.
-
-        Parameters
-        ----------
-        axis : array_like, shape (…, 3)
-            The direction of the line, of any length but 0.
-        point : array_like, shape (…, 3)
-            A point on it.
-        angle, displacement : array_like, shape (…)
-            The batch shapes broadcast.
-
-        Raises
-        ------
-        RotationError
-            An axis is zero.
-        """
-        return cls._of(*from_screw(axis, point, angle, displacement, degrees))
-
-    # Reading
-
-    @property
-    def rotation(self) -> Rotation:
-        """The rotations, of the same batch shape."""
-        return Rotation._of(copied(self._q))
-
-    @property
-    def translation(self) -> Array:
-        """The translations, shape (…, 3), as a copy."""
-        return copied(self._t)
-
-    def as_components(self) -> tuple[Array, Rotation]:
-        """Return the translations and the rotations."""
-        return self.translation, self.rotation
-
-    def as_matrix(self) -> Array:
-        """Return the homogeneous matrices, shape (…, 4, 4)."""
-        if self._matrix is not None:
-            return self._matrix.copy()
-        m = motions.MATRIX(self._q, self._t)
-        if type(m) is np.ndarray and m.size <= 16 * HELD:
-            object.__setattr__(self, "_matrix", m)
-            return m.copy()
-        return m
-
-    def as_exp_coords(self) -> Array:
-        """Return the exponential coordinates, shape (…, 6), of angles in [0, π]."""
-        v = vectors.to_rotvec(self._q)
-        return namespace(v).concat([v, motions.UNSWEPT(v, self._t)], axis=-1)
-
-    def as_dual_quat(self, *, scalar_first: bool = True) -> Array:
-        """Return the unit dual quaternions, shape (…, 8): ``q``, then ``½·t·q``."""
-        d = motions.DUAL(self._q, self._t)
-        xp = namespace(d)
-        if scalar_first:
-            return d
-        return xp.concat(
-            [xp.roll(d[..., :4], -1, axis=-1), xp.roll(d[..., 4:], -1, axis=-1)], axis=-1
-        )
-
-    def as_screw(self, degrees: bool = False) -> Screw:
-        """Return the screws of the motions: every rigid motion is along one (Chasles)."""
-        return to_screw(self._q, self._t, degrees)
 
     # The group
 
@@ -213,14 +47,13 @@ class RigidTransform(Shaped):
                 raise DTypeError(
                     "a Rotation beside a RigidTransform; write RigidTransform.from_rotation(r)"
                 )
+            self._refuse_factor(other)
             return NotImplemented
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
 
     def __rmul__(self, other: object) -> Any:
-        if isinstance(other, Rotation):
-            return self * other  # which refuses it
-        return NotImplemented
+        return self * other if isinstance(other, Rotation) else super().__rmul__(other)
 
     def __pow__(self, exponent: Any) -> Self:
         """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast."""
@@ -357,11 +190,3 @@ def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
             raise DTypeError(f"{name} is a {type(value).__name__}; expected a RigidTransform")
     path: RigidTransform = p * (p.inv() * q) ** t
     return path
-
-
-def _copied(value: Any, what: str, length: int = 3) -> Array:
-    array = floats(value, what)
-    if not array.ndim:
-        raise RotationError(f"{what} has shape (); expected (…, {length})")
-    expect_last(array, (length,), what)
-    return copied(array)

@@ -6,6 +6,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from rotation.errors import DTypeError
 from rotation.namespaces import Array
 
 
@@ -59,6 +60,36 @@ class Shaped:
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))
+
+    def _refuse_factor(self, other: object) -> None:
+        """Raise `DTypeError` for points beside ``*``, and for scipy's classes of the same names."""
+        if type(other).__module__.startswith("scipy."):
+            way = (
+                "Rotation.from_scipy(r) or r.to_scipy()"
+                if hasattr(self, "from_scipy")
+                else f"{type(self).__name__}.from_matrix(t.as_matrix())"
+            )
+            raise DTypeError(
+                f"one {self._called} is scipy's, the other is ours: convert with {way}"
+            )
+        if isinstance(other, list | tuple) or hasattr(other, "__array__"):
+            raise DTypeError(f"a {self._called} is not multiplied by points; write r.apply(points)")
+
+    def __rmul__(self, other: object) -> Any:
+        self._refuse_factor(other)
+        return NotImplemented
+
+    def __matmul__(self, other: object) -> Any:
+        if isinstance(other, Shaped):
+            raise DTypeError(
+                f"p @ q is not defined for {self._called}s; write p * q, which applies q first"
+            )
+        raise DTypeError(f"r @ points is not defined for {self._called}s; write r.apply(points)")
+
+    def __rmatmul__(self, other: object) -> Any:
+        raise DTypeError(
+            f"points @ r is not defined for {self._called}s; write r.apply(points, inverse=True)"
+        )
 
     def __copy__(self) -> Self:
         return self

@@ -13,13 +13,7 @@ from hfield.commands import catalogue
 from hfield.commands.catalogue import COMMANDS
 from hfield.commands.parser import Parser, UsageError
 from hfield.errors import HFieldError
-
-
-def run(capsys, *words):
-    status = main(words)
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
-    return status, out, err
+from tests.commands.running import run
 
 
 def refused(capsys, *words):

@@ -108,3 +108,16 @@ def test_a_comparison_is_a_table():
     shown = compare()
     assert shown._repr_markdown_() == repr(shown)
     assert repr(shown).startswith("| | quaternions |")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "latex"),
+    [
+        ("QQ[s]/(s^3-2)", "s^2/2 - 1", r"$-1+\frac{1}{2}s^{2}$"),
+        ("QQ(sqrt(2))", "1+sqrt(2)", r"$1+\sqrt{2}$"),
+        ("Qp(5)", "2/3", r"$\frac{2}{3}$"),
+        ("QQ(x)", "1/(x+1)", r"$\frac{1}{x+1}$"),
+    ],
+)
+def test_elements_of_fields_of_our_own_show_themselves(name, text, latex):
+    assert ring(name).parse(text)._repr_latex_() == latex

@@ -1,9 +1,16 @@
 """The public names of the three packages: a name added, lost or moved is seen here."""
 
+import json
+import re
+from collections.abc import Iterator
+from functools import cached_property
 from importlib import import_module
-from types import ModuleType
+from pathlib import Path
+from types import FunctionType, ModuleType
 
 import pytest
+
+from hfield.rings.base import Ring
 
 NAMES = {
     "hfield": """
@@ -85,3 +92,54 @@ def test_methods_functions_and_language_agree() -> None:
     assert x == p.conjugator(q) == p.conjugacy(q).element
     assert x * p * x.inv() == q
     assert prove("norm(p) != 0 => p*inv(p) == e and conj(p) == norm(p)*inv(p)")
+
+
+# A notebook or a browser opens; and a field's own methods are those of every ring, of which rings.md tells.
+NOT_SHOWN = {"show", "ask", "state", "array_holding", "holding"}
+_CALLED = re.compile(r"\.(\w+)")
+
+
+def public_methods(package: str) -> Iterator[tuple[str, str]]:
+    """Yield class and name of the methods and properties that we wrote, but those of rings."""
+    module = import_module(package)
+    for name in dir(module):
+        kind = getattr(module, name)
+        if isinstance(kind, type) and not issubclass(kind, (Exception, Ring)):
+            for method in vars_of(kind):
+                yield name, method
+
+
+def vars_of(kind: type) -> set[str]:
+    ours = [c for c in kind.__mro__ if c.__module__.split(".")[0] in NAMES]
+    made = (FunctionType, classmethod, staticmethod, property, cached_property)
+    return {
+        name
+        for owner in ours
+        for name, value in vars(owner).items()
+        if not name.startswith("_") and isinstance(value, made)
+    }
+
+
+@pytest.fixture(scope="module")
+def called() -> set[str]:
+    """What the examples call or read that are executed: in docstrings, pages and notebooks."""
+    root = Path(__file__).parents[1]
+    pages = [root / "README.md", *(root / "docs").rglob("*.md")]
+    sources = [path for package in NAMES for path in (root / package).rglob("*.py")]
+    found: set[str] = set()
+    for path in pages + sources:
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if line.lstrip().startswith((">>> ", "... ")):
+                found.update(_CALLED.findall(line))
+    for path in (root / "docs" / "notebooks").glob("*.ipynb"):
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            if cell["cell_type"] == "code":
+                found.update(_CALLED.findall("".join(cell["source"])))
+    return found
+
+
+@pytest.mark.parametrize("package", NAMES)
+def test_every_public_method_stands_in_an_example(package: str, called: set[str]) -> None:
+    methods = list(public_methods(package))
+    assert len(methods) > 20
+    assert [m for m in methods if m[1] not in called | NOT_SHOWN] == []

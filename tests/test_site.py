@@ -7,6 +7,7 @@ axe-core`` in any folder) at the place that ``HFIELD_AXE`` names, a file ``axe.m
 import os
 from html.parser import HTMLParser
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 
@@ -51,6 +52,38 @@ def test_no_page_loads_anything_from_outside():
         if address.startswith(("http:", "https:", "//"))
     }
     assert not outside
+
+
+class Anchors(HTMLParser):
+    """Collects where links lead, and where they may."""
+
+    def __init__(self, page: Path) -> None:
+        super().__init__()
+        self.links: list[str] = []
+        self.places: set[str] = set()
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attrs):
+        found = dict(attrs)
+        self.places |= {found["id"]} if "id" in found else set()
+        self.links += [found["href"]] if tag == "a" and found.get("href") else []
+
+
+def test_every_link_within_the_site_has_its_page_and_its_place():
+    pages = {page.resolve(): Anchors(page) for page in SITE.rglob("*.html")}
+    lost, followed = [], 0
+    for page, anchors in pages.items():
+        for link in anchors.links:
+            if link.startswith(("http:", "https:")):
+                continue
+            file, _, place = unquote(link).partition("#")
+            target = (page.parent / file).resolve() if file else page
+            known = target in pages and (not place or place in pages[target].places)
+            followed += 1
+            if not known and not (target.is_file() and target.suffix != ".html"):
+                lost.append((page.name, link))
+    assert followed > 500
+    assert lost == []
 
 
 @pytest.fixture(scope="module")

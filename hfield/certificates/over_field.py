@@ -4,7 +4,8 @@ from collections.abc import Hashable
 from math import gcd
 from typing import Any
 
-from hfield.certificates.clauses import Clause, Expansion, Frozen
+from hfield.certificates.clauses import Clause, Expansion, Frozen, expand
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.certificates.polynomials import (
     ONE,
     Monomial,
@@ -16,6 +17,7 @@ from hfield.certificates.polynomials import (
 )
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
 
 
@@ -116,3 +118,20 @@ class Place:
             return frozenset((m, c // scale) for m, c in f.items())
         opposite = modulo({m: -c for m, c in f.items()}, self.p)
         return frozenset(min(f, opposite, key=lambda g: sorted(g.items())).items())
+
+
+def place_of(statement: Statement, setting: Setting) -> Place:
+    """Expand the statement; the algebra must exist somewhere, and "not 0" mean what has an inverse."""
+    ring = setting.field
+    if ring is not None and not ring.is_field and statement.divides:
+        reject(f"a statement that divides is shown over {ring.name} by all cases only")
+    over = Place(expand(statement, setting), ring)
+    over.need_algebra()
+    return over
+
+
+def reach(statement: Statement, setting: Setting) -> str:
+    """Return the widest scope that a statement has by its form."""
+    if setting.field is not None:
+        return FIELD
+    return FIELDS if statement.divides or statement.compares_unequal else COMMUTATIVE_RINGS

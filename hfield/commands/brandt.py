@@ -6,9 +6,9 @@ from argparse import ArgumentParser, Namespace
 from math import cos, pi, sin
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.classes import algebra_of, level_of
+from hfield.commands.orders import algebra_of, level_of
 from hfield.commands.output import OutputError, open_output
-from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -29,17 +29,18 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument("level", metavar="N", nargs="?", default="1", help="the level (default: 1)")
     parser.add_argument("--prime", metavar="P", default="2", help="which matrix (default: 2)")
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
+    add_factors(parser)
     add_format(parser, "plain", "json", "latex", "edges")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
     """Compute the matrix, and print it."""
-    A, level = algebra_of(args.algebra), level_of(args.level)
     if not (args.prime.isascii() and args.prime.isdecimal() and int(args.prime) > 0):
         raise UsageError(f"--prime {shorten(args.prime)!r}: expected a prime such as 2")
     n = int(args.prime)
-    with open_output(args.output) as out:
+    with given_factors(args), open_output(args.output) as out:
+        A, level = algebra_of(args.algebra), level_of(args.level)
         C = A.eichler_order(level).class_set()
         matrix = C.brandt_matrix(n)
         if args.plot:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.commands.parser import Parser, UsageError, suggest
 from hfield.errors import shorten
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
 
 COMMANDS = {
     "verify": "decide the claims of the thesis over a panel of fields",
@@ -18,6 +22,7 @@ COMMANDS = {
     "export": "write what is proved for all fields as theorems for Coq",
     "info": "tell what an algebra is",
     "order": "show an order over the integers",
+    "ideal": "show an ideal of an order, and compare it with another",
     "classes": "enumerate the ideal classes of an order",
     "brandt": "print Brandt matrices and isogeny graphs",
     "survey": "tell class numbers over ranges, in parallel",
@@ -66,14 +71,14 @@ def _load(name: str) -> Any:
     raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
 
 
-def _foreign() -> dict[str, Any]:
+def _foreign() -> dict[str, EntryPoint]:
     """Return the entry points of other packages by the name of their command."""
     from importlib.metadata import entry_points
 
     return {point.name: point for point in entry_points(group=GROUP)}
 
 
-def _summary(point: Any) -> str:
+def _summary(point: EntryPoint) -> str:
     """Say in a line what a command of another package does: its own ``SUMMARY``, if it has one."""
     try:
         return str(point.load().SUMMARY)

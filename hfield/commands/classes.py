@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from hfield.commands.output import Sink, note, open_output
-from hfield.commands.parser import UsageError, add_format, add_output
-from hfield.errors import shorten
-
-if TYPE_CHECKING:
-    from hfield.algebra import QuaternionAlgebra
-    from hfield.lattices.certified import Claim
+from hfield.commands.orders import (
+    add_certificate,
+    add_where,
+    algebra_of,
+    level_of,
+    write_certificate,
+)
+from hfield.commands.output import open_output
+from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 
 HELP = (
     "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ, compare with "
@@ -27,56 +29,9 @@ def configure(parser: ArgumentParser) -> None:
     add_where(parser)
     parser.add_argument("--formula", action="store_true", help="enumerate nothing")
     add_certificate(parser)
+    add_factors(parser)
     add_format(parser, "plain", "json", "latex")
     add_output(parser)
-
-
-def add_certificate(parser: ArgumentParser) -> None:
-    """Declare the file for a certificate."""
-    parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
-
-
-def write_certificate(file: Sink, claim: Claim) -> None:
-    """Write a certificate, or tell why there is none."""
-    if claim.certificate is None:
-        note(f"no certificate is written: {claim.why_no_certificate}")
-    else:
-        file.write_json(claim.certificate)
-
-
-def add_where(parser: ArgumentParser) -> None:
-    """Declare the algebra and the level."""
-    parser.add_argument(
-        "algebra",
-        metavar="ALGEBRA",
-        help="such as '(-1,-11|QQ)', or a discriminant such as 11 or 30",
-    )
-    parser.add_argument(
-        "--level", metavar="N", default="1", help="the level, prime to the discriminant"
-    )
-
-
-def algebra_of(text: str) -> QuaternionAlgebra:
-    """Read an algebra, or the definite one of a discriminant. Raises :class:`UsageError`."""
-    from hfield.algebra import QuaternionAlgebra
-    from hfield.factorisation import factorise
-
-    if not (text.isascii() and text.isdecimal()):
-        return QuaternionAlgebra.from_text(text)
-    primes = factorise(int(text)) if int(text) > 1 else {}
-    if len(primes) % 2 == 0 or max(primes.values()) > 1:
-        raise UsageError(
-            f"{shorten(text)} is not the discriminant of a definite algebra over QQ: expected a product of "
-            "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
-        )
-    return QuaternionAlgebra.from_ramification("QQ", sorted(primes))
-
-
-def level_of(text: str) -> int:
-    """Read a level. Raises :class:`UsageError`."""
-    if not (text.isascii() and text.isdecimal() and int(text) > 0):
-        raise UsageError(f"the level {shorten(text)!r} is no positive integer")
-    return int(text)
 
 
 def run(args: Namespace) -> int:
@@ -85,8 +40,12 @@ def run(args: Namespace) -> int:
         raise UsageError(
             "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
         )
-    A, level = algebra_of(args.algebra), level_of(args.level)
-    with open_output(args.output) as out, open_output(args.certificate) as file:
+    with (
+        given_factors(args),
+        open_output(args.output) as out,
+        open_output(args.certificate) as file,
+    ):
+        A, level = algebra_of(args.algebra), level_of(args.level)
         O = A.eichler_order(level)
         number, mass = A.class_number(level), O.mass()
         C = None if args.formula else O.class_set()

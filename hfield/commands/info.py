@@ -8,9 +8,8 @@ from functools import partial
 
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink
-from hfield.commands.parser import UsageError, add_output, add_standalone
+from hfield.commands.parser import add_factors, add_output, add_standalone, given_factors
 from hfield.commands.status import Waiting
-from hfield.errors import shorten
 
 HELP = (
     "Show what is known of an algebra: its table, centre, radical, whether it is a division algebra or "
@@ -33,19 +32,13 @@ def configure(parser: ArgumentParser) -> None:
     what = "such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
     add_inputs(parser, "ALGEBRA", what, "plain", "json", "latex")
     add_standalone(parser)
-    parser.add_argument(
-        "--factors",
-        metavar="P,…",
-        help="primes of a and b (or of their norms) that you know, separated by commas",
-    )
+    add_factors(parser)
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
     """Ask everything, and print the pages."""
-    from hfield.factorisation import known_primes
-
-    with known_primes(_primes(args.factors), "--factors"):
+    with given_factors(args):
         return answer_all(args, partial(_describe, args), COLUMNS)
 
 
@@ -75,13 +68,3 @@ def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Calla
         out.write("\n".join(lines))
 
     return 0, data, show
-
-
-def _primes(text: str | None) -> list[int] | None:
-    """Read ``--factors``. Raises :class:`UsageError`; that they are primes is found out later."""
-    if text is None:
-        return None
-    words = [word.strip() for word in text.split(",")]
-    if not all(word.isdecimal() and word.isascii() for word in words):
-        raise UsageError(f"--factors {shorten(text)!r}: expected primes such as 3,5,1000003")
-    return [int(word) for word in words]

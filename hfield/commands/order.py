@@ -5,9 +5,16 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.classes import add_certificate, algebra_of, level_of, write_certificate
+from hfield.commands.orders import (
+    add_algebra,
+    add_certificate,
+    algebra_of,
+    elements_of,
+    level_of,
+    write_certificate,
+)
 from hfield.commands.output import open_output
-from hfield.commands.parser import UsageError, add_format, add_output
+from hfield.commands.parser import add_factors, add_format, add_output, given_factors
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order
@@ -22,11 +29,7 @@ EXAMPLES = ("hfield order '(-1,-11|QQ)' --level 3",)
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument(
-        "algebra",
-        metavar="ALGEBRA",
-        help="such as '(-1,-11|QQ)', or a discriminant such as 11 or 30",
-    )
+    add_algebra(parser)
     group = parser.add_mutually_exclusive_group()
     group.add_argument("--level", metavar="N", help="an Eichler order of this level")
     group.add_argument("--generators", metavar="X,Y,…", help="elements, such as 'i, 1/2 + 1/2*j'")
@@ -34,23 +37,19 @@ def configure(parser: ArgumentParser) -> None:
         "--extremal", action="store_true", help="the p-extremal order where KLPT starts"
     )
     add_certificate(parser)
+    add_factors(parser)
     add_format(parser, "plain", "json", "latex")
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
     """Make the order, and print what it is."""
-    A = algebra_of(args.algebra)
-    if args.generators is not None:
-        words = [word for word in args.generators.split(",") if word.strip()]
-        if not words:
-            raise UsageError("--generators names no element; expected elements such as 'i, j'")
-        O = A.order([A(word) for word in words])
-    elif args.extremal:
-        O = A.extremal_order()
-    else:
-        O = A.eichler_order(level_of(args.level or "1"))
-    with open_output(args.output) as out, open_output(args.certificate) as file:
+    with (
+        given_factors(args),
+        open_output(args.output) as out,
+        open_output(args.certificate) as file,
+    ):
+        O = _made(args)
         if args.certificate is not None:
             write_certificate(file, O.claim)
         if args.format == "json":
@@ -64,6 +63,14 @@ def run(args: Namespace) -> int:
         else:
             out.write("\n".join(f"{label:<22} {text}" for label, text in page(O)))
     return 0
+
+
+def _made(args: Namespace) -> Order:
+    """Return the order that is asked for."""
+    A = algebra_of(args.algebra)
+    if args.generators is not None:
+        return A.order(elements_of(A, args.generators, "--generators"))
+    return A.extremal_order() if args.extremal else A.eichler_order(level_of(args.level or "1"))
 
 
 def to_json(O: Order) -> dict[str, Any]:

@@ -15,6 +15,8 @@ from hfield.commands.output import encodable
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
     from hfield.algebra import QuaternionAlgebra
 
 _OPTION = re.compile(r"\[[^][]*(\[[^][]*\][^][]*)*\]")
@@ -156,6 +158,29 @@ def add_standalone(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--standalone", action="store_true", help="with --format latex: a document that compiles"
     )
+
+
+def add_factors(parser: ArgumentParser) -> None:
+    """Declare ``--factors``, for commands that factor what an algebra is given by."""
+    parser.add_argument(
+        "--factors",
+        metavar="P,…",
+        help="primes of the numbers given (or of their norms) that you know, separated by commas",
+    )
+
+
+def given_factors(args: Namespace) -> AbstractContextManager[None]:
+    """Use the primes of ``--factors`` inside the ``with``. Raises :class:`UsageError`, :class:`RingError`."""
+    from hfield.factorisation import known_primes
+
+    if args.factors is None:
+        return known_primes(None, "--factors")
+    words = [word.strip() for word in args.factors.split(",")]
+    if not all(word.isdecimal() and word.isascii() for word in words):
+        raise UsageError(
+            f"--factors {shorten(args.factors)!r}: expected primes such as 3,5,1000003"
+        )
+    return known_primes([int(word) for word in words], "--factors")
 
 
 def add_algebra(parser: ArgumentParser) -> None:

@@ -70,30 +70,6 @@ class Coqc:
             return f"Coq says what it rests on: {_message(done.stdout)}"
         return None
 
-    def reject_each(self, theorems: Sequence[Theorem]) -> list[bool]:
-        """Tell of each theorem by itself whether Coq rejects it, all in one process of ``coqtop``."""
-        lines = [opening(), "Set Silent."]
-        for number, one in enumerate(theorems):
-            text = str(one) if not one.place else ""
-            # After an error the proof is still open, and nothing has the name.
-            lines += [text, "Abort All.", f'Goal True. idtac "@@ {number}". Abort.']
-            lines.append(f"Print Assumptions {one.name}.")
-        done = subprocess.run(
-            [self.program.replace("coqc", "coqtop"), "-q", "-quiet"],
-            cwd=self.folder,
-            input="\n".join(lines) + "\n",
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        parts = done.stdout.split("@@ ")[1:]
-        if len(parts) != len(theorems):
-            raise HFieldError(f"coqtop broke off: {_message(done.stderr)}")
-        return [
-            self.reject([one]) is not None if one.place else CLOSED not in part
-            for one, part in zip(theorems, parts, strict=True)
-        ]
-
 
 def opening() -> str:
     """Return what a file begins with that uses the compiled library."""

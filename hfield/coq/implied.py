@@ -1,14 +1,18 @@
 """Evidence of implications for Coq: items with their cofactors, and hints to find what they speak of."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
-
-from flint.utils.flint_exceptions import DomainError
+from typing import TYPE_CHECKING, Any
 
 from hfield.coq.cofactors import MismatchError, Reader, written
-from hfield.coq.formulas import Equation, Formula, Junction, equations
+from hfield.coq.consequences import are_products, proportional, quotient, tops, vanishes_as_function
+from hfield.coq.formulas import Formula
 from hfield.coq.terms import NotCoveredError, Terms
+
+if TYPE_CHECKING:
+    import flint
 
 
 @dataclass(frozen=True)
@@ -61,7 +65,7 @@ class Items:
         self.reader = Reader(self.places)
         self.items = [self._item(raw) for raw in data]
 
-    def read(self, text: str) -> Any:
+    def read(self, text: str) -> flint.fmpz_mpoly:
         """Return a polynomial in the coordinates of the unknowns."""
         n = self.terms.numerators
         return self.reader.value(text, n.gens, n.context.constant)
@@ -147,10 +151,10 @@ class Items:
                 continue
             for f in found:
                 common = f.gcd(z) if f != 0 else f
-                if common == 0 or not _are_products(f, z, common, numerators.factors):
+                if common == 0 or not are_products(f, z, common, numerators.factors):
                     continue
                 for h in (f, z):
-                    divisors = _quotient(h, common, numerators.factors)
+                    divisors = quotient(h, common, numerators.factors)
                     if divisors:
                         ds = "; ".join(written(d, order) for d in divisors)
                         stripped[str(h), str(common)] = (
@@ -166,135 +170,6 @@ class Items:
         return Evidence(
             tuple(self.coq(item) for item in items), (), tuple(stripped.values()), tuple(vanishing)
         )
-
-
-def tops(formulas: Iterable[Formula]) -> list[Any]:
-    """Return the numerators of all differences in some formulas."""
-    out = []
-    for equation in (e for f in formulas for e in equations(f)):
-        out += differences(equation)
-    return out
-
-
-def differences(equation: Equation) -> list[Any]:
-    """Return the numerators of the differences of both sides."""
-    left, right = equation.left.value, equation.right.value
-    if equation.left.is_scalar:
-        return [(left - right).top]
-    return [(u - v).top for u, v in zip(left, right, strict=True)]
-
-
-def proportional(f: Any, g: Any) -> bool:
-    """Tell whether two polynomials are multiples of each other by numbers."""
-    if f == 0 or g == 0:
-        return bool(f == g)
-    return bool(g.leading_coefficient() * f == f.leading_coefficient() * g)
-
-
-def _are_products(f: Any, z: Any, common: Any, factors: Sequence[Any]) -> bool:
-    """Tell whether f and z are both their common part times what was divided by."""
-    parts = [proportional(h, common) or bool(_quotient(h, common, factors)) for h in (f, z)]
-    return all(parts)
-
-
-def _quotient(f: Any, z: Any, factors: Sequence[Any]) -> list[Any]:
-    """Return factors whose product times z is f, up to a number; empty if there are none."""
-    if f == 0 or z == 0:
-        return []
-    content = z.content()
-    try:
-        rest = (f * content) / z
-    except DomainError:
-        return []
-    out = []
-    for d in factors:
-        while not d.is_constant() and not rest.is_constant():
-            try:
-                rest = rest / d
-            except DomainError:
-                break
-            out.append(d)
-    return out if rest.is_constant() else []
-
-
-def vanishes_as_function(f: Any, p: int) -> list[Any] | None:
-    """Return cofactors of x^p - x, variable by variable, that make f, if f is 0 on all of GF(p)."""
-    context = f.context()
-    width = context.nvars()
-    current = {m: int(c) % p for m, c in f.to_dict().items() if int(c) % p}
-    if not current or all(max(m) < p for m in current):
-        return None
-    cofactors = []
-    for n in range(width):
-        out: dict[tuple[int, ...], int] = {}
-        cofactor: dict[tuple[int, ...], int] = {}
-        for m, c in current.items():
-            e = m[n]
-            while e >= p:  # x^e = x^(e-p)·(x^p - x) + x^(e-p+1)
-                low = (*m[:n], e - p, *m[n + 1 :])
-                cofactor[low] = cofactor.get(low, 0) + c
-                e -= p - 1
-            own = (*m[:n], e, *m[n + 1 :])
-            out[own] = (out.get(own, 0) + c) % p
-        current = {m: c for m, c in out.items() if c}
-        cofactors.append(context.from_dict({m: c % p for m, c in cofactor.items() if c % p}))
-    return None if current else cofactors
-
-
-# --- what holds over every commutative ring --------------------------------------------------------
-
-
-class Directly:
-    """Derives a formula as Coq does over commutative rings, to know whether it will."""
-
-    def __init__(self, items: Sequence[Item]) -> None:
-        self.items = [i for i in items if i.is_direct]
-
-    def derives(self, zeros: Sequence[Any], formula: Formula) -> bool:
-        """Tell whether the formula follows where these polynomials are 0."""
-        match formula:
-            case Equation():
-                return all(self._zero(zeros, f) for f in differences(formula))
-            case Junction("and", left, right):
-                return self.derives(zeros, left) and self.derives(zeros, right)
-            case Junction("or", left, right):
-                return self.derives(zeros, left) or self.derives(zeros, right)
-            case Junction("=>", left, right):
-                cases = self._cases(left)
-                return cases is not None and all(
-                    self.derives([*more, *zeros], right) for more in cases
-                )
-        return False
-
-    def _zero(self, zeros: Sequence[Any], f: Any) -> bool:
-        if f == 0 or any(_opposite(f, z) for z in zeros) or any(_is_one(z) for z in zeros):
-            return True
-        return any(
-            all(z == 0 or any(_opposite(z, y) for y in zeros) for z in i.zeros)
-            and (_opposite(i.member, f) or _is_one(i.member))
-            for i in self.items
-        )
-
-    def _cases(self, formula: Formula) -> list[list[Any]] | None:
-        match formula:
-            case Equation():
-                return [differences(formula)]
-            case Junction("and" | "or" as op, left, right):
-                first, second = self._cases(left), self._cases(right)
-                if first is None or second is None:
-                    return None
-                if op == "or":
-                    return first + second
-                return [u + v for u in first for v in second]
-        return None
-
-
-def _is_one(f: Any) -> bool:
-    return bool(f in (1, -1))
-
-
-def _opposite(f: Any, g: Any) -> bool:
-    return bool(f in (g, -g))
 
 
 def facts_used(items: Iterable[Mapping[str, Any]]) -> set[str]:
@@ -321,6 +196,6 @@ def _denominators(steps: Any) -> Iterable[int]:
             yield from _denominators(branch)
 
 
-def _same_length(cofactors: Sequence[Any], known: Sequence[Any]) -> None:
+def _same_length(cofactors: Sequence[object], known: Sequence[flint.fmpz_mpoly]) -> None:
     if len(cofactors) != len(known):
         raise MismatchError(f"there are {len(cofactors)} cofactors for {len(known)} polynomials")

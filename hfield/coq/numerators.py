@@ -8,11 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
+
+if TYPE_CHECKING:
+    import flint
+
 
 MAX_TERMS = 400_000  # pairs of terms that are multiplied
 
@@ -35,7 +39,7 @@ class Numerators:
         """Return a coordinate."""
         return Numerator(self, self.gens[name], ())
 
-    def product(self, exponents: Sequence[int]) -> Any:
+    def product(self, exponents: Sequence[int]) -> flint.fmpz_mpoly:
         """Return a product of powers of what was divided by."""
         out = self.context.constant(1)
         for factor, n in zip(self.factors, exponents, strict=False):
@@ -83,11 +87,11 @@ class Numerator:
             tops.append(times(x.top, self.ring.product(missing)))
         return self._made(tops[0] + sign * tops[1], common)
 
-    def _made(self, top: Any, below: tuple[int, ...]) -> Numerator:
+    def _made(self, top: flint.fmpz_mpoly, below: tuple[int, ...]) -> Numerator:
         return Numerator(self.ring, top, below if top != 0 else ())
 
 
-def times(f: Any, g: Any) -> Any:
+def times(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
     """Return a product. Raises :class:`TooLargeError` when it is too large to expand."""
     if len(f) * len(g) > MAX_TERMS:
         raise TooLargeError(f"a product of polynomials has more than {MAX_TERMS} terms")

@@ -9,8 +9,9 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from hfield.coq.cofactors import MismatchError
+from hfield.coq.consequences import Directly
 from hfield.coq.formulas import Junction
-from hfield.coq.implied import Directly, Items, facts_used
+from hfield.coq.implied import Items, facts_used
 from hfield.coq.rooms import (
     FIELDS,
     INTEGERS,

@@ -139,7 +139,7 @@ class Description:
         return None if elements is None else [self._texts(q) for q in elements]
 
 
-def place_json(place: Any) -> object:
+def place_json(place: object) -> object:
     """Return a prime as a number, and any other place as the text that reads back."""
     return place if isinstance(place, int) else str(place)
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 import struct
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
 
 
 class Code:
@@ -51,7 +54,7 @@ class Arithmetic(ABC):
         """LLVM's declarations of the functions that are called."""
         return ()
 
-    def tables(self) -> tuple[Any, ...]:
+    def tables(self) -> tuple[np.ndarray, ...]:
         """Return the arrays that are looked up; the loop calls them ``%table0``, ``%table1``, …"""
         return ()
 

@@ -66,7 +66,7 @@ class Answer:
         return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
 
 
-def rows_json(lattice: Any) -> dict[str, object]:
+def rows_json(lattice: Lattice) -> dict[str, object]:
     """Return a lattice as JSON: its denominator and Hermite rows."""
     den, rows = lattice.hnf
     return {"den": den, "rows": [list(row) for row in rows]}

@@ -9,7 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from hfield.errors import IndefiniteError, LatticeError
+from hfield.errors import LatticeError
 from hfield.factorisation import factorise
 from hfield.lattices.reduction import kronecker
 
@@ -29,8 +29,7 @@ def eichler_mass(discriminant: int, level: int) -> Fraction:
 
 def mass(order: Order) -> Fraction:
     """Return the mass of any order of a definite algebra, from its Eichler symbols."""
-    if not order._regular.definite:
-        raise IndefiniteError("the mass is defined for orders of definite algebras")
+    order._definite("the mass of ideal classes")
     found = Fraction(order._discriminant, 12)
     for p in factorise(order._discriminant):
         symbol = order.eichler_symbol(p)

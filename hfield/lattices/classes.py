@@ -1,8 +1,7 @@
 """The right ideal classes of an order in a definite algebra, and what acts on them.
 
-A class ``[I]`` is known by one lattice: of all ``x⁻¹·I``, for the x of least norm in I, the one whose Hermite
-form comes first. Equivalent ideals have the same such lattices, and the lattice lies in the class; so classes
-are looked up and not compared in pairs. As many of these x as the left order has units give the same lattice.
+A class is known by one lattice (:mod:`hfield.lattices.canonical`), so classes are looked up and not compared
+in pairs.
 
 Starting from O, neighbours at a prime are taken until the mass formula is used up: then no class is missing,
 and as all are different none comes twice (Kirschmer and Voight, 2010; Voight, *Quaternion Algebras*, 26.1.5).
@@ -15,53 +14,26 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.factorisation import factorise, is_prime
-from hfield.lattices import enumeration, hermite
+from hfield.factorisation import is_prime
 from hfield.lattices.answers import rows_json
+from hfield.lattices.canonical import Key, canonical
 from hfield.lattices.class_number import mass
+from hfield.lattices.given import positive, prime
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.order import Order, positive, prime
+from hfield.lattices.order import Order
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
-from hfield.lattices.twosided import generators
 
 if TYPE_CHECKING:
     from hfield.lattices.certified import Claim
 
-Key = tuple[int, ...]
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
-
-
-def canonical(lattice: Lattice) -> tuple[Key, int]:
-    """Return the lattice of a right ideal class as a key, and how many units the left order has."""
-    r = lattice._regular
-    rows, gram = lattice._reduced
-    least = min(gram[n][n] for n in range(4))
-    short: list[tuple[int, ...]] = []
-    for x, value in enumeration.short_vectors(gram, least):
-        if value < least:
-            short, least = [], value
-        if value == least:
-            short.append(x)
-    # N(x) = least/2·norm, and x is over the denominator of the lattice
-    bars = fmpz_mat(short) * rows * r.conjugation
-    norm = lattice._norm
-    up = 2 * norm.denominator
-    den = lattice._den * lattice._den * r.conjugate_scale * r.scale * norm.numerator * least
-    keys: Counter[Key] = Counter()
-    for bar in hermite.tuples(bars):
-        found = hermite.hermite(den, lattice._matrix * (r.left_matrix(bar) * up))
-        assert found is not None
-        d, m = found
-        keys[(d, *map(int, m.entries()))] += 1
-    key = min(keys)
-    return key, 2 * keys[key]
 
 
 class ClassSet:
@@ -148,7 +120,7 @@ class ClassSet:
         """Yield representatives of the left ideal classes, the conjugates of the right ones."""
         return (I.conjugate() for I in self)
 
-    def index(self, ideal: Any) -> int:
+    def index(self, ideal: object) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
         if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
             ideal = Ideal.like(ideal, self.order, "right")
@@ -173,42 +145,9 @@ class ClassSet:
 
         For a maximal or an Eichler order they are the orbits of the two-sided ideals.
         """
-        known = [-1] * len(self)
-        if not self._hereditary_or_eichler():
-            return self._types_by_isomorphism()
-        ideals = generators(self.order)
-        kinds = 0
-        for start in range(len(self)):
-            if known[start] >= 0:
-                continue
-            known[start], todo = kinds, [start]
-            while todo:
-                lattice = self._lattices[todo.pop()]
-                for ideal in ideals:
-                    n = self._index(lattice._product(ideal))
-                    if known[n] < 0:
-                        known[n] = kinds
-                        todo.append(n)
-            kinds += 1
-        return known
+        from hfield.lattices.types_of_orders import types
 
-    def _hereditary_or_eichler(self) -> bool:
-        order = self.order
-        return all(
-            e == 1 or (order._regular.discriminant % p and order.eichler_symbol(p) == 1)
-            for p, e in factorise(order._discriminant).items()
-        )
-
-    def _types_by_isomorphism(self) -> list[int]:
-        found: list[Order] = []
-        kinds: list[int] = []
-        for order in self.left_orders():
-            known = next((n for n, other in enumerate(found) if order.isomorphism(other)), None)
-            if known is None:
-                known = len(found)
-                found.append(order)
-            kinds.append(known)
-        return kinds
+        return types(self)
 
     @property
     def type_number(self) -> int:

@@ -56,7 +56,7 @@ def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:
     return flint.fmpz_mat(size, size, whole.entries()[: size * size])
 
 
-def rational_hermite(rows: list[list[Any]], size: int) -> list[list[Any]]:
+def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint.fmpq]]:
     """Return a basis in Hermite's form of the lattice that rational rows of full rank span."""
     below = math.lcm(*(int(flint.fmpq(c).q) for row in rows for c in row))
     found = hermite([[int((flint.fmpq(c) * below).p) for c in row] for row in rows], size)
@@ -76,7 +76,9 @@ def inverse_ideal(field: NumberField, ideal: list[Any]) -> list[Any]:
     return [element_of(field, row) for row in lattice.transpose().inv().tolist()]
 
 
-def pseudo_basis(field: NumberField, rows: Any) -> list[tuple[tuple[Any, ...], list[Any]]]:
+def pseudo_basis(
+    field: NumberField, rows: flint.fmpq_mat
+) -> list[tuple[tuple[Any, ...], list[Any]]]:
     """Return ideals Iₜ and vectors xₜ: a module of full rank in Kᵐ is the direct sum of the Iₜ·xₜ.
 
     From the last coordinate on: the coordinates there are an ideal I, and I⁻¹ times the module has a vector
@@ -109,10 +111,10 @@ def pseudo_basis(field: NumberField, rows: Any) -> list[tuple[tuple[Any, ...], l
     return out[::-1]
 
 
-def _turned(row: list[Any], n: int) -> list[Any]:
+def _turned(row: list[flint.fmpq], n: int) -> list[flint.fmpq]:
     """Return the coordinates, n numbers each, in the opposite order."""
     return [c for k in range(len(row) - n, -1, -n) for c in row[k : k + n]]
 
 
-def _scaled(field: NumberField, x: Any, row: list[Any]) -> list[Any]:
+def _scaled(field: NumberField, x: Any, row: list[flint.fmpq]) -> list[flint.fmpq]:
     return list(coordinate_rows(field, [x * element_of(field, row)]).entries())

@@ -30,12 +30,12 @@ class HurwitzOrder(Order):
         e, i, j, k = self.algebra.basis
         return e, i, j, (e + i + j + k) / 2
 
-    def coordinates(self, x: Any) -> tuple[Any, ...]:
+    def coordinates(self, x: object) -> tuple[Any, ...]:
         """Return the rational coordinates of an element with respect to :attr:`basis`."""
         w, x, y, z = self.algebra(x).coordinates
         return w - z, x - z, y - z, 2 * z
 
-    def quo_rem(self, a: Any, b: Any, side: str = "right") -> tuple[Quaternion, Quaternion]:
+    def quo_rem(self, a: object, b: object, side: str = "right") -> tuple[Quaternion, Quaternion]:
         """Return ``(q, r)`` with ``a = q·b + r`` (``side="left"``: ``a = b·q + r``), N(r) ≤ N(b)/2.
 
         Raises :class:`CoercionError` for an element outside the order or another side, and
@@ -45,7 +45,7 @@ class HurwitzOrder(Order):
         q, r = hurwitz.divide(self._coordinates(a), self._coordinates(b), side)
         return self.algebra(*q), self.algebra(*r)
 
-    def gcd(self, a: Any, b: Any, side: str = "right") -> Quaternion:
+    def gcd(self, a: object, b: object, side: str = "right") -> Quaternion:
         """Return a greatest common right (left) divisor of a and b, unique up to a unit.
 
         Raises as :meth:`quo_rem` does.
@@ -53,7 +53,7 @@ class HurwitzOrder(Order):
         self._check_side(side)
         return self.algebra(*hurwitz.gcd(self._coordinates(a), self._coordinates(b), side))
 
-    def _coordinates(self, q: Any) -> Any:
+    def _coordinates(self, q: object) -> Any:
         return self.algebra(q).coordinates
 
     @staticmethod

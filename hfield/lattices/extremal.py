@@ -45,7 +45,7 @@ def extremal_order(algebra: Parent) -> Order:
     return Order.generated(algebra, [w, j]).maximal_overorder()
 
 
-def _generators(algebra: Any, q: int, p: int) -> tuple[Any, Any]:
+def _generators(algebra: Parent, q: int, p: int) -> tuple[Any, Any]:
     """Return anticommuting elements with squares −q and −p."""
     _, i, j, _ = algebra.basis
     if i * i == -q and j * j == -p and i * j == -(j * i):

@@ -102,7 +102,7 @@ def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     return _conjugating(first, sources * other_den, targets * den), ""
 
 
-def _conjugating(order: Order, sources: Any, targets: Any) -> list[int]:
+def _conjugating(order: Order, sources: flint.fmpz_mat, targets: flint.fmpz_mat) -> list[int]:
     """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
     r = order._regular
     s, t = hermite.tuples(sources), hermite.tuples(targets)

@@ -12,14 +12,13 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, MixedParentsError, shorten
 from hfield.lattices import hermite
+from hfield.lattices.given import checked_side, element_row, listed
 from hfield.lattices.regular import regular
 from hfield.lattices.short_vectors import NormedLattice
-from hfield.quaternion import Parent, Quaternion
+from hfield.quaternion import Parent
 from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.lattices.order import Order
 
 
@@ -41,7 +40,7 @@ class Lattice(NormedLattice):
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
 
     @classmethod
-    def spanned(cls, algebra: Parent, elements: Iterable[Any]) -> Lattice:
+    def spanned(cls, algebra: Parent, elements: Iterable[object]) -> Lattice:
         """Return the lattice that elements span over ℤ.
 
         Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` for an algebra that
@@ -60,7 +59,7 @@ class Lattice(NormedLattice):
             )
         return Lattice(algebra, *found)
 
-    def _make(self, den: int, matrix: flint.fmpz_mat) -> Lattice:
+    def _make(self, den: int, matrix: fmpz_mat) -> Lattice:
         """Return the lattice of the rows of an integer matrix over ``den``, of rank 4."""
         found = hermite.hermite(den, matrix)
         if found is None:
@@ -139,7 +138,7 @@ class Lattice(NormedLattice):
 
     # --- arithmetic ------------------------------------------------------------------------------
 
-    def _over(self, den: int) -> flint.fmpz_mat:
+    def _over(self, den: int) -> fmpz_mat:
         """Return the matrix over a multiple of the denominator."""
         return self._matrix if den == self._den else self._matrix * (den // self._den)
 
@@ -190,7 +189,7 @@ class Lattice(NormedLattice):
             )
         return den, tuple(row)
 
-    def __truediv__(self, n: Any) -> Lattice:
+    def __truediv__(self, n: object) -> Lattice:
         """Return the lattice divided by a rational number."""
         x = fraction(n)
         if not x:
@@ -214,7 +213,7 @@ class Lattice(NormedLattice):
         return self._make(*self._dual)
 
     @property
-    def _dual(self) -> tuple[int, Any]:
+    def _dual(self) -> tuple[int, fmpz_mat]:
         """A basis of the dual, as rows over a denominator that are in no normal form."""
         r = self._regular
         m, d = hermite.inverse(r.form * self._matrix.transpose())
@@ -288,31 +287,6 @@ class Lattice(NormedLattice):
     def is_integral(self) -> bool:
         """Tell whether products of elements of the lattice lie in it."""
         return self._product(self) <= self
-
-
-def element_row(algebra: Parent, x: object) -> tuple[int, list[int]]:
-    """Return what the algebra reads as an element as integer coordinates over a denominator."""
-    q = x if isinstance(x, Quaternion) and x.algebra is algebra else algebra(x)
-    if q.is_batch:
-        raise LatticeError("a lattice is spanned by single elements, and this is an array of them")
-    den, rows = hermite.integral([[fraction(c) for c in q.coordinates]])
-    return den, rows[0]
-
-
-def listed(elements: object) -> list[object]:
-    """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
-    if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
-        raise LatticeError(
-            f"{shorten(repr(elements))} is no list of elements: expected one, such as [e, i, j, k]"
-        )
-    return list(elements)
-
-
-def checked_side(side: str) -> str:
-    """Return the side. Raises :class:`LatticeError` unless it is left or right."""
-    if side not in ("left", "right"):
-        raise LatticeError(f"the side {side!r} does not exist: expected 'left' or 'right'")
-    return side
 
 
 def _restore(kind: type[Lattice], algebra: Parent, den: int, rows: hermite.Rows) -> Lattice:

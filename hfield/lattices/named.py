@@ -12,8 +12,9 @@ from hfield.errors import CoercionError, LatticeError
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
 from hfield.lattices.euclidean import HurwitzOrder
+from hfield.lattices.given import positive
 from hfield.lattices.maximal import eichler_suborder
-from hfield.lattices.order import Order, positive
+from hfield.lattices.order import Order
 from hfield.lattices.regular import regular
 from hfield.quaternion import Parent
 from hfield.structure.clifford import maximal_basis
@@ -65,7 +66,7 @@ def hurwitz_order(algebra: Parent) -> HurwitzOrder:
     return HurwitzOrder.of(algebra)
 
 
-def class_number(algebra: Parent, level: Any) -> int:
+def class_number(algebra: Parent, level: object) -> int:
     """Return the number of ideal classes of an Eichler order of the given level."""
     n = positive(level, "level")
     r = regular(algebra)

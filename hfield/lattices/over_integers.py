@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import LatticeError, shorten
+from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.lattices.dedekind_modules import coordinate_rows, hermite
 from hfield.lattices.integral_coordinates import Frame
+from hfield.rings.modular import WORD
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import left_kernel
 from hfield.rings.number_primes import PrimeIdeal, primes_above
@@ -89,7 +90,7 @@ def maximal_order_over_integers(algebra: Any) -> IntegersOrder:
     """Return a maximal order over the integers of a number field, always the same.
 
     Raises :class:`LatticeError` for a degenerate algebra, :class:`UnfactoredError` where a norm or the
-    discriminant of the field is too hard to factor.
+    discriminant of the field is too hard to factor, :class:`TooLargeError` at primes of 64 bits and more.
     """
     ring = algebra.ring
     if not isinstance(ring, NumberField | QuadraticField) or not algebra.is_central_simple():
@@ -119,6 +120,10 @@ class _Local:
         """Return an order that contains the given one, is maximal at P, and the same elsewhere."""
         frame, prime = self.frame, self.prime
         level = prime.valuation(frame.a * frame.b * 4)
+        if level > int(ramified) and self.p >= WORD:
+            raise TooLargeError(
+                f"an order is not enlarged at {shorten(prime)}, whose residues exceed a machine's word"
+            )
         while level > int(ramified):
             radical = self._radical(rows)
             larger = self._left_order(radical)

@@ -80,7 +80,7 @@ class Regular:
         self.definite = self.square < 0 and b < 0
         self.majorant = self.form if self.definite else self._majorant()
 
-    def _majorant(self) -> Any:
+    def _majorant(self) -> flint.fmpz_mat:
         """Return a positive definite integral form that the norm does not exceed, up to a scale."""
         h, s, b = self.constants.t / 2, abs(self.square), abs(self.constants.b)
         # over 1, i − t/2, j and their product the norm is diagonal
@@ -97,7 +97,7 @@ class Regular:
         found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
         return fmpz_mat(rows.nrows() * others.nrows(), 4, [x for row in found for x in row])
 
-    def norm_products(self, rows: Any, side: str) -> Any:
+    def norm_products(self, rows: flint.fmpz_mat, side: str) -> flint.fmpz_mat:
         """Return the products ``x·conj(y)`` of the six pairs of four rows, ``conj(x)·y`` on the right.
 
         They are ``scale·conjugate_scale`` times too large.
@@ -118,7 +118,7 @@ class Regular:
             (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
         )
 
-    def norm(self, row: Sequence[Any]) -> flint.fmpz:
+    def norm(self, row: Sequence[flint.fmpz | int]) -> flint.fmpz:
         """Return the norm of a row of flint integers, ``scale`` times too large."""
         return sum(c * row[m] * row[n] for m, n, c in self._squares)
 
@@ -147,7 +147,7 @@ def _regular(a: Fraction, t: Fraction, b: Fraction) -> Regular:
     return Regular(Constants(a, t, b))
 
 
-def regular(algebra: Any) -> Regular:
+def regular(algebra: Parent) -> Regular:
     """Return the representation of an algebra over ℚ.
 
     Raises :class:`RingError` for an algebra over another ring, or for a degenerate one.

@@ -6,19 +6,16 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
-from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
+from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
+from hfield.lattices.given import natural
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
-
-if TYPE_CHECKING:
-    import flint
-
 
 MANY = 10**6
 """More vectors than this are not listed."""
@@ -29,7 +26,7 @@ MOST_STEPS = 2 * 10**7
 class NormedLattice:
     """Four rows of integers over a denominator, and the norm of their combinations."""
 
-    def __init__(self, algebra: Parent, den: int, matrix: flint.fmpz_mat) -> None:
+    def __init__(self, algebra: Parent, den: int, matrix: fmpz_mat) -> None:
         self.algebra, self._den, self._matrix = algebra, den, matrix
 
     @property
@@ -41,14 +38,14 @@ class NormedLattice:
         """The rows of the normal form as elements: a basis, the same for equal lattices."""
         return self._elements(self._matrix)
 
-    def _elements(self, matrix: Any) -> tuple[Quaternion, ...]:
+    def _elements(self, matrix: fmpz_mat) -> tuple[Quaternion, ...]:
         return tuple(self._element(row) for row in hermite.tuples(matrix))
 
     def _element(self, row: Sequence[int], den: int | None = None) -> Quaternion:
         d = self._den if den is None else den
         return self.algebra(*(Fraction(x, d) for x in row))
 
-    def norm(self) -> flint.fmpq:
+    def norm(self) -> fmpq:
         """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
         return fmpq(self._content[0], self._regular.scale * self._den * self._den)
 
@@ -65,12 +62,12 @@ class NormedLattice:
         return fmpz_poly(squares + mixed).content(), g  # the gcd of a list, as flint has it
 
     @cached_property
-    def _even(self) -> flint.fmpz_mat:
+    def _even(self) -> fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
         content, gram = self._content
         return gram if content == 1 else fmpz_mat(4, 4, [x // content for x in gram.entries()])
 
-    def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
+    def gram_matrix(self) -> tuple[tuple[fmpq, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
         F, norm = self.algebra.ring, self._norm
         return tuple(tuple(F(x * norm) for x in row) for row in hermite.tuples(self._even))
@@ -83,7 +80,7 @@ class NormedLattice:
             )
 
     @cached_property
-    def _reduced(self) -> tuple[Any, list[list[int]]]:
+    def _reduced(self) -> tuple[fmpz_mat, list[list[int]]]:
         """The rows of an LLL-reduced basis, and their matrix of ``tr(x·conj(y))/norm``.
 
         In an indefinite algebra the basis is reduced for a positive definite form that majorises the norm.
@@ -130,7 +127,7 @@ class NormedLattice:
         least = self._least()
         return self._signed(row for row, m in self._short(least) if m == least)
 
-    def elements_of_norm(self, n: Any) -> tuple[Quaternion, ...]:
+    def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
         """Return all elements of norm n, of a definite algebra.
 
         Raises :class:`IndefiniteError`, and :class:`TooLargeError` where there are more than a million.
@@ -154,7 +151,7 @@ class NormedLattice:
                 f"{MOST_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
             )
 
-    def elements_of_norm_at_most(self, n: Any) -> tuple[Quaternion, ...]:
+    def elements_of_norm_at_most(self, n: object) -> tuple[Quaternion, ...]:
         """Return all elements of norm at most n, 0 too, of a definite algebra, by ascending norm.
 
         Raises as :meth:`elements_of_norm` does.
@@ -184,20 +181,12 @@ class NormedLattice:
         Raises :class:`IndefiniteError`.
         """
         self._definite("theta_series()")
-        natural(n)
+        n = natural(n, "a theta series goes up to")
         _, gram = self._reduced
         self._affordable(enumeration.volume(gram, 2 * n, 4), "elements as short as")
         counts = enumeration.count_by_length(gram, 2 * n)
         return [counts.get(2 * m, 0) for m in range(n + 1)]
 
 
-def _combine(x: Sequence[int], rows: Any) -> tuple[int, ...]:
+def _combine(x: Sequence[int], rows: fmpz_mat) -> tuple[int, ...]:
     return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
-
-
-def natural(n: object) -> None:
-    """Raise :class:`LatticeError` unless n is an integer ≥ 0."""
-    if not isinstance(n, int) or n < 0:
-        raise LatticeError(
-            f"a theta series goes up to an integer ≥ 0, and {shorten(repr(n))} is none"
-        )

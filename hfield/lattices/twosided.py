@@ -11,8 +11,9 @@ from fractions import Fraction
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise, remove
+from hfield.lattices.given import prime
 from hfield.lattices.ideal import Ideal
-from hfield.lattices.order import Order, prime
+from hfield.lattices.order import Order
 
 
 def two_sided_prime(order: Order, p: object) -> Ideal:

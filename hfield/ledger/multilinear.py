@@ -1,9 +1,7 @@
 """Lemma 1 of the thesis (1.1.3): multilinear maps are decided on tuples of basis vectors.
 
-A k-linear form on V = F⁴ is written with one unknown entry for each basis tuple. Everything said
-here about such a form is an identity between polynomials in those entries and in the coordinates
-of the arguments, with integer coefficients; so it holds over every commutative ring, and for maps
-to V coordinate by coordinate.
+Everything said here about a k-linear form is an identity between polynomials with integer coefficients; so it
+holds over every commutative ring, and for maps to V coordinate by coordinate.
 """
 
 from __future__ import annotations
@@ -15,41 +13,24 @@ from typing import Any
 
 from hfield.certificates.glossary import (
     BASIS_TUPLES,
-    COUNT,
-    DETERMINANT,
     EXHAUSTION,
     IDENTITY,
     INDUCTION,
     PROVED,
     REFUTED,
 )
+from hfield.ledger.linear_forms import (
+    Form,
+    N,
+    Tuple,
+    all_tuples,
+    constant_tuples,
+    short_tuples,
+    spoilt_tuples,
+)
 from hfield.notation import BASIS
 from hfield.proving.decision import Decision
 from hfield.rings.base import Ring
-
-N = len(BASIS)
-Tuple = tuple[int, ...]
-
-
-def all_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return the n^k tuples of basis vectors, as indices."""
-    return tuple(tuples(range(N), repeat=k))
-
-
-def constant_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return the n tuples that repeat one basis vector: what ``{e_{i_1}}_{i=1}^k`` names."""
-    return tuple((n,) * k for n in range(N))
-
-
-def short_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return the tuples in which only k − 1 indices run, and the last stays at e."""
-    return tuple((*t, 0) for t in all_tuples(k - 1))
-
-
-def spoilt_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return all tuples but the last one."""
-    return all_tuples(k)[:-1]
-
 
 _NAMES: dict[Any, str] = {
     all_tuples: "all",
@@ -73,48 +54,6 @@ def _word(t: Tuple) -> str:
     return "".join(BASIS[n] for n in t)
 
 
-class Form:
-    """The general k-linear form: unknown entries ``h_t`` and arguments ``a1 … ak``, as polynomials.
-
-    ``extra`` names further unknowns wanted in the same polynomial ring.
-    """
-
-    def __init__(self, k: int, extra: tuple[str, ...] = ()) -> None:
-        from flint import Ordering, fmpz_mpoly_ctx
-
-        self.k = k
-        entries = ["h" + "".join(map(str, t)) for t in all_tuples(k)]
-        arguments = [f"a{m}_{n}" for m in range(k) for n in range(N)]
-        names = (*entries, *arguments, *extra)
-        gens = fmpz_mpoly_ctx.get(names, Ordering.lex).gens()
-        self.zero = gens[0] - gens[0]
-        self.one = self.zero + 1
-        self.entry = dict(zip(all_tuples(k), gens, strict=False))
-        coordinates = gens[len(entries) :]
-        self.arguments = [list(coordinates[N * m : N * m + N]) for m in range(k)]
-        self.extra = coordinates[N * k :]
-
-    def __call__(self, *arguments: list[Any]) -> Any:
-        """Return the value of the form: Σ h_t · Π a_m[t_m]."""
-        total = self.zero
-        for t, h in self.entry.items():
-            term = h
-            for a, n in zip(arguments, t, strict=True):
-                term = term * a[n]
-            total = total + term
-        return total
-
-    def at(self, slot: int, vector: list[Any], last: list[Any]) -> Any:
-        """Return the value with ``vector`` in the slot, ``last`` at the end, general elsewhere."""
-        arguments = [*self.arguments[:-1], last]
-        arguments[slot] = vector
-        return self(*arguments)
-
-    def basis(self, n: int) -> list[Any]:
-        """Return the n-th basis vector."""
-        return [self.one if m == n else self.zero for m in range(N)]
-
-
 @lru_cache(maxsize=64)
 def _determines(choice: Any, k: int) -> bool:
     """Tell whether nothing is left of f − g if they agree on ``choice(k)``; no field plays a part."""
@@ -123,7 +62,7 @@ def _determines(choice: Any, k: int) -> bool:
     for t in set(choice(k)):
         # The entry at t is the value at t: agreeing there means that h_t = 0.
         value = form(*(form.basis(n) for n in t))
-        left = left - value * _monomial(form, t)
+        left = left - value * form.monomial(t)
     return bool(left == 0)
 
 
@@ -184,13 +123,6 @@ class DeterminedBy:
                 "tuples": [[_word(t) for t in self.choice(k)] for k in self.arities],
             },
         )
-
-
-def _monomial(form: Form, t: Tuple) -> Any:
-    term = form.one
-    for a, n in zip(form.arguments, t, strict=True):
-        term = term * a[n]
-    return term
 
 
 @dataclass(frozen=True)
@@ -291,50 +223,3 @@ class LastArgument:
                 )
         step = f"Both sides expand to the same polynomial in {', '.join(map(str, self.arities))} arguments."
         return _expanded(step)
-
-
-@dataclass(frozen=True)
-class IsBasis:
-    """The vectors listed are a basis of the free module of rank ``dimension``."""
-
-    vectors: tuple[Tuple, ...]
-    dimension: int
-    words: str
-
-    @property
-    def text(self) -> str:
-        """The claim in words."""
-        return f"{self.words} is a basis"
-
-    @property
-    def statement(self) -> str:
-        """The claim in the vocabulary of certificates."""
-        return f"basis{{{'; '.join((str(self.dimension), *map(_numbers, self.vectors)))}}}"
-
-    def decide(self, field: Ring | None) -> Decision:
-        """Count the vectors and their coordinates, then take the determinant over ℤ."""
-        lengths = {len(v) for v in self.vectors}
-        if lengths != {self.dimension} or len(self.vectors) != self.dimension:
-            step = (
-                f"{len(self.vectors)} vectors with {', '.join(map(str, sorted(lengths)))} coordinates "
-                f"cannot be a basis of a space of dimension {self.dimension}."
-            )
-            last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
-            return Decision(
-                REFUTED,
-                COUNT,
-                witness={"missing": last},
-                steps=(step,),
-                evidence={"kind": "count"},
-            )
-        from flint import fmpz_mat
-
-        det = int(fmpz_mat([list(v) for v in self.vectors]).det())
-        unit = abs(det) == 1 if field is None else field.is_unit(field(det))
-        step = f"The determinant is {det}, {'a unit' if unit else 'not a unit'}."
-        return Decision(
-            PROVED if unit else REFUTED,
-            DETERMINANT,
-            steps=(step,),
-            evidence={"kind": "determinant"},
-        )

@@ -107,7 +107,7 @@ def _processors() -> int:
     return os.cpu_count() or 1
 
 
-def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: Any) -> bool:
+def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: object) -> bool:
     """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; tell if any said true.
 
     ``alive`` is what the arguments point into: it is kept until the last thread is done, also when
@@ -123,7 +123,7 @@ def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: Any)
 
 
 def _task(
-    work: Callable[..., Any], counter: c_int64, alive: object, arguments: tuple[Any, ...]
+    work: Callable[..., Any], counter: c_int64, alive: object, arguments: tuple[object, ...]
 ) -> bool:
     return bool(work(addressof(counter), *arguments))
 

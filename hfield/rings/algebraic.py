@@ -14,6 +14,7 @@ import flint
 
 from hfield import syntax
 from hfield.errors import CoercionError, NotInvertibleError, shorten
+from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.printing import from_unicode
 from hfield.rings.radicals import FUNCTIONS
@@ -110,7 +111,7 @@ class AlgebraicNumbers(ValueRing):
             raise self.refuse(x, "it is not real; CC has it" if value is not None else "")
         raise self.refuse(x)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Surd | Closed) -> bool:
         """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
         return not x.terms if isinstance(x, Surd) else x.is_zero()
 
@@ -120,7 +121,7 @@ class AlgebraicNumbers(ValueRing):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         return x.inverse()
 
-    def sqrt(self, x: Any) -> Surd | Closed | None:
+    def sqrt(self, x: Surd | Closed) -> Surd | Closed | None:
         """Return the principal root; None for x < 0 in RR."""
         if self.is_real and self.sign(x) < 0:
             return None
@@ -134,7 +135,7 @@ class AlgebraicNumbers(ValueRing):
     def _sqrt_here(self, x: Surd | Closed) -> Surd | Closed | None:
         return CC.sqrt(x)
 
-    def _root(self, x: Any, n: Any) -> Surd | Closed:
+    def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
         """Return the n-th root: in RR the real one of a real number, else the principal one."""
         if isinstance(n, Surd) and n.terms.keys() <= {1}:
             n = n.terms.get(1, 0)
@@ -177,7 +178,7 @@ class AlgebraicNumbers(ValueRing):
         terms = {n: flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2))) for n in roots}
         return Surd({n: c for n, c in terms.items() if c != 0})
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Surd | Closed, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)`` or ``I*root(2,3)``."""
         return str(x.text(style))
 

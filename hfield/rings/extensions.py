@@ -6,29 +6,21 @@ from collections.abc import Hashable, Sequence
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield import syntax
 from hfield.errors import (
     CoercionError,
-    HFieldError,
     NotInvertibleError,
-    RingError,
     UndecidedError,
-    shorten,
 )
 from hfield.rings.base import Known, Ring
 from hfield.rings.finite import ExtensionField
-from hfield.rings.functions import FunctionField
 from hfield.rings.operators import Element
 from hfield.rings.polynomials import build as build_polynomials
-from hfield.rings.printing import blackboard, from_unicode, sum_text
+from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.several_variables import RationalFunctions, listed
 
 if TYPE_CHECKING:
     from hfield.rings.quotient import Quotient
-
-
-MAX_DEGREE = 20
 
 
 class ExtensionElement(Element):
@@ -39,7 +31,7 @@ class ExtensionElement(Element):
     field: SimpleExtension
     coefficients: tuple[Any, ...]
 
-    def __init__(self, field: SimpleExtension, coefficients: Sequence[Any]) -> None:
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[Quotient]) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
@@ -73,7 +65,7 @@ class SimpleExtension(Ring):
     is_field = True
 
     def __init__(
-        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Any]
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Quotient]
     ) -> None:
         self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
         self.characteristic = base.characteristic
@@ -124,7 +116,7 @@ class SimpleExtension(Ring):
         except CoercionError:
             raise self.refuse(x) from None
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: ExtensionElement) -> bool:
         """Tell whether x is 0."""
         return all(map(self.base.is_zero, x.coefficients))
 
@@ -141,7 +133,7 @@ class SimpleExtension(Ring):
         base = self.base
         if self.is_zero(x):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
-        f, g = list(self.modulus_coefficients), _stripped(base, x.coefficients)
+        f, g = list(self.modulus_coefficients), stripped(base, x.coefficients)
         u, v = [base.zero], [base.one]  # g = v·x modulo f throughout
         while len(g) > 1:
             quotient, rest = _divmod(base, f, g)
@@ -167,7 +159,7 @@ class SimpleExtension(Ring):
             tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
         )
 
-    def sqrt(self, x: Any) -> ExtensionElement | None:
+    def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
         """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
         if all(map(self.base.is_zero, x.coefficients[1:])):
             root = self.base.sqrt(x.coefficients[0])
@@ -179,7 +171,7 @@ class SimpleExtension(Ring):
         """Return a random element; the same for the same seed."""
         return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: ExtensionElement, style: str = "plain") -> str:
         """Write x as a polynomial in u."""
         terms = (
             (self.base.text(c, style), [(str(self.gen_name), n)])
@@ -197,14 +189,17 @@ def _product(f: Sequence[Quotient], g: Sequence[Quotient], zero: Quotient) -> li
     return out
 
 
-def _stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
+def stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
+    """Return the coefficients, low degree first, without zeros at the end."""
     out = list(f)
     while out and base.is_zero(out[-1]):
         out.pop()
     return out
 
 
-def _divmod(base: Ring, f: list[Quotient], g: list[Quotient]) -> tuple[list[Any], list[Any]]:
+def _divmod(
+    base: Ring, f: list[Quotient], g: list[Quotient]
+) -> tuple[list[Quotient], list[Quotient]]:
     """Return quotient and rest of polynomials without leading zeros, low degree first."""
     rest, scale = list(f), base.inverse(g[-1])
     quotient = [base.zero] * max(len(f) - len(g) + 1, 1)
@@ -213,7 +208,7 @@ def _divmod(base: Ring, f: list[Quotient], g: list[Quotient]) -> tuple[list[Any]
         quotient[shift] = c
         for m, y in enumerate(g):
             rest[shift + m] = rest[shift + m] - c * y
-    return quotient, _stripped(base, rest)
+    return quotient, stripped(base, rest)
 
 
 def over_extended_constants(
@@ -227,84 +222,3 @@ def over_extended_constants(
     words = f"rational functions in {listed(variables)} over {constants.name}"
     modulus = [base(c) for c in constants.coefficients]
     return SimpleExtension(name, words, base, constants.gen_name, modulus)
-
-
-def build(base: Ring, variable: str, text: str) -> SimpleExtension:
-    """Return F[u]/(f) for the text of an irreducible f. Raises :class:`RingError` for any other."""
-    what = f"{base}[{variable}]/({shorten(text)})"
-    if not isinstance(base, (FunctionField, RationalFunctions)):
-        raise RingError(
-            f"{what}: extensions are taken of fields such as QQ(x), GF(3)(t) and QQ(x,y)"
-        )
-    f = _read(base, variable, text, what)
-    if not 2 <= len(f) - 1 <= MAX_DEGREE:
-        raise RingError(
-            f"{what}: expected a polynomial in {variable} of a degree from 2 to {MAX_DEGREE}"
-        )
-    scale = base.inverse(f[-1])
-    f = [scale * c for c in f]
-    _check_irreducible(base, variable, f, what)
-    ring = SimpleExtension(f"{base}[{variable}]/()", "", base, variable, f)
-    shown = ring.text(ExtensionElement(ring, f))  # f has one coefficient more than an element
-    ring.name = f"{base}[{variable}]/({shown})"
-    ring._words = (
-        f"the extension of degree {ring.degree} of {blackboard(base.name)} by a root of {shown}"
-    )
-    return ring
-
-
-def _read(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
-    """Read a polynomial in the variable over F, low degree first."""
-    free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
-
-    def divided(x: ExtensionElement, y: ExtensionElement) -> Any:
-        if not all(map(base.is_zero, y.coefficients[1:])):
-            raise CoercionError(f"a polynomial in {variable} has no {variable} in a denominator")
-        return x * free(base.inverse(y.coefficients[0]))
-
-    def power(x: ExtensionElement, n: int) -> Any:
-        size = len(_stripped(base, x.coefficients)) - 1
-        if n < 0 or size * n > MAX_DEGREE:
-            raise CoercionError(f"its degree is not from 2 to {MAX_DEGREE}")
-        return free.power(x, n)
-
-    reader = syntax.Reader(free, free.names(), {"/": divided, "**": power}, what, base.parse_limit)
-    try:
-        return _stripped(base, reader.read(from_unicode(text)).coefficients)
-    except HFieldError as error:
-        raise RingError(f"{what} cannot be read: {error}") from error
-
-
-def _check_irreducible(base: Any, variable: str, f: list[Quotient], what: str) -> None:
-    """Raise :class:`RingError` unless f is irreducible over the field of rational functions."""
-    if base.characteristic == 0 or (
-        isinstance(base.base, Ring) and base.base.order == base.characteristic
-    ):
-        factors = _factors(base, variable, f)
-        if len(factors) == 1 and factors[0][1] == 1:
-            return
-        parts = "*".join(f"({p})" + (f"^{n}" if n > 1 else "") for p, n in factors)
-        raise RingError(f"{what}: the polynomial is reducible, {shorten(parts)} up to a constant")
-    if len(f) == 3 and base.characteristic != 2:
-        if base.sqrt(f[1] * f[1] - f[0] * 4) is None:
-            return
-        raise RingError(f"{what}: the polynomial is reducible, for its discriminant is a square")
-    raise RingError(
-        f"{what}: whether the polynomial is irreducible is not decided over {base}; over GF(p) and QQ it is"
-    )
-
-
-def _factors(base: Any, variable: str, f: list[Quotient]) -> list[tuple[Any, int]]:
-    """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
-    several = isinstance(base, RationalFunctions)
-    names = base.variables if several else (base.gen_name,)
-    R = build_polynomials(base.base, (*names, variable))
-    below, total = R.one, R.zero
-    parts = []
-    for c in f:
-        top, under = (R(base.text(base.quotient(p, base.one.num))) for p in (c.num, c.den))
-        parts.append((top, under))
-        below = R.divide(below * under, below.gcd(under))
-    for n, (top, under) in enumerate(parts):
-        total = total + top * R.divide(below, under) * R.power(R(variable), n)
-    return [(p, int(n)) for p, n in total.factor()[1] if int(p.degrees()[-1]) > 0]

@@ -17,7 +17,7 @@ MAX_BITS = 4096
 MAX_DEGREE = 512
 
 
-def GF(q: Any, modulus: Any = None) -> FiniteField:
+def GF(q: object, modulus: object = None) -> FiniteField:
     """Return the field of q elements; ``modulus`` is an irreducible polynomial in x, as text.
 
     q is an int or a text such as ``"3^2"``. Without a modulus it is Conway's. Raises
@@ -45,7 +45,7 @@ def build(q: str, modulus: str | None) -> FiniteField:
     return PrimeField(p) if n == 1 else ExtensionField(p, n)
 
 
-def _order(q: Any) -> tuple[int, int]:
+def _order(q: object) -> tuple[int, int]:
     """Read the order of a field as (p, n). Raises :class:`RingError`."""
     number = rational(q)
     if isinstance(number, int):
@@ -102,7 +102,7 @@ def _not_a_prime_power(q: int) -> str:
     return f"{q} = {factors} is no prime power; {expected}, the nearest are GF({below}) and GF({above})"
 
 
-def _with_modulus(p: int, n: int, modulus: Any) -> FiniteField:
+def _with_modulus(p: int, n: int, modulus: object) -> FiniteField:
     """Make GF(pⁿ) with the modulus of that text. Raises :class:`RingError` if it does not fit."""
     field = f"GF({shorten(p**n, 24)})"
     x = _polynomial(p, [0, 1])

@@ -48,14 +48,14 @@ class FiniteField(Ring):
         return f"the finite field of {shorten(self.order)} elements"
 
     @abstractmethod
-    def label(self, x: Any) -> int:
+    def label(self, x: Coefficient) -> int:
         """Return galois's integer label of x: its coefficients as digits in base p."""
 
     @abstractmethod
-    def from_label(self, n: int) -> Any:
+    def from_label(self, n: int) -> Coefficient:
         """Return the element with galois's integer label n."""
 
-    def array(self, values: Any) -> Any:
+    def array(self, values: object) -> Any:
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
         return _arrays().array(self, values)
 
@@ -69,7 +69,7 @@ class FiniteField(Ring):
 
         return array_holding(self, constants)
 
-    def scalar(self, x: Any) -> Coefficient:
+    def scalar(self, x: object) -> Coefficient:
         """Turn an entry of ``array`` back into an element."""
         return _arrays().scalar(self, x)
 
@@ -273,7 +273,7 @@ def modulus_text(coefficients: list[int], style: str = "plain") -> str:
     return sum_text(reversed(terms), style)
 
 
-def is_galois(x: Any) -> bool:
+def is_galois(x: object) -> bool:
     """Tell whether x is a galois array or scalar, without importing galois."""
     return hasattr(type(x), "irreducible_poly")
 

@@ -96,7 +96,7 @@ class Floats(ValueRing):
         except OverflowError:
             raise CoercionError(f"{x}**{n} is too large for RDF") from None
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: float) -> float | None:
         """Return the root, rounded, or None for x < 0."""
         return math.sqrt(x) if x >= 0 else None
 
@@ -105,25 +105,25 @@ class Floats(ValueRing):
         """Not known: float arithmetic is no proof of anything."""
         return Known(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: float, ordering: int = 0) -> int:
         """Return the sign of the float. Raises :class:`UndecidedError` for a second ordering."""
         if ordering:
             raise UndecidedError(f"RDF has no ordering number {ordering}, only the usual one, 0")
         return int(x > 0) - int(x < 0)
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, float]:
         """The constant pi."""
         return {"pi": math.pi}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., float]]:
         """The usual functions, as in ``sqrt(2)/2`` and ``cos(pi/3)``."""
         return {name: _checked(name, f) for name, f in _FUNCTIONS.items()}
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> float:
         """Return a random float between −1 and 1; the same for the same seed."""
         return rng.uniform(-1.0, 1.0)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: float, style: str = "plain") -> str:
         """Write the shortest text that reads back as the same float."""
         text = repr(float(x))
         mantissa, e, exponent = text.partition("e")
@@ -131,7 +131,7 @@ class Floats(ValueRing):
             return rf"{mantissa} \cdot 10^{{{int(exponent)}}}"
         return text.replace("-", "−") if style == "unicode" else text
 
-    def array(self, values: Any) -> np.ndarray:
+    def array(self, values: object) -> np.ndarray:
         """Return a float64 array. Raises :class:`CoercionError` where an entry is not a finite real."""
         import numpy as np
 
@@ -148,7 +148,7 @@ class Floats(ValueRing):
             )
         return out
 
-    def array_units(self, values: Any) -> Any:
+    def array_units(self, values: object) -> Any:
         """Return a bool array: which entries are not 0."""
         return values != 0
 

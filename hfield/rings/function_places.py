@@ -35,7 +35,7 @@ class FunctionPlace:
         return 1 if self.poly is None else int(self.poly.degree())
 
 
-def place_of_functions(field: FunctionField, place: Any) -> FunctionPlace:
+def place_of_functions(field: FunctionField, place: object) -> FunctionPlace:
     """Read a place: a :class:`FunctionPlace`, an irreducible polynomial of the field, or its text."""
     if isinstance(place, FunctionPlace) and place.field == field:
         return place

@@ -138,7 +138,7 @@ class FunctionField(Ring):
         """Return xⁿ; n < 0 inverts first."""
         return x**n
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Quotient) -> Quotient | None:
         """Return some y with y² = x, or None: numerator, denominator and constant must be squares."""
         if self.is_zero(x):
             return x
@@ -193,7 +193,7 @@ class FunctionField(Ring):
 
         return RationalFunctions(self, constants)
 
-    def places(self) -> Iterator[Any]:
+    def places(self) -> Iterator[Hashable]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""
         from hfield.rings.function_places import all_places
 
@@ -205,7 +205,7 @@ class FunctionField(Ring):
 
         return completion_of_functions(self, place)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""
         return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
 
@@ -232,7 +232,7 @@ def build(base: Ring, variables: tuple[str, ...]) -> Ring:
     return FunctionField(base, variables[0])
 
 
-def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
+def _polynomials_over(base: Ring) -> Callable[[list[Coefficient]], Polynomial]:
     """Return what makes flint polynomials over the field from coefficients, low degree first."""
     if base.name == "QQ":
         return flint.fmpq_poly  # type: ignore[no-any-return,unused-ignore]
@@ -243,7 +243,7 @@ def _polynomials_over(base: Ring) -> Callable[[list[Any]], Any]:
     return polynomials_modulo(base.characteristic)
 
 
-def polynomials_modulo(p: int) -> Callable[[list[Any]], Any]:
+def polynomials_modulo(p: int) -> Callable[[list[Coefficient]], Polynomial]:
     """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
     if p < WORD:
         return lambda coefficients: flint.nmod_poly(coefficients, p)

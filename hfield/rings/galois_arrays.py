@@ -1,7 +1,9 @@
 """Arrays of finite field elements: galois where it is quick, numpy objects where the field is large."""
 
+from __future__ import annotations
+
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import galois
 import numpy as np
@@ -11,6 +13,11 @@ from hfield.rings.array_held.finite import primitive
 from hfield.rings.array_held.labels import check_galois, labels
 from hfield.rings.arrays import Objects, objects
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    from hfield.rings.finite import FiniteField
+    from hfield.rings.flint_types import Coefficient
+
 
 GALOIS_BELOW = 2**31  # from here on galois would compute with Python objects, slower than flint's
 TABLES_BELOW = 2**16  # from here on its tables would take seconds to build
@@ -32,7 +39,7 @@ def field_class(F: Any) -> galois.FieldArray | None:
     return cls
 
 
-def array(F: Any, values: Any) -> Any:
+def array(F: FiniteField, values: object) -> Any:
     """Turn an element, a nested sequence or an array into an array over F, keeping its shape.
 
     Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
@@ -44,7 +51,7 @@ def array(F: Any, values: Any) -> Any:
     return of_labels(F, labels(F, values, cls.dtypes[0].__name__))
 
 
-def of_labels(F: Any, row: np.ndarray) -> Any:
+def of_labels(F: FiniteField, row: np.ndarray) -> Any:
     """Return labels as an array over F, without a copy where galois takes their type."""
     cls = field_class(F)
     if cls is None:
@@ -52,7 +59,7 @@ def of_labels(F: Any, row: np.ndarray) -> Any:
     return row.astype(cls.dtypes[0], copy=False).view(cls)
 
 
-def from_galois(F: Any, x: galois.FieldArray) -> Any:
+def from_galois(F: FiniteField, x: galois.FieldArray) -> Coefficient:
     """Turn a galois scalar over F into an element. Raises :class:`CoercionError`."""
     check_galois(F, x)
     if x.ndim:
@@ -62,21 +69,21 @@ def from_galois(F: Any, x: galois.FieldArray) -> Any:
     return F.from_label(int(x))
 
 
-def scalar(F: Any, x: Any) -> Any:
+def scalar(F: FiniteField, x: object) -> Coefficient:
     """Turn an entry of an array over F into an element."""
     if isinstance(x, Objects):
         return x[()]
     return from_galois(F, x) if hasattr(type(x), "irreducible_poly") else x
 
 
-def units(F: Any, values: Objects) -> np.ndarray:
+def units(F: FiniteField, values: Objects) -> np.ndarray:
     """Return a bool array: which entries are not 0."""
     if isinstance(values, Objects):
         return Ring.array_units(F, values)
     return np.asarray(values.view(np.ndarray) != 0)
 
 
-def inverse(F: Any, values: Objects) -> Any:
+def inverse(F: FiniteField, values: Objects) -> Any:
     """Invert an array of nonzero entries elementwise."""
     if isinstance(values, Objects):
         return Ring.array_inverse(F, values)

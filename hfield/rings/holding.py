@@ -34,7 +34,7 @@ class Holding:
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> Any:
+    def hold(self, coordinates: Coordinates) -> object:
         """Return what stands for the element with these coordinates, elements of the ring."""
         return coordinates
 
@@ -43,12 +43,12 @@ class Holding:
         four: Coordinates = held
         return four
 
-    def scalar(self, s: Any) -> Any:
+    def scalar(self, s: Any) -> object:
         """Hold s·e for an element s of the ring."""
         zero = self.ring.zero
         return self.hold((s, zero, zero, zero))
 
-    def read(self, values: tuple[Any, ...]) -> Any:
+    def read(self, values: tuple[Any, ...]) -> object:
         """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         w, x, y, z = map(self.ring, values)
         return self.hold((w, x, y, z))
@@ -59,30 +59,30 @@ class Holding:
 
     # --- elements to elements ------------------------------------------------------------------
 
-    def product(self, p: Any, q: Any, /) -> Any:
+    def product(self, p: Any, q: Any, /) -> object:
         """Return p·q."""
         return self.hold(product.multiply(self.constants, self.coordinates(p), self.coordinates(q)))
 
-    def sum(self, p: Any, q: Any, /) -> Any:
+    def sum(self, p: Any, q: Any, /) -> object:
         """Return p + q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
         return self.hold((w1 + w2, x1 + x2, y1 + y2, z1 + z2))
 
-    def difference(self, p: Any, q: Any, /) -> Any:
+    def difference(self, p: Any, q: Any, /) -> object:
         """Return p − q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
         return self.hold((w1 - w2, x1 - x2, y1 - y2, z1 - z2))
 
-    def negative(self, p: Any, /) -> Any:
+    def negative(self, p: Any, /) -> object:
         """Return −p."""
         w, x, y, z = self.coordinates(p)
         return self.hold((-w, -x, -y, -z))
 
-    def conjugate(self, p: Any, /) -> Any:
+    def conjugate(self, p: Any, /) -> object:
         """Return the standard involution of p."""
         return self.hold(product.conjugate(self.constants, self.coordinates(p)))
 
-    def scaled(self, p: Any, s: Any) -> Any:
+    def scaled(self, p: Any, s: Any) -> object:
         """Return s·p for an element s of the ring."""
         w, x, y, z = self.coordinates(p)
         return self.hold((w * s, x * s, y * s, z * s))
@@ -91,7 +91,7 @@ class Holding:
         """Return p/s, or None where s is not a unit of the ring."""
         return self.scaled(p, self.ring.inverse(s)) if self.ring.is_unit(s) else None
 
-    def inverse(self, p: Any, /) -> Any:
+    def inverse(self, p: Any, /) -> object:
         """Return p⁻¹, or None where the norm is not a unit of the ring."""
         return self.divided(self.conjugate(p), self.norm(p))
 
@@ -139,7 +139,7 @@ class Batch(Holding):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def read(self, values: tuple[Any, ...]) -> Any:
+    def read(self, values: tuple[Any, ...]) -> object:
         """Hold four arrays that the ring reads, broadcast to one shape. Raises :class:`CoercionError`."""
         from hfield.rings.arrays import one_shape
 
@@ -156,7 +156,7 @@ class Batch(Holding):
         shape: tuple[int, ...] = getattr(self.coordinates(p)[0], "shape", ())
         return shape
 
-    def part(self, p: Any, index: object) -> Any:
+    def part(self, p: Any, index: object) -> object:
         """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
         w, x, y, z = (c[index] for c in self.coordinates(p))
         return self.hold((w, x, y, z))
@@ -166,18 +166,18 @@ class Batch(Holding):
         w, x, y, z = map(self.ring.scalar, self.coordinates(p))
         return w, x, y, z
 
-    def reshaped(self, p: Any, shape: tuple[int, ...]) -> Any:
+    def reshaped(self, p: Any, shape: tuple[int, ...]) -> object:
         """Return the elements in another shape. Raises ValueError."""
         w, x, y, z = (c.reshape(shape) for c in self.coordinates(p))
         return self.hold((w, x, y, z))
 
-    def to_array(self, p: Any) -> Any:
+    def to_array(self, p: Any) -> object:
         """Return the elements as one array of integers. Raises :class:`CoercionError` where there is none."""
         raise CoercionError(
             f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
         )
 
-    def from_array(self, values: Any) -> Any:
+    def from_array(self, values: Any) -> object:
         """Hold what ``to_array`` returned. Raises :class:`CoercionError`."""
         return self.to_array(values)
 
@@ -186,17 +186,17 @@ class Batch(Holding):
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def product(self, p: Any, q: Any, /) -> Any:
+    def product(self, p: Any, q: Any, /) -> object:
         """Return p·q, elementwise."""
         self._check(p, q, "multiply")
         return super().product(p, q)
 
-    def sum(self, p: Any, q: Any, /) -> Any:
+    def sum(self, p: Any, q: Any, /) -> object:
         """Return p + q, elementwise."""
         self._check(p, q, "add")
         return super().sum(p, q)
 
-    def difference(self, p: Any, q: Any, /) -> Any:
+    def difference(self, p: Any, q: Any, /) -> object:
         """Return p − q, elementwise."""
         self._check(p, q, "subtract")
         return super().difference(p, q)
@@ -205,7 +205,7 @@ class Batch(Holding):
         """Return a bool array: which elements have an inverse."""
         return self.ring.array_units(self.norm(p))
 
-    def inverse(self, p: Any, /) -> Any:
+    def inverse(self, p: Any, /) -> object:
         """Return the inverses, or None where some norm is not a unit of the ring."""
         n = self.norm(p)
         if not self.ring.array_units(n).all():

@@ -48,7 +48,7 @@ class _Ordered(ValueRing):
         self.check_ordering(ordering)
         return int(x > 0) - int(x < 0)
 
-    def text(self, x: flint.fmpz | flint.fmpq, style: str = "plain") -> str:
+    def text(self, x: int | flint.fmpz | flint.fmpq, style: str = "plain") -> str:
         """Write x, such as ``-1/2``."""
         return number_text(x, style)
 
@@ -239,7 +239,7 @@ class Residues(Modular):
         """Say what ℤ/n is."""
         return f"the integers modulo {shorten(self.modulus)}"
 
-    def state(self, x: flint.nmod) -> int:
+    def state(self, x: flint.nmod | flint.fmpz_mod) -> int:
         """Return the residue as an int."""
         return int(x)
 

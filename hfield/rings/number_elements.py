@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -31,7 +30,7 @@ class FieldElement:
         self.field = field
         self.poly = poly
 
-    def _other(self, x: Scalar) -> Any:
+    def _other(self, x: Scalar) -> flint.fmpq_poly | flint.fmpq | None:
         """Return what to compute with in the place of x: a polynomial, a number of flint, or None."""
         if type(x) is FieldElement:
             return x.poly if x.field is self.field or x.field == self.field else None
@@ -113,6 +112,9 @@ class FieldElement:
     def __repr__(self) -> str:
         return self.field.text(self)
 
+    def _repr_latex_(self) -> str:
+        return f"${self.field.text(self, 'latex')}$"
+
     # --- what it is ----------------------------------------------------------------------------
 
     def is_rational(self) -> bool:
@@ -159,8 +161,3 @@ class FieldElement:
 
 def _restore(field: NumberField, pairs: list[tuple[int, int]]) -> FieldElement:
     return FieldElement(field, flint.fmpq_poly([flint.fmpq(*pair) for pair in pairs]))
-
-
-def as_fraction(x: Any) -> Fraction:
-    """Return flint's rational number as a Fraction."""
-    return Fraction(int(x.p), int(x.q))

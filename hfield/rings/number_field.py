@@ -10,22 +10,18 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
-from hfield.factorisation import factorise
 from hfield.product import Constants
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
 from hfield.rings.printing import blackboard, number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
-from hfield.rings.squares import minus_one
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     from hfield.rings.number_field_places import ComplexPlace, Place, RealPlace
     from hfield.rings.number_primes import PrimeIdeal
-
-SEARCHED = 6_000  # elements x tried for −1 = x² + y²
 
 
 class NumberField(ValueRing):
@@ -45,7 +41,7 @@ class NumberField(ValueRing):
     is_field = True
     arithmetic = "number_fields.arithmetic_number_fields.NumberFieldArithmetic"
 
-    def __init__(self, polynomial: Any, name: str = "s") -> None:
+    def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
         from hfield.rings.number_field_specs import irreducible, power_sum
 
         self.gen_name = name
@@ -131,11 +127,11 @@ class NumberField(ValueRing):
             )
         return y
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: FieldElement) -> bool:
         """Tell whether x is 0."""
         return not x.poly
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: FieldElement) -> Hashable:
         """Return the coefficients of x."""
         return tuple(x.poly.coeffs())
 
@@ -145,7 +141,7 @@ class NumberField(ValueRing):
             raise NotInvertibleError(f"cannot divide by 0 in {shorten(self.name)}")
         return FieldElement(self, x.poly.xgcd(self.polynomial)[1])
 
-    def sqrt(self, x: Any) -> FieldElement | None:
+    def sqrt(self, x: FieldElement) -> FieldElement | None:
         """Return the square root whose value at the principal embedding is principal, or None."""
         y = square_root(self, x)
         return None if y is None else y if self._is_principal(y) else -y
@@ -194,11 +190,11 @@ class NumberField(ValueRing):
 
     # --- real numbers, complex numbers, sums of squares ------------------------------------------
 
-    def norm(self, x: Any) -> Any:
+    def norm(self, x: object) -> flint.fmpq:
         """Return the norm of x down to ℚ."""
         return self(x).norm()
 
-    def trace(self, x: Any) -> Any:
+    def trace(self, x: object) -> flint.fmpq:
         """Return the trace of x down to ℚ."""
         return self(x).trace()
 
@@ -237,56 +233,19 @@ class NumberField(ValueRing):
     @cached_property
     def level(self) -> Known:
         """∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
-        if self.signature[0]:
-            return Known(INFINITY, f"{self.name} has a real place, so it has an ordering")
-        if self.sqrt(self(-1)) is not None:
-            return Known(1, f"−1 = ({self.text(self.sqrt(self(-1)))})^2 in {self.name}")
-        odd = [P for P in self.primes_above(2) if P.e * P.f % 2]
-        fewer = "−1 itself is no square"
-        if odd:
-            fewer = (
-                f"the completion at {odd[0]} has odd degree over ℚ₂, where fewer squares do not do"
-            )
-        squares = self.minus_one_as_squares()
-        if squares:
-            shown = " + ".join(f"({self.text(y)})^2" for y in squares)
-            return Known(len(squares), f"−1 = {shown} in {self.name}, and {fewer}")
-        if odd:
-            return Known(4, fewer)
-        return Known(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")
+        from hfield.rings.number_field_level import level
 
-    def minus_one_as_squares(self) -> tuple[FieldElement, ...]:
+        return level(self)
+
+    def minus_one_as_squares(self) -> tuple[Any, ...]:
         """Return as few elements as the level says whose squares add up to −1, if some are small; else ()."""
         return self._minus_one
 
     @cached_property
     def _minus_one(self) -> tuple[Any, ...]:
-        if self.signature[0]:
-            return ()
-        root = self.sqrt(self(-1))
-        if root is not None:
-            return (root,)
-        odd = any(P.e * P.f % 2 for P in self.primes_above(2))
-        for m in _divisors(self.discriminant()):
-            if odd or m % 8 != 7:
-                root = self.sqrt(self(-m))
-                if root is not None:
-                    return minus_one(m, root)
-        others, rng = (3 if odd else 1), Random(1)
-        for trial in range(SEARCHED // others // max(1, self.degree // 8) ** 3):
-            chosen = [self._small(1 + trial // 2000, rng) for _ in range(others)]
-            below = self._small(1, rng) if trial > 500 else self.one
-            y = self.sqrt(sum((-x * x for x in chosen), -below * below)) if below else None
-            if y is not None:
-                return tuple(self.divide(x, below) for x in (*chosen, y))
-        return ()
+        from hfield.rings.number_field_level import minus_one_as_squares
 
-    def _small(self, size: int, rng: Random) -> FieldElement:
-        """Return a random integer of the field with coordinates of at most that size."""
-        x: FieldElement = self.zero
-        for w in self.integral_basis():
-            x = x + w * rng.randint(-size, size)
-        return x
+        return minus_one_as_squares(self)
 
     # --- integers and places ---------------------------------------------------------------------
 
@@ -346,11 +305,3 @@ class NumberField(ValueRing):
         from hfield.rings.local.completions import completion_of_number_field
 
         return completion_of_number_field(self, place)
-
-
-def _divisors(n: int) -> list[int]:
-    """Return products other than 1 of 2 and different primes of n, of the six smallest."""
-    out = [1]
-    for p in sorted({2, *factorise(n)})[:6]:
-        out += [p * m for m in out]
-    return sorted(out)[1:]

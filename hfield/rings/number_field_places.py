@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.factorisation import is_prime
@@ -62,7 +62,7 @@ def all_places(field: NumberField) -> Iterator[Place]:
             yield from primes_above(field, p)
 
 
-def place_of_number_field(field: NumberField, place: Any) -> Place:
+def place_of_number_field(field: NumberField, place: object) -> Place:
     """Read a place: a place of the field, its text, or a prime with a single place above it.
 
     Raises :class:`RingError` for what is none, or a place of another field.

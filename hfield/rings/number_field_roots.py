@@ -127,7 +127,7 @@ def _is_square(x: flint.fmpq) -> bool:
 
 
 @lru_cache(maxsize=256)
-def _tests(field: NumberField) -> list[tuple[int, Any]]:
+def _tests(field: NumberField) -> list[tuple[int, flint.nmod_poly]]:
     """Return a few odd primes, each with an irreducible factor modulo it of the polynomial of the field."""
     whole = field.polynomial.numer()
     bad = int(whole.discriminant()) * int(whole.leading_coefficient())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 import flint
 
@@ -65,7 +64,7 @@ def power_sum(coefficients: list[flint.fmpq], name: str, style: str = "plain") -
     return sum_text(reversed(terms), style)
 
 
-def irreducible(polynomial: Any, name: str) -> flint.fmpq_poly:
+def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly:
     """Return an irreducible polynomial over ℚ, made monic, from its text or as flint's.
 
     Raises :class:`RingError`.

@@ -61,7 +61,7 @@ class SpelledField(NumberField):
         self._images = images
         self.gen_name = self.text(self.gen)
 
-    def _adjoin(self, images: list[Any], number: Number) -> list[Any]:
+    def _adjoin(self, images: list[flint.fmpq_poly], number: Number) -> list[flint.fmpq_poly]:
         """Make θ a generator of the field with one more number; return the images of all numbers."""
         f = number.polynomial
         for scale in itertools.chain.from_iterable((n, -n) for n in itertools.count(1)):
@@ -110,7 +110,7 @@ class SpelledField(NumberField):
                 return near[0]
             bits *= 2
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, FieldElement]:
         """What is a name among the numbers: zeta5, I."""
         return {text: x for text, x in self.parts.items() if text.isidentifier()}
 
@@ -144,7 +144,7 @@ class SpelledField(NumberField):
         )
 
     @cached_property
-    def _monomials(self) -> tuple[Any, list[tuple[int, ...]]]:
+    def _monomials(self) -> tuple[flint.fmpq_mat, list[tuple[int, ...]]]:
         """Return the matrix from powers of θ to products of powers of the numbers, and their exponents."""
         exponents = list(itertools.product(*(range(d) for d in self._degrees)))
         rows = []
@@ -156,7 +156,7 @@ class SpelledField(NumberField):
             rows += [*coefficients, *[0] * (self.degree - len(coefficients))]
         return flint.fmpq_mat(self.degree, self.degree, rows).inv(), exponents
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: FieldElement, style: str = "plain") -> str:
         """Write x in products of powers of the numbers in the name."""
         change, exponents = self._monomials
         coefficients = x.poly.coeffs()

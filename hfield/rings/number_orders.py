@@ -60,7 +60,7 @@ class LocalOrder:
         common = math.gcd(*numerators)
         return remove(common, self.p)[0] - remove(below, self.p)[0]
 
-    def element(self, coordinates: Iterable[Any]) -> FieldElement:
+    def element(self, coordinates: Iterable[int | flint.fmpq]) -> FieldElement:
         """Return the element with given integers as coordinates."""
         values = [int(c) for c in coordinates]
         if self.plain:
@@ -82,7 +82,7 @@ def local_order(field: NumberField, p: int) -> LocalOrder:
 
 
 @lru_cache(maxsize=256)
-def integral_generator(field: NumberField) -> tuple[int, Any]:
+def integral_generator(field: NumberField) -> tuple[int, flint.fmpz_poly]:
     """Return c > 0, least, with an integer polynomial, monic, for c·s; and that polynomial."""
     n, scale = field.degree, 1
     for k in range(n):
@@ -201,7 +201,7 @@ def _lattice(rows: list[list[int]], n: int) -> flint.fmpz_mat:
     return flint.fmpz_mat(n, n, whole.entries()[: n * n])
 
 
-def _by_degrees(rows: list[list[Any]], n: int) -> flint.fmpq_mat:
+def _by_degrees(rows: list[list[flint.fmpq]], n: int) -> flint.fmpq_mat:
     """Return the basis in Hermite's form of what rational rows span: elements of degrees 0, 1, … in s."""
     below = math.lcm(*(int(flint.fmpq(c).q) for row in rows for c in row))
     integers = [[int(flint.fmpq(c) * below) for c in reversed(row)] for row in rows]
@@ -218,7 +218,7 @@ def _elements(field: NumberField, rows: flint.fmpq_mat) -> list[FieldElement]:
 
 
 @lru_cache(maxsize=256)
-def _maximal(field: NumberField) -> tuple[Any, int]:
+def _maximal(field: NumberField) -> tuple[flint.fmpq_mat, int]:
     """Return the rows of the maximal order, of degrees 0, 1, …, and its discriminant."""
     scale, whole = integral_generator(field)
     n, discriminant = field.degree, int(whole.discriminant())

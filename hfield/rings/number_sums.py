@@ -89,7 +89,7 @@ def _newton_sums(f: flint.fmpq_poly, count: int) -> list[flint.fmpq]:
 
 
 def common_root(
-    field: NumberField, f: flint.fmpq_poly, g: flint.fmpq_poly, scale: Any
+    field: NumberField, f: flint.fmpq_poly, g: flint.fmpq_poly, scale: flint.fmpq | int
 ) -> FieldElement:
     """Return the one common root β of f(x) and g(θ − scale·x), θ the generator."""
     line = [field.gen, field(-scale)]

@@ -37,6 +37,10 @@ class Element:
     def same(self, other: Self) -> bool:
         """Tell whether an element of the same field is equal to this one."""
 
+    def _repr_latex_(self) -> str:
+        """Show the element in a notebook."""
+        return f"${self.field.text(self, 'latex')}$"
+
     def coerced(self, other: object) -> Self | None:
         """Return ``other`` as an element of the same field, None if it cannot mix in.
 

@@ -26,7 +26,7 @@ from hfield.rings.printing import blackboard, from_unicode, number_text, sum_tex
 from hfield.rings.rational import rational, unwrap
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import SparsePolynomial
+    from hfield.rings.flint_types import Coefficient, SparsePolynomial
 
 
 MAX_VARIABLES = 64
@@ -110,11 +110,11 @@ class PolynomialRing(Ring):
         functions = {"/": self.divide, "**": self.power}
         return syntax.Reader(self, self.names(), functions, self.name, 10**6).read(text)
 
-    def constant(self, c: Any) -> SparsePolynomial:
+    def constant(self, c: Coefficient) -> SparsePolynomial:
         """Return the constant polynomial of an element of the base ring, or of a coefficient of flint."""
         return self.context.constant(int(c) if self.characteristic else c)
 
-    def constant_part(self, x: SparsePolynomial) -> Any:
+    def constant_part(self, x: SparsePolynomial) -> Coefficient:
         """Return the leading coefficient, which a constant polynomial is, as an element of the base ring."""
         c = x.leading_coefficient()  # 0 of the polynomial 0
         return self.base(int(c) if self.characteristic else c)

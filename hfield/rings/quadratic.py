@@ -1,6 +1,6 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -58,7 +58,7 @@ class QuadraticField(ValueRing):
         """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
         return {"sqrt": self._sqrt_here}
 
-    def _sqrt_here(self, x: Surd) -> Any:
+    def _sqrt_here(self, x: Surd) -> Surd | None:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(
@@ -90,11 +90,11 @@ class QuadraticField(ValueRing):
             raise self.refuse(x)
         return from_rational(number)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Surd) -> bool:
         """Tell whether x is 0."""
         return not x.terms
 
-    def key(self, x: Any) -> tuple[flint.fmpq, flint.fmpq]:
+    def key(self, x: Surd) -> tuple[flint.fmpq, flint.fmpq]:
         """Return the two rational coordinates of x."""
         return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
 
@@ -104,7 +104,7 @@ class QuadraticField(ValueRing):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         return x.inverse()
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Surd) -> Surd | None:
         """Return the principal root, or None when it is not in the field."""
         return x.sqrt(within=self.d)
 
@@ -190,7 +190,7 @@ class QuadraticField(ValueRing):
 
         return places_above(self.d, 0)[::-1] if self.d > 0 else ()
 
-    def places(self) -> Iterator[Any]:
+    def places(self) -> Iterator[Hashable]:
         """Run through the places: the infinite ones, then prime by prime."""
         from hfield.rings.quadratic_places import all_places
 
@@ -202,7 +202,7 @@ class QuadraticField(ValueRing):
 
         return completion_of_quadratic(self, place)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Surd, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""
         return str(x.text(style, imaginary=self.d == -1))
 
@@ -235,7 +235,7 @@ def _from_sympy(x: object) -> Any:
     return from_sympy(x)
 
 
-def common_quadratic_field(*elements: Any) -> Ring | None:
+def common_quadratic_field(*elements: object) -> Ring | None:
     """Return ℚ(√d) for numbers with one root, or None without any; raises RingError for several."""
     roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
     if len(roots) > 1:

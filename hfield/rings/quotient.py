@@ -9,6 +9,8 @@ from hfield.rings.operators import Element
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Polynomial, SparsePolynomial
+    from hfield.rings.functions import FunctionField
+    from hfield.rings.several_variables import RationalFunctions
 
 
 class Quotient(Element):
@@ -20,7 +22,10 @@ class Quotient(Element):
     den: Any
 
     def __init__(
-        self, field: Any, num: Polynomial | SparsePolynomial, den: Polynomial | SparsePolynomial
+        self,
+        field: FunctionField | RationalFunctions,
+        num: Polynomial | SparsePolynomial,
+        den: Polynomial | SparsePolynomial,
     ) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "num", num)
@@ -43,7 +48,9 @@ class Quotient(Element):
             return Quotient(self.field, self.num * other.num, self.den)
         return self.quotient(self.num * other.num, self.den * other.den)
 
-    def quotient(self, num: Any, den: Any) -> Quotient:
+    def quotient(
+        self, num: Polynomial | SparsePolynomial, den: Polynomial | SparsePolynomial
+    ) -> Quotient:
         """Return num/den in lowest terms."""
         reduced: Quotient = self.field.quotient(num, den)
         return reduced

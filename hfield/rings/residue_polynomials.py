@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.rings.modular import WORD
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.flint_types import Coefficient, Polynomial
 
 
-def residues(p: int, coefficients: Iterable[Any]) -> Polynomial:
+def residues(p: int, coefficients: Iterable[Coefficient | int]) -> Polynomial:
     """Return the polynomial over GF(p) with integer coefficients, low degree first."""
     values = [int(c) % p for c in coefficients]
     if p < WORD:
@@ -26,7 +26,7 @@ def coefficients(f: Polynomial) -> list[int]:
     return [int(c) for c in f.coeffs()]
 
 
-def sorted_factors(f: flint.nmod_poly) -> list[tuple[Any, int]]:
+def sorted_factors(f: flint.nmod_poly) -> list[tuple[flint.nmod_poly, int]]:
     """Return the monic irreducible factors with multiplicities, by degree, then by coefficients."""
     factors = [(g, int(e)) for g, e in f.factor()[1]]
     return sorted(factors, key=lambda pair: (pair[0].degree(), coefficients(pair[0])[::-1]))

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from itertools import product
 from math import prod
-from typing import Any
 
 import flint
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factor
+from hfield.product import Scalar
 
 MAX_DEGREE = 2_000
 MAX_LIFTS = 10_000
@@ -82,6 +82,6 @@ def _slope(c: Sequence[int], x: int) -> int:
     return _value([n * a for n, a in enumerate(c)][1:], x)
 
 
-def _need_small(coefficients: Sequence[Any]) -> None:
+def _need_small(coefficients: Sequence[Scalar]) -> None:
     if len(coefficients) > MAX_DEGREE + 1:
         raise UndecidedError(f"roots are not computed above the degree {MAX_DEGREE}")

@@ -89,7 +89,7 @@ class RationalFunctions(Ring):
         except CoercionError:
             raise self.refuse(x) from None
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Quotient) -> bool:
         """Tell whether x is 0."""
         return bool(x.num == 0)
 
@@ -111,7 +111,7 @@ class RationalFunctions(Ring):
         """Return xⁿ; n < 0 inverts first."""
         return x**n
 
-    def sqrt(self, x: Any) -> Quotient | None:
+    def sqrt(self, x: Quotient) -> Quotient | None:
         """Return some y with y² = x, or None: numerator times denominator must be a square."""
         root = self.polynomials.sqrt(x.num * x.den)
         return None if root is None else self.quotient(root, x.den)
@@ -147,7 +147,7 @@ class RationalFunctions(Ring):
         num, den = self.polynomials.random(rng), self.polynomials.random(rng)
         return self.quotient(num, den if den != 0 else self._one)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``(x+y)/(x^2+2)``."""
         return quotient_text(
             self.polynomials.text(x.num, style), self.polynomials.text(x.den, style), style

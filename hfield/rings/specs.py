@@ -119,7 +119,7 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
 
 def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
     """Return ``base[u]/(f)``."""
-    from hfield.rings.extensions import build as build_extension
+    from hfield.rings.extension_specs import build as build_extension
 
     (name,) = variables(f"{base}[{shorten(variable)}]", variable, base, adjoined=False)
     return build_extension(base, name, polynomial)

@@ -35,7 +35,7 @@ class Surd:
 
     terms: dict[int, Any]
 
-    def __init__(self, terms: dict[int, Any]) -> None:
+    def __init__(self, terms: dict[int, flint.fmpq]) -> None:
         object.__setattr__(self, "terms", terms)
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -226,6 +226,9 @@ class Surd:
     def __repr__(self) -> str:
         return self.text()
 
+    def _repr_latex_(self) -> str:
+        return f"${self.text('latex')}$"
+
 
 ONE = Surd({1: flint.fmpq(1)})
 
@@ -279,7 +282,7 @@ def _rational_root(x: flint.fmpq) -> flint.fmpq | None:
     return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
 
-def _collected(terms: dict[int, Any]) -> dict[int, Any]:
+def _collected(terms: dict[int, flint.fmpq]) -> dict[int, flint.fmpq]:
     """Return the terms with one radicand for each square class, and no coefficient 0."""
     out: dict[int, Any] = {}
     for n, c in sorted(terms.items(), key=lambda term: abs(term[0])):

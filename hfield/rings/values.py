@@ -14,13 +14,14 @@ class ValueRing(Ring):
         """Tell whether x is 0."""
         return bool(x == 0)
 
-    def equal(self, x: Scalar, y: Scalar) -> bool:
+    def equal(self, x: Any, y: Any) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Hashable) -> Hashable:
+    def key(self, x: Any) -> Hashable:
         """Return x itself."""
-        return x
+        key: Hashable = x
+        return key
 
     def state(self, x: Scalar) -> object:
         """Return x itself."""

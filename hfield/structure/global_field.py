@@ -23,7 +23,7 @@ from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_p
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 if TYPE_CHECKING:
-    from hfield.rings.residues.kinds import FinitePlace
+    from hfield.rings.residues.finite_places import FinitePlace
 
 
 def global_field(ring: Ring) -> GlobalField | None:

@@ -9,7 +9,6 @@ theorem, made effective by taking x² + y² a prime (Rabin and Shallit, 1986).
 import itertools
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
 
 from hfield.errors import CoercionError, NotInvertibleError
 from hfield.product import Constants, conjugate, multiply, norm
@@ -20,12 +19,12 @@ HAMILTON = Constants(Fraction(-1), Fraction(0), Fraction(-1))
 Vector = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
-def _vector(q: Sequence[Any]) -> Vector:
+def _vector(q: Sequence[Fraction | int]) -> Vector:
     w, x, y, z = (fraction(u) for u in q)
     return w, x, y, z
 
 
-def is_hurwitz(q: Sequence[Any]) -> bool:
+def is_hurwitz(q: Sequence[Fraction | int]) -> bool:
     """Tell whether all coordinates are integers, or all are halves of odd integers."""
     doubled = [2 * fraction(x) for x in q]
     return all(x.denominator == 1 for x in doubled) and len({int(x) % 2 for x in doubled}) == 1

@@ -13,11 +13,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
-    from hfield.rings.residues.kinds import FinitePlace
+    from hfield.rings.residues.finite_places import FinitePlace
 
 
 Vector = list[Any]
@@ -36,7 +36,7 @@ class Lattice:
 class Conic:
     """A nondegenerate quadratic form in three variables over a field with the given 0 and 1."""
 
-    def __init__(self, form: Form, zero: Any, one: Any) -> None:
+    def __init__(self, form: Form, zero: Scalar, one: Scalar) -> None:
         self.form, self.zero, self.one = form, zero, one
 
     def value(self, v: Vector) -> Any:
@@ -81,7 +81,7 @@ def half_discriminant(form: Form) -> Any:
     return four + four + r * s * t - a * (r * r) - b * (s * s) - c * (t * t)
 
 
-def minimise(conic: Conic, lattice: Lattice, place: Any) -> bool:
+def minimise(conic: Conic, lattice: Lattice, place: FinitePlace) -> bool:
     """Change the lattice at a place until the half-discriminant is a unit there, and return True.
 
     Where the place is ramified that is impossible: then the half-discriminant is left with

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from hfield.certificates.check import check
-from hfield.certificates.existence import MAX_CASES
+from hfield.certificates.evidence.existence import MAX_CASES
 from hfield.certificates.finding import Finding, together
 from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.certificates.rejection import (

@@ -4,14 +4,7 @@ import json
 
 import pytest
 
-from hfield.cli import main
-
-
-def run(capsys, *words):
-    status = main(words)
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
-    return status, out, err
+from tests.commands.running import run
 
 
 def evaluate(capsys, *words):

@@ -5,20 +5,7 @@ import json
 import pytest
 
 from hfield import QuaternionAlgebra, info, ring
-from hfield.cli import main
-
-
-def run(capsys, *words):
-    status = main(words)
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
-    return status, out, err
-
-
-def page(capsys, *words):
-    status, out, err = run(capsys, *words)
-    assert (status, err) == (0, "")
-    return out
+from tests.commands.running import page, run
 
 
 @pytest.mark.parametrize(
@@ -197,3 +184,10 @@ def test_too_few_digits_leave_questions_open_and_end_nothing(text, division):
     assert about.commutative is False
     assert division or "give it up to" in str(about) or "at least" in str(about)
     assert QuaternionAlgebra.from_text(about.algebra.name) == about.algebra
+
+
+def test_a_maximal_order_at_a_long_prime_is_left_out():
+    about = info("(10^40+121,s+1|QQ[s]/(s^3-2))")
+    assert about.ramified is not None
+    assert about.order is None
+    assert "machine's word" in about.undecided["maximal_order"]

@@ -6,22 +6,9 @@ from fractions import Fraction
 import pytest
 
 from hfield import QuaternionAlgebra, census
-from hfield.cli import main
 from hfield.commands.brandt import polynomial
 from hfield.commands.survey import numbers
-
-
-def run(capsys, *words):
-    status = main(words)
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
-    return status, out, err
-
-
-def page(capsys, *words):
-    status, out, err = run(capsys, *words)
-    assert (status, err) == (0, "")
-    return out
+from tests.commands.running import page, run
 
 
 @pytest.mark.parametrize(

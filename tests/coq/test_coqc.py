@@ -19,6 +19,7 @@ from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims
 from tests.coq.certificates import LEDGER, TRUE, forged_certificates, true_certificates
+from tests.coq.one_process import reject_each
 
 COQC = shutil.which("coqc")
 pytestmark = pytest.mark.skipif(COQC is None, reason="coqc is not installed (Debian: coq)")
@@ -76,7 +77,7 @@ def test_every_forged_certificate_is_rejected(coq):
         except MismatchError:
             continue
     assert len(left) > 40
-    verdicts = dict(zip((t.name for t in left), coq.reject_each(left), strict=True))
+    verdicts = dict(zip((t.name for t in left), reject_each(coq, left), strict=True))
     assert [name for name, rejected in verdicts.items() if not rejected] == []
     for one in left[::8]:  # and in a file of its own the computation is what fails
         assert 'has type "true = true"' in coq.reject([one])
@@ -86,7 +87,7 @@ def test_true_and_forged_are_told_apart_in_one_process(coq):
     true = [theorem(name_of(n), d) for n, d in list(true_certificates().items())[:6]]
     forged = [theorem(name_of(n), d) for n, d in list(forged_certificates().items())[:3]]
     mixed = [true[0], forged[0], true[1], forged[1], forged[2], *true[2:]]
-    assert coq.reject_each(mixed) == [False, True, False, True, True, *[False] * 4]
+    assert reject_each(coq, mixed) == [False, True, False, True, True, *[False] * 4]
 
 
 def test_spoilt_twins_are_rejected(coq):
@@ -101,14 +102,14 @@ def test_spoilt_twins_are_rejected(coq):
             data = {**data, "verdict": "proved", "evidence": {"kind": "identity"}}
             twins.append(theorem(name_of(claim.id), data))
     assert len(twins) > 35
-    assert coq.reject_each(twins) == [True] * len(twins)
+    assert reject_each(coq, twins) == [True] * len(twins)
 
 
 def test_an_axiom_would_be_seen(coq):
     before = ("Axiom nothing : False.",)
     assumed = Theorem("t", "", Proved("0 = 1 :> Z", ("elim nothing.",), before))
     assert "nothing" in coq.reject([assumed])
-    assert coq.reject_each([assumed]) == [True]
+    assert reject_each(coq, [assumed]) == [True]
     admitted = Theorem("u", "", Proved("0 = 1 :> Z", ("admit.",)))
     assert coq.reject([admitted]) is not None
 

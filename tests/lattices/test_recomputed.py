@@ -7,7 +7,7 @@ import pytest
 
 from tests.lattices.recomputed import OPERATIONS, run
 
-CASES = 60
+CASES = 40
 
 
 @pytest.mark.parametrize("name", OPERATIONS)

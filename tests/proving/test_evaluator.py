@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.exhaustion import truth_at
+from hfield.certificates.evidence.exhaustion import truth_at
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import read_setting as setting_of_checker
 from hfield.certificates.statement import read_statement as statement_of_checker

@@ -192,3 +192,20 @@ def test_a_field_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
     assert found.witness["F"] == ["GF(7)"]
     step = prove("exists u: u != 0 and 2*u == u").decision.steps[0]
     assert "at  there" not in step
+
+
+def test_a_place_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
+    from hfield.proving.existence import places
+
+    decided, refuted = places.decide_closed, []
+
+    def first_without_evidence(problem):
+        found = decided(problem)
+        if found.verdict == "refuted":
+            refuted.append(found)
+        return replace(found, evidence=None) if len(refuted) == 1 else found
+
+    monkeypatch.setattr(places, "decide_closed", first_without_evidence)
+    found = prove("exists q: q**2 == s", "QQ")
+    assert (found.verdict, len(refuted)) == ("refuted", 2)
+    assert found.certificate is not None

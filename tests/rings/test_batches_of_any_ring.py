@@ -149,6 +149,12 @@ def test_shapes() -> None:
     a, b = np.zeros((3, 1)), np.zeros((2,))
     assert [x.shape for x in one_shape([a, b, a, a])] == [(3, 2)] * 4
     assert one_shape([a, a])[0] is a
+    assert one_shape([a + 7, b, a, a])[0].tolist() == [[7.0, 7.0]] * 3
+    polynomials = ring("QQ[x]")
+    entry = polynomials.scalar(polynomials.array(polynomials.gen))
+    assert type(entry) is type(polynomials.gen)
+    assert entry == polynomials.gen
+    assert ring("RDF").array(np.array([1, 2])).dtype == np.float64
     check_shapes((3, 1), (2,), "add")
     with pytest.raises(
         CoercionError, match=r"cannot add arrays of quaternions of the shapes \(3,\) and \(2,\)"
@@ -177,7 +183,7 @@ def test_shapes() -> None:
     assert list(x == x) == [True, True]
 
 
-@pytest.mark.parametrize("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "QQ(sqrt(2))",
+@pytest.mark.parametrize("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "GF(2^100)", "QQ(sqrt(2))",
                                   "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s-1)", "RR"])  # fmt: skip
 def test_compact_forms_compute_the_table(name: str) -> None:
     R, constants, elements = drawn(name)

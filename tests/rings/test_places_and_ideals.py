@@ -11,7 +11,6 @@ import pytest
 from hfield.errors import HFieldError
 from hfield.rings import ring
 from hfield.rings.function_places import FunctionPlace, place_of_functions
-from hfield.rings.number_elements import as_fraction
 from hfield.rings.number_orders import LocalOrder, dedekind, integral_generator
 from hfield.rings.number_primes import by_other_generators
 from hfield.rings.number_sums import (
@@ -38,6 +37,7 @@ from hfield.rings.quadratic_places import (
 )
 from hfield.rings.rational_places import place_of_q
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
+from hfield.structure.rationals.whole_numbers import fraction
 
 PRIMES = (2, 3, 5, 7, 11, 13)
 QUADRATIC = (-1, -2, -3, -5, -6, -7, -11, -15, -23, 2, 3, 5, 6, 7, 10, 13, 17, 21, 33)
@@ -104,7 +104,7 @@ def test_places_of_quadratic_fields_are_those_of_the_number_field(d: int) -> Non
             with pytest.raises(HFieldError, match="is not a real place: nothing has a sign there"):
                 P.sign(F.gen)
         for x in drawn:
-            norm = as_fraction(into_number_field(K, x, d).norm())
+            norm = fraction(into_number_field(K, x, d).norm())
             assert sum(P.f * P.valuation(x) for P in above) == order_of(norm, p)
         for x, y in product(drawn, drawn):
             for P in above:
@@ -124,6 +124,7 @@ def test_infinite_places_of_quadratic_fields(d: int) -> None:
     K = as_number_field(F)
     above = places_above(d, 0)
     assert [str(v) for v in above] == (["inf+", "inf-"] if d > 0 else ["inf"])
+    assert [str(v) for v in K.infinite_places()] == (["inf0", "inf1"] if d > 0 else ["inf"])
     assert F.real_places() == (above[::-1] if d > 0 else ())
     assert [v.index for v in F.real_places()] == [0, 1][: len(F.real_places())]
     for v in above:
@@ -310,7 +311,7 @@ def test_prime_ideals_by_definition(polynomial: str) -> None:
                 modulo = residues(p, [int(f[(n,)]) for n in range(P.f + 1)])
                 assert len(sorted_factors(modulo)) == 1
         for x in drawn:
-            assert sum(P.f * P.valuation(x) for P in above) == order_of(as_fraction(x.norm()), p)
+            assert sum(P.f * P.valuation(x) for P in above) == order_of(fraction(x.norm()), p)
 
 
 def matrix(rows):

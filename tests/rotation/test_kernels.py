@@ -170,3 +170,43 @@ def test_running_products_are_the_twins() -> None:
     unit = QUATS[:400] / np.linalg.norm(QUATS[:400], axis=-1, keepdims=True)
     np.testing.assert_allclose(products, twins.cumulative(unit), rtol=0, atol=1e-13)
     assert kernels.cumulative(np.empty((0, 4))).shape == (0, 4)
+
+
+def test_every_operand_may_lie_in_a_way_of_its_own() -> None:
+    kinds = [k for k in KINDS if k != "frozen"]
+    for turn in range(len(kinds)):
+        p, a, t, o = (kinds[(turn + n * turn + n) % len(kinds)] for n in range(4))
+        points, axes, out = layouts(POINTS)[p], layouts(AXES)[a], layouts(0 * POINTS)[o]
+        angles = layouts(ANGLES[:, None])[t][:, 0]
+        assert not kernels.axis_angle(points, axes, angles, out)
+        np.testing.assert_allclose(out, twins.axis_angle(POINTS, AXES, ANGLES), rtol=0, atol=2e-14)
+    for axes, angles in ((AXES[:1], ANGLES), (AXES, ANGLES[:1]), (AXES[:1], ANGLES[:1])):
+        out = np.empty_like(POINTS)
+        kernels.axis_angle(POINTS, axes, angles, out)
+        np.testing.assert_allclose(out, twins.axis_angle(POINTS, axes, angles), rtol=0, atol=2e-14)
+
+
+@pytest.mark.parametrize("seq", [(0,), (2, 1), (0, 1, 0), (2, 0, 1)])
+@pytest.mark.parametrize("backward", [False, True])
+def test_one_two_and_three_angles(seq: tuple[int, ...], backward: bool) -> None:
+    angles, out = EULER[:, : len(seq)], np.empty_like(POINTS)
+    kernels.euler(POINTS, angles, seq, backward, out)
+    expected = POINTS
+    for axis, k in zip(seq, range(len(seq))[:: -1 if backward else 1], strict=True):
+        expected = twins.axis_angle(expected, np.eye(3)[axis], angles[:, k])
+    np.testing.assert_allclose(out, expected, rtol=0, atol=2e-14)
+
+
+def test_threads_share_the_blocks_and_rare_rows_are_told_of_in_each() -> None:
+    before = kernels.threads(3)
+    try:
+        n = 40_001
+        points, axes, angles = (np.resize(a, (n, *a.shape[1:])) for a in (POINTS, AXES, ANGLES))
+        axes[33_333] *= 2.0**-900
+        out = np.empty_like(points)
+        assert not kernels.axis_angle(points, axes, angles, out)
+        np.testing.assert_allclose(out, twins.axis_angle(points, axes, angles), rtol=0, atol=2e-14)
+        axes[n - 1] = 0.0
+        assert kernels.axis_angle(points, axes, angles, out)
+    finally:
+        kernels.threads(before)

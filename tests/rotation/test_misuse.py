@@ -10,6 +10,7 @@ import pytest
 from rotation import (
     DTypeError,
     R_x,
+    RigidTransform,
     Rotation,
     RotationError,
     Slerp,
@@ -121,3 +122,25 @@ def test_a_matrix_of_no_angle_is_nan_throughout() -> None:
 def test_infinitely_many_threads() -> None:
     with pytest.raises(RotationError, match="whole number"):
         threads(float("inf"))  # type: ignore[arg-type]
+
+
+def test_points_beside_an_operator_are_told_what_to_write() -> None:
+    r, v = Rotation.random(3, seed=1), np.ones((3, 3))
+    t = RigidTransform.from_rotation(r)
+    for call in (
+        lambda: r * v,
+        lambda: v * r,
+        lambda: r * [1, 2, 3],
+        lambda: r @ v,
+        lambda: t * v,
+        lambda: t @ v,
+    ):
+        with pytest.raises(DTypeError, match=r"write r\.apply\(points\)"):
+            call()
+    for call in (lambda: r * t, lambda: t * r):
+        with pytest.raises(DTypeError, match="from_rotation"):
+            call()
+    with pytest.raises(RotationError, match=r"points \(2,\), rotations \(3,\)"):
+        r.apply(v[:2])
+    with pytest.raises(RotationError, match=r"points has shape \(3, 4\); expected \(…, 3\)$"):
+        r.apply(np.ones((3, 4)))

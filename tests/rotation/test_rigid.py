@@ -255,3 +255,14 @@ def test_other_array_libraries() -> None:
     found, wanted = np.asarray(q.as_dual_quat()), p.as_dual_quat()
     signs = np.sign(np.sum(found * wanted, axis=1, keepdims=True))
     np.testing.assert_allclose(found, signs * wanted, atol=1e-14)
+
+
+def test_the_matrix_that_is_held_is_nobodys_to_change() -> None:
+    move = RigidTransform.from_components(np.ones((3, 3)), Rotation.random(3, seed=1))
+    first = move.as_matrix()
+    kept = first.copy()
+    first[...] = 0.0
+    second = move.as_matrix()
+    np.testing.assert_array_equal(second, kept)
+    second[...] = 0.0
+    np.testing.assert_array_equal(move.as_matrix(), kept)

@@ -25,7 +25,7 @@ FIELDS = [
 ]
 
 
-# A local field has one place, and functions in several variables have residues: no lists of places.
+# A completion has one place, and functions in several variables have residues: no lists of places.
 OTHERS = ["Qp(5)", "QQ(sqrt(2))_inf-", "QQ(x,y)"]
 
 

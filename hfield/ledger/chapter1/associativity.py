@@ -2,15 +2,8 @@
 
 from hfield.certificates.glossary import INDUCTION
 from hfield.ledger.document import Propositions
-from hfield.ledger.multilinear import (
-    CurriedIsLinear,
-    DeterminedBy,
-    LastArgument,
-    all_tuples,
-    constant_tuples,
-    short_tuples,
-    spoilt_tuples,
-)
+from hfield.ledger.linear_forms import all_tuples, constant_tuples, short_tuples, spoilt_tuples
+from hfield.ledger.multilinear import CurriedIsLinear, DeterminedBy, LastArgument
 
 COMPUTED = {
     "C1.1.3-a": Propositions(

@@ -4,11 +4,13 @@ Small values come first, so that the witness found is one that people can check 
 prime field on Python's numbers, then small elements of the field, zero divisors among them.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
 from hfield.product import Constants, Scalar, conjugate, multiply, trace
@@ -19,6 +21,10 @@ from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
+if TYPE_CHECKING:
+    from hfield.product import Coordinates
+
+
 HEAVIEST = 12  # the weight of a place
 MANY_STATEMENTS_TRY = 150  # places, before they are left alone or proved
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
@@ -26,7 +32,7 @@ MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated a
 
 def by_weight(
     unknowns: Sequence[tuple[str, Sort]],
-    scalars: Sequence[Any],
+    scalars: Sequence[Scalar],
     heaviest: int,
     letters: frozenset[str] = frozenset(),
 ) -> Iterator[Assignment]:
@@ -99,7 +105,7 @@ def small_scalars(field: Ring) -> tuple[Scalar, ...]:
 
 
 @lru_cache(maxsize=256)
-def zero_divisors(setting: Setting) -> tuple[Any, ...]:
+def zero_divisors(setting: Setting) -> tuple[Coordinates, ...]:
     """Return elements of norm 0, if the field is known to have some in the algebra."""
     from hfield.structure.norm_forms.zero_norms import zero_norm
 
@@ -132,7 +138,7 @@ def zero_divisors(setting: Setting) -> tuple[Any, ...]:
     )
 
 
-def pool(problem: Problem) -> list[Any]:
+def pool(problem: Problem) -> list[Coordinates]:
     """Return a few telling quaternions: 0, the basis, zero divisors, small combinations."""
     field = problem.ring
     zero, one = field.zero, field.one
@@ -144,7 +150,9 @@ def pool(problem: Problem) -> list[Any]:
 
 
 def from_pool(
-    unknowns: Sequence[tuple[str, Sort]], quaternions: Sequence[Any], scalars: Sequence[Scalar]
+    unknowns: Sequence[tuple[str, Sort]],
+    quaternions: Sequence[Coordinates],
+    scalars: Sequence[Scalar],
 ) -> Iterator[Assignment]:
     """Run through assignments of the quaternions and scalars given, small positions first."""
     kinds = [scalars if sort is Sort.SCALAR else quaternions for _, sort in unknowns]
@@ -168,7 +176,7 @@ def prime_search(problem: Problem, p: int, limit: int, wanted: bool = False) -> 
 
 
 @remembered
-def _search_begun(problem: Problem, p: int, wanted: bool) -> "_PrimeSearch":
+def _search_begun(problem: Problem, p: int, wanted: bool) -> _PrimeSearch:
     return _PrimeSearch(p, wanted)
 
 
@@ -244,10 +252,10 @@ def true_place(problem: Problem, limit: int) -> Assignment | None:
     return None if field is None else ring_search(problem, limit, True)
 
 
-def witness_texts(field: Ring | None, assignment: Mapping[str, Any]) -> dict[str, list[str]]:
+def witness_texts(field: Ring | None, assignment: Mapping[str, object]) -> dict[str, list[str]]:
     """Write an assignment so that the field reads it back; numbers of a prime field as they are."""
 
-    def text(x: Any) -> str:
+    def text(x: object) -> str:
         return str(x) if field is None else field.text(x)
 
     return {

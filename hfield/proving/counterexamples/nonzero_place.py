@@ -7,6 +7,7 @@ from itertools import chain, count, islice
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError
+from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import small_scalars
 from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.polynomials.expansion import Expanded
@@ -50,7 +51,7 @@ def nonzero_place(
     return out
 
 
-def _substitute(f: dict[Monomial, Any], value: Any, field: Ring) -> dict[Monomial, Any]:
+def _substitute(f: dict[Monomial, Scalar], value: Scalar, field: Ring) -> dict[Monomial, Scalar]:
     """Put a value in for the first variable."""
     out: dict[Monomial, Any] = {}
     for monomial, c in f.items():
@@ -60,7 +61,7 @@ def _substitute(f: dict[Monomial, Any], value: Any, field: Ring) -> dict[Monomia
     return {m: c for m, c in out.items() if not field.is_zero(c)}
 
 
-def values_of(field: Ring, nonzero: bool = False) -> Iterator[Any]:
+def values_of(field: Ring, nonzero: bool = False) -> Iterator[Scalar]:
     """Run through distinct elements of a field, small ones first: all, or a thousand of them.
 
     With ``nonzero``, 0 comes last.
@@ -69,7 +70,7 @@ def values_of(field: Ring, nonzero: bool = False) -> Iterator[Any]:
     return chain(islice(values, 1, None), [field.zero]) if nonzero else values
 
 
-def _values(field: Ring) -> Iterator[Any]:
+def _values(field: Ring) -> Iterator[Scalar]:
     if field.order is not None:
         yield from field.elements()
         return

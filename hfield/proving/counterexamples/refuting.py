@@ -1,7 +1,9 @@
 """Places where a statement fails: looked for, solved for, or all tried."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
 from hfield.proving.counterexamples.candidates import prime_search, ring_search
@@ -13,6 +15,10 @@ from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.starting_relations import quaternions_of
 from hfield.proving.problem import Problem
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import flint
+
 
 QUICK, FEW, MANY = 120, 400, 20_000  # places looked at before, between and after proofs
 MAX_AXES = 8
@@ -67,7 +73,7 @@ def on_axes(clause: Clause) -> Iterator[Clause]:
 
 
 def narrowed(
-    clause: Clause, quaternions: Sequence[tuple[tuple[Any, ...], Any]]
+    clause: Clause, quaternions: Sequence[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]]
 ) -> Iterator[Clause]:
     """Run through clauses with more conditions, at whose places the clause fails too.
 

@@ -26,7 +26,7 @@ from hfield.rings.base import Ring, power
 from hfield.rings.roots import rational_roots
 
 if TYPE_CHECKING:
-    import flint
+    pass
 
 
 MAX_NODES = 1_500
@@ -114,8 +114,8 @@ class _Solver:
         return out
 
     def run(
-        self, zeros: list[Polynomial], goals: list[list[Polynomial]], values: dict[int, Any]
-    ) -> dict[int, Any] | None:
+        self, zeros: list[Polynomial], goals: list[list[Polynomial]], values: dict[int, Scalar]
+    ) -> dict[int, Scalar] | None:
         """Extend ``values`` to a solution, or return None."""
         self.nodes += 1
         if self.nodes > MAX_NODES or self.problem.is_late:
@@ -136,7 +136,7 @@ class _Solver:
                 return found
         return None
 
-    def next(self, zeros: Sequence[Polynomial]) -> tuple[int, Iterator[Any]]:
+    def next(self, zeros: Sequence[Polynomial]) -> tuple[int, Iterator[Scalar]]:
         """Return a variable and the values to try: one that is determined, or the most tangled."""
         weights: dict[int, list[int]] = {}
         for z in zeros:
@@ -151,7 +151,7 @@ class _Solver:
         values = small_scalars(self.field)[:BRANCHES]
         return tangled, iter(nonzero_first(values) if tangled in self.letters else values)
 
-    def roots(self, z: Polynomial, n: int) -> Iterator[Any]:
+    def roots(self, z: Polynomial, n: int) -> Iterator[Scalar]:
         """Run through zeros of a polynomial in one variable, all of them up to degree 2."""
         field, degree = self.field, max(m[n] for m in z)
         c = [field.zero] * (degree + 1)
@@ -190,8 +190,8 @@ class _Solver:
         return {m: c for m, c in out.items() if not field.is_zero(c)}
 
     def finish(
-        self, goals: list[list[Polynomial]], values: dict[int, Any]
-    ) -> dict[int, Any] | None:
+        self, goals: list[list[Polynomial]], values: dict[int, Scalar]
+    ) -> dict[int, Scalar] | None:
         """Choose the variables that are left so that no goal vanishes entirely."""
         left = [next(f for f in goal if f) for goal in goals]
         out = dict(values)
@@ -210,9 +210,9 @@ class _Solver:
             out[n] = self.value(expression, out)
         return out
 
-    def value(self, f: Polynomial, values: Mapping[int, Any]) -> flint.fmpq:
+    def value(self, f: Polynomial, values: Mapping[int, Scalar]) -> Scalar:
         """Evaluate f."""
-        total = self.field.zero
+        total: Scalar = self.field.zero
         for m, c in f.items():
             for n, e in enumerate(m):
                 if e:
@@ -221,7 +221,7 @@ class _Solver:
         return total
 
 
-def _roots(field: Ring, coefficients: Sequence[Any]) -> list[Any]:
+def _roots(field: Ring, coefficients: Sequence[Scalar]) -> list[Scalar]:
     """Return the roots in the field, or rational ones, as far as they are known."""
     try:
         return field.roots(coefficients)

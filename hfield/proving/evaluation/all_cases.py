@@ -8,6 +8,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.product import Scalar
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value, constant
 from hfield.proving.evaluation.searcher import Assignment, Searcher
@@ -16,7 +17,7 @@ from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
-    import flint
+    pass
 
 
 MAX_CASES = 10**8
@@ -66,7 +67,7 @@ def counterexample(
 
 
 def _assignment(
-    statement: Statement, places: list[tuple[str, int]], values: Any, zero: flint.nmod
+    statement: Statement, places: list[tuple[str, int]], values: Any, zero: object
 ) -> Assignment:
     given = dict(zip(places, values, strict=True))
     return {
@@ -206,7 +207,7 @@ class _TableScalars(Scalars):
         self.table = table
         self.zero, self.one = self.element(table.field.zero), self.element(table.field.one)
 
-    def element(self, x: Any) -> _Entries:
+    def element(self, x: Scalar) -> _Entries:
         import numpy as np
 
         return self.table.entry(

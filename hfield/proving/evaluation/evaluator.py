@@ -106,19 +106,19 @@ class Evaluator:
         """Join statements. Where truth is plain one side often settles it; arrays and formulas need both."""
         both, either, negate = self.scalars.both, self.scalars.either, self.scalars.negate
 
-        def conjunction(v: Values) -> Any:
+        def conjunction(v: Values) -> object:
             first = f(v)
             return False if first is False else both(first, g(v))
 
-        def disjunction(v: Values) -> Any:
+        def disjunction(v: Values) -> object:
             first = f(v)
             return True if first is True else either(first, g(v))
 
-        def implication(v: Values) -> Any:
+        def implication(v: Values) -> object:
             first = f(v)
             return True if first is False else either(negate(first), g(v))
 
-        def equivalence(v: Values) -> Any:
+        def equivalence(v: Values) -> object:
             first, second = f(v), g(v)
             return both(either(negate(first), second), either(first, negate(second)))
 
@@ -134,14 +134,14 @@ class Evaluator:
         if four or other:
             f, g = self._embedded(left), self._embedded(right)
 
-        def compare_quaternions(v: Values) -> Any:
+        def compare_quaternions(v: Values) -> object:
             self.defined = always
             try:
                 return compared(map(sub, f(v), g(v)), self.defined)
             except _UndefinedError:
                 return False
 
-        def compare_scalars(v: Values) -> Any:
+        def compare_scalars(v: Values) -> object:
             self.defined = always
             try:
                 return compared((f(v) - g(v),), self.defined)

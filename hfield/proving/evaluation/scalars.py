@@ -99,11 +99,11 @@ class RingScalars(Scalars):
         except NotInvertibleError:
             return self.zero, False
 
-    def equal(self, differences: Iterable[Any], defined: bool) -> bool:
+    def equal(self, differences: Iterable[Scalar], defined: bool) -> bool:
         """Compare exactly, in the ring."""
         return all(map(self.ring.is_zero, differences))
 
-    def unequal(self, differences: Iterable[Any], defined: bool) -> bool:
+    def unequal(self, differences: Iterable[Scalar], defined: bool) -> bool:
         """Compare exactly, in the ring."""
         return not all(map(self.ring.is_zero, differences))
 
@@ -126,7 +126,7 @@ class PrimeScalars(Scalars):
         x, defined = self.reciprocal(value.denominator)
         return value.numerator * x % self.p, defined
 
-    def reciprocal(self, x: int) -> Value:
+    def reciprocal(self, x: Any) -> Value:
         """Return 1/x unless x is 0."""
         if not self.p:
             return (Fraction(1) / x, True) if x else (0, False)
@@ -142,11 +142,11 @@ class PrimeScalars(Scalars):
         modulus = self.p
         return tuple([x % modulus for x in multiply(constants, p, q)])
 
-    def equal(self, differences: Iterable[Any], defined: bool) -> bool:
+    def equal(self, differences: Iterable[int], defined: bool) -> bool:
         """Compare modulo p."""
         return not self.unequal(differences, defined)
 
-    def unequal(self, differences: Iterable[Any], defined: bool) -> bool:
+    def unequal(self, differences: Iterable[int], defined: bool) -> bool:
         """Compare modulo p."""
         p = self.p
         return any(d % p for d in differences) if p else any(differences)

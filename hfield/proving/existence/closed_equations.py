@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.product import Scalar
 from hfield.proving.existence.square_roots import quaternion_roots
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.normal_form import branches
@@ -59,7 +60,7 @@ def closed_solutions(problem: Problem) -> Solutions:
     return Solutions(tuple(places), none)
 
 
-def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[list[Any]]:
+def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[list[Scalar]]:
     """Return some solutions, and some if there are any. Raises :class:`UndecidedError`."""
     equations = [f for f in equations if f]
     used = {n for f in equations for m in f for n, e in enumerate(m) if e}
@@ -74,7 +75,7 @@ def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[lis
     return [[values.get(n, field.zero) for n in range(unknowns)] for values in found]
 
 
-def _common_roots(equations: list[Polynomial], n: int, field: Ring) -> Iterator[Any]:
+def _common_roots(equations: list[Polynomial], n: int, field: Ring) -> Iterator[Scalar]:
     """Run through the values of one unknown at which all equations hold."""
     dense = []
     for f in equations:
@@ -88,14 +89,14 @@ def _common_roots(equations: list[Polynomial], n: int, field: Ring) -> Iterator[
             yield root
 
 
-def _value(c: Sequence[Any], x: Any, field: Ring) -> Any:
+def _value(c: Sequence[Scalar], x: Scalar, field: Ring) -> Any:
     total = field.zero
     for a in reversed(c):
         total = total * x + a
     return total
 
 
-def _linear(equations: list[Polynomial], used: list[int], field: Ring) -> list[Any] | None:
+def _linear(equations: list[Polynomial], used: list[int], field: Ring) -> list[Scalar] | None:
     """Return a solution of linear equations for the unknowns used, None if there is none."""
     if max(len(equations), len(used)) > MAX_SIZE:
         raise UndecidedError("the linear equations are too many")
@@ -119,7 +120,7 @@ def _linear(equations: list[Polynomial], used: list[int], field: Ring) -> list[A
     return None if solution is None else [field(x) for x in solution[: len(used)]]
 
 
-def _hermite(rows: list[list[Any]], ring: Ring) -> list[Any] | None:
+def _hermite(rows: list[list[Scalar]], ring: Ring) -> list[Scalar] | None:
     """Solve A·x + b = 0 over a Euclidean ring, each row of A with its b behind.
 
     Columns are combined until A is lower triangular; then each unknown follows by a division, or fails.
@@ -149,7 +150,7 @@ def _hermite(rows: list[list[Any]], ring: Ring) -> list[Any] | None:
     return solution
 
 
-def _assigned(statement: Statement, values: Sequence[Any]) -> dict[str, object]:
+def _assigned(statement: Statement, values: Sequence[Scalar]) -> dict[str, object]:
     """Give the unknowns their values, the coordinates of a quaternion together."""
     rest = iter(values)
     return {

@@ -8,7 +8,14 @@ from typing import Any
 from hfield.errors import HFieldError
 from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import by_weight, small_scalars, witness_texts
-from hfield.proving.decision import FIELD, PROVED, REFUTED, UNDECIDED, Decision
+from hfield.proving.decision import (
+    FIELD,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    has_evidence,
+)
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import Assignment, Searcher
@@ -51,6 +58,7 @@ def by_places(problem: Problem) -> Decision:
         none_at = unsolvable_at(problem)
     meant = _meant(problem)
     count = looked = 0
+    unproved = None  # refuted, but without evidence: another place may have some
     for place in places:
         if problem.is_late or looked >= (MAX_PLACES if finite else MOST_LOOKED):
             break
@@ -66,9 +74,14 @@ def by_places(problem: Problem) -> Decision:
         except HFieldError:
             return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
         if one.verdict == REFUTED:
-            return _none_there(one, values)
-        if finite and one.verdict != PROVED:
+            refuted = _none_there(one, values)
+            if has_evidence(one.evidence):
+                return refuted
+            unproved = unproved or refuted
+        elif finite and one.verdict != PROVED:
             return one
+    if unproved is not None:
+        return unproved
     if finite and not problem.is_late:
         steps = (f"there is one for {_each(count)}",)
         counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}

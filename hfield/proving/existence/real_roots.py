@@ -89,7 +89,7 @@ def _real(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     return None
 
 
-def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[Any]:
+def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[flint.fmpz_mpoly]:
     """Return the coefficients of f as a polynomial in one of its variables."""
     parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(int(f.degrees()[at]) + 1)]
     for exponents, c in f.terms():

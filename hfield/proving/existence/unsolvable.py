@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
+from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.existence.coefficients import Row
@@ -54,7 +55,7 @@ def unsolvable_at(problem: Problem) -> Callable[[Assignment], bool] | None:
 
 
 def _is_solvable(
-    rows: Sequence[Row], variables: Sequence[str], values: Mapping[str, Any], field: Ring
+    rows: Sequence[Row], variables: Sequence[str], values: Mapping[str, Scalar], field: Ring
 ) -> bool:
     """Tell whether linear equations have a solution, by elimination."""
     left = [[_value(f, variables, values, field) for f in row] for row in rows]
@@ -72,7 +73,7 @@ def _is_solvable(
 
 
 def _value(
-    f: flint.fmpz_mpoly, variables: Sequence[str], values: Mapping[str, Any], field: Ring
+    f: flint.fmpz_mpoly, variables: Sequence[str], values: Mapping[str, Scalar], field: Ring
 ) -> Any:
     total = field.zero
     for exponents, c in f.terms():

@@ -12,6 +12,7 @@ from functools import lru_cache
 from math import gcd, isqrt
 from typing import TYPE_CHECKING, Any
 
+from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
 from hfield.proving.polynomials.recognition import polynomial_text, without_root
@@ -75,8 +76,12 @@ class Forms:
                         yield self.made(found, top, bottom, n)
 
     def along(
-        self, parts: Mapping[tuple[int, ...], Any], top: Any, bottom: Any, n: int
-    ) -> list[Any] | None:
+        self,
+        parts: Mapping[tuple[int, ...], Any],
+        top: tuple[int, ...],
+        bottom: tuple[int, ...],
+        n: int,
+    ) -> list[flint.fmpz_mpoly] | None:
         """Return the coefficients c₀ … cₙ if all monomials lie between X^n and Y^n."""
         coefficients = [self.context.constant(0)] * (n + 1)
         for m, c in parts.items():
@@ -90,12 +95,20 @@ class Forms:
                 return None
         return coefficients
 
-    def made(self, coefficients: list[Any], top: Any, bottom: Any, n: int) -> Form:
+    def made(
+        self,
+        coefficients: list[flint.fmpz_mpoly],
+        top: tuple[int, ...],
+        bottom: tuple[int, ...],
+        n: int,
+    ) -> Form:
         """Return the binary form."""
         x, y = (self.context.from_dict({tuple(e // n for e in m): 1}) for m in (top, bottom))
         return self.form(coefficients, x, y)
 
-    def form(self, coefficients: list[Any], x: Any, y: Any) -> Form:
+    def form(
+        self, coefficients: list[flint.fmpz_mpoly], x: flint.fmpz_mpoly, y: flint.fmpz_mpoly
+    ) -> Form:
         """Return Σ cₖ·x^k·y^(n−k) as a form."""
         n = len(coefficients) - 1
         zero = self.context.constant(0)
@@ -207,7 +220,7 @@ class Forms:
             total = total + term
         return total
 
-    def values(self, coefficients: list[Any]) -> list[Any]:
+    def values(self, coefficients: list[flint.fmpz_mpoly]) -> list[Scalar]:
         """Return coefficients as elements of the field."""
         return [self.value(c) for c in coefficients]
 
@@ -234,7 +247,7 @@ def square_part(n: int) -> tuple[int, int]:
     return m, rest
 
 
-def square_free(f: flint.fmpz_mpoly) -> tuple[Any, Any]:
+def square_free(f: flint.fmpz_mpoly) -> tuple[flint.fmpz_mpoly, flint.fmpz_mpoly]:
     """Return (m, g) with f = m²·g, as far as factoring tells."""
     number, powers = factored(f)
     m, rest = square_part(number)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import Scalars, Value
 from hfield.proving.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
@@ -25,6 +25,8 @@ from hfield.proving.statements.language import Sort
 
 if TYPE_CHECKING:
     import flint
+
+    from hfield.product import Coordinates
 
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
@@ -154,17 +156,17 @@ class Polynomials(Scalars):
         self.budget.spend(len(x) * len(y))
         return x * y
 
-    def scale(self, q: Any, s: Any) -> Any:
+    def scale(self, q: Coordinates, s: Any) -> Any:
         """Multiply, after charging for it."""
         self.budget.spend(_size(q) * len(s))
         return super().scale(q, s)
 
-    def multiply(self, constants: Constants, p: Any, q: Any) -> Any:
+    def multiply(self, constants: Constants, p: Coordinates, q: Coordinates) -> Any:
         """Multiply, after charging for it."""
         self.budget.spend(_size(p) * _size(q))
         return super().multiply(constants, p, q)
 
-    def norm(self, constants: Constants, q: Any) -> Any:
+    def norm(self, constants: Constants, q: Coordinates) -> Any:
         """Return the norm, after charging for it."""
         self.budget.spend(_size(q) ** 2)
         return super().norm(constants, q)
@@ -179,15 +181,15 @@ class Polynomials(Scalars):
         """Return the opposite formula."""
         return ~x
 
-    def equal(self, differences: Iterable[Any], defined: Any) -> Formula:
+    def equal(self, differences: Iterable[Scalar], defined: Any) -> Formula:
         """Return the formula "defined, and all numerators are 0"."""
         return self._comparison(differences, defined, True)
 
-    def unequal(self, differences: Iterable[Any], defined: Any) -> Formula:
+    def unequal(self, differences: Iterable[Scalar], defined: Any) -> Formula:
         """Return the formula "defined, and some numerator is not 0"."""
         return self._comparison(differences, defined, False)
 
-    def _comparison(self, differences: Iterable[Any], defined: Any, zero: bool) -> Formula:
+    def _comparison(self, differences: Iterable[Scalar], defined: Any, zero: bool) -> Formula:
         f = literal((self.numerator(d) for d in differences), zero)
         for condition in defined:
             f = f & literal((condition,), False)
@@ -257,5 +259,5 @@ class Quotient:
         self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))
 
 
-def _size(q: Any) -> int:
+def _size(q: Coordinates) -> int:
     return sum(map(len, q))

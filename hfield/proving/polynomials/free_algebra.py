@@ -36,7 +36,7 @@ class Rewriting:
         for n, g in enumerate(generators):
             self._enter({w: self.number(c) for w, c in g.items()}, {("", n, ""): self.number(1)})
 
-    def number(self, c: Any) -> Any:
+    def number(self, c: int | Fraction) -> int | Fraction:
         """Return a coefficient: a Fraction, or an int modulo p."""
         return int(c) % self.p if self.p else Fraction(c)
 
@@ -108,17 +108,17 @@ class Rewriting:
             self._add_cofactors(cofactors, self._minus(one), left_of_g, other, right_of_g)
             yield h, cofactors
 
-    def _add(self, into: Words, c: Any, left: str, f: Words, right: str) -> None:
+    def _add(self, into: Words, c: int | Fraction, left: str, f: Words, right: str) -> None:
         for word, d in f.items():
             self._sum(into, left + word + right, self._times(c, d))
 
     def _add_cofactors(
-        self, into: Cofactors, c: Any, left: str, other: Cofactors, right: str
+        self, into: Cofactors, c: int | Fraction, left: str, other: Cofactors, right: str
     ) -> None:
         for (l, n, r), d in other.items():  # noqa: E741
             self._sum(into, (left + l, n, r + right), self._times(c, d))
 
-    def _sum(self, into: Any, key: Any, c: Any) -> None:
+    def _sum(self, into: Any, key: Any, c: int | Fraction) -> None:
         total = into.get(key, 0) + c
         if self.p:
             total %= self.p
@@ -127,10 +127,10 @@ class Rewriting:
         else:
             into.pop(key, None)
 
-    def _times(self, c: Any, d: Any) -> Any:
+    def _times(self, c: int | Fraction, d: int | Fraction) -> int | Fraction:
         return c * d % self.p if self.p else c * d
 
-    def _minus(self, c: Any) -> Any:
+    def _minus(self, c: int | Fraction) -> int | Fraction:
         return -c % self.p if self.p else -c
 
     def _key(self, word: str) -> tuple[int, list[int]]:

@@ -87,7 +87,7 @@ class Ideal:
         negative = [(n, m, self.basis.p - c) for n, m, c in history]
         return self._verified(target, negative)
 
-    def elements(self) -> list[tuple[Any, Cofactors]]:
+    def elements(self) -> list[tuple[flint.fmpz_mpoly, Cofactors]]:
         """Return the minimal elements of the basis, reduced, as integer polynomials with their cofactors.
 
         Raises :class:`TooLargeError` when the time is over.

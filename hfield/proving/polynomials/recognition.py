@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isqrt
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_poly
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 MAX_DEGREE = 16
 
 
-def as_squares(f: flint.fmpz_mpoly, rule: Rule) -> list[tuple[int, Any]] | None:
+def as_squares(f: flint.fmpz_mpoly, rule: Rule) -> list[tuple[int, flint.fmpz_mpoly]] | None:
     """Write f, up to its sign, as Σ c·m² with monomials m to which the rule applies, or None."""
     terms = [(tuple(map(int, m)), int(c)) for m, c in f.terms()]
     if not 1 <= len(terms) <= rule.most or any(e % 2 for m, _ in terms for e in m):

@@ -63,7 +63,9 @@ def nonzero_constants_of(
 
 
 @remembered
-def quaternions_of(problem: Problem) -> tuple[tuple[tuple[Any, ...], Any], ...]:
+def quaternions_of(
+    problem: Problem,
+) -> tuple[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly], ...]:
     """Return the quaternions that occur in the statement and their vectors, each with its norm."""
     world = Symbolic(problem)
     statement = problem.statement

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from hfield.factorisation import factor
+from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.rings.base import Ring, power
@@ -56,7 +57,7 @@ def vanishes_as_function(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring)
 
 def coefficients(
     polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring, order: int | None = None
-) -> Mapping[Monomial, Any]:
+) -> Mapping[Monomial, Scalar]:
     """Return the nonzero coefficients in the ring, by the exponents of the unknowns.
 
     With ``order`` q the exponents are reduced by ``x^q = x``.
@@ -76,7 +77,7 @@ def coefficients(
 
 def factored(
     polynomial: flint.fmpz_mpoly, squarefree: bool = False
-) -> tuple[int, list[tuple[Any, int]]]:
+) -> tuple[int, list[tuple[flint.fmpz_mpoly, int]]]:
     """Return the number and the factors, with their powers, of a polynomial that is not 0.
 
     Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.factorisation import factorise
 from hfield.kernels.arithmetic import Arithmetic
@@ -14,6 +14,10 @@ from hfield.native import compiling
 from hfield.product import Constants
 from hfield.rings.array_held.labels import LabelArrays
 from hfield.rings.holding import Batch
+
+if TYPE_CHECKING:
+    from hfield.rings.finite import FiniteField
+
 
 WORD = 1 << 32  # the largest modulus whose residues multiply in one word
 BITS = 64  # the largest degree over GF(2) whose elements do
@@ -47,7 +51,7 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     return None
 
 
-def primitive(F: Any) -> int:
+def primitive(F: FiniteField) -> int:
     """Return the label of a generator of the multiplicative group of GF(pⁿ), n > 1; x itself if it is one."""
     primes = factorise(F.order - 1)
     for label in range(F.characteristic, F.order):

@@ -22,6 +22,8 @@ from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 if TYPE_CHECKING:
     import galois
 
+    from hfield.rings.finite import FiniteField
+
 
 TABLE = 1 << 16  # rings up to this size have a table of their inverses
 
@@ -35,7 +37,7 @@ class LabelArrays(RowArrays):
 
     ring: Any
 
-    def __init__(self, ring: Any, constants: Constants, arithmetic: Arithmetic) -> None:
+    def __init__(self, ring: FiniteField, constants: Constants, arithmetic: Arithmetic) -> None:
         super().__init__(ring, constants)
         self.arithmetic = arithmetic
         self.dtype = arithmetic.dtype
@@ -44,7 +46,7 @@ class LabelArrays(RowArrays):
 
     # --- labels --------------------------------------------------------------------------------
 
-    def row(self, values: Any) -> Row:
+    def row(self, values: object) -> Row:
         """Return the labels of an element, a nested sequence or an array. Raises :class:`CoercionError`."""
         return labels(self.ring, values, self.dtype)
 
@@ -196,7 +198,7 @@ _PROGRAMS: dict[str, tuple[Program, tuple[tuple[str, ...], ...]]] = {
 }
 
 
-def labels(F: Any, values: Any, dtype: str) -> Row:
+def labels(F: FiniteField, values: Any, dtype: str) -> Row:
     """Return the labels of an element, a nested sequence or an array, in its shape.
 
     Integers n become n·1, never galois's label; a galois array must be over this very field, modulus

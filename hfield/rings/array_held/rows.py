@@ -40,7 +40,7 @@ class RowArrays(Batch):
 
     # --- what a ring gives ---------------------------------------------------------------------
 
-    def row(self, values: Any) -> Row:
+    def row(self, values: object) -> Row:
         """Return a row of what the ring reads. Raises :class:`CoercionError` as the ring does."""
         raise NotImplementedError
 
@@ -109,7 +109,7 @@ class RowArrays(Batch):
         """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
         return self.checked_block(values, 4)
 
-    def checked_block(self, values: Any, count: int) -> Rows:
+    def checked_block(self, values: object, count: int) -> Rows:
         """Return the rows of an array of integers. Raises :class:`CoercionError`."""
         block = np.asarray(values)
         if block.ndim == 0 or block.shape[0] != count or block.dtype.kind not in "iu":

@@ -65,7 +65,7 @@ class Compact(Holding):
         """Hold four ints."""
         return super().read((w, x, y, z))
 
-    def equal(self, p: Any, q: Any) -> bool:
+    def equal(self, p: object, q: object) -> bool:
         """Tell whether p = q."""
         return bool(p == q)
 
@@ -74,7 +74,7 @@ class Compact(Holding):
         """Return the text of a Python function with the name of the operation, on held values."""
 
     @abstractmethod
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return what the free names of the source mean."""
 
     def explain(self, operation: str) -> str:

@@ -104,7 +104,7 @@ class Fractions(Numerators):
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return the constants, and what puts fractions in lowest terms."""
         tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
         tools["reciprocal"] = self._reciprocal

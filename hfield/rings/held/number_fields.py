@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
 
@@ -115,7 +116,7 @@ class IntegralPolynomials(Numerators):
         m, k, element = self._m, self._k, self._element
         return element(w, d), element(x * m, d), element(y * k, d), element(z * (m * k), d)
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return the constants, and what puts fractions in lowest terms."""
         tools = {"n": self._modulus, "element": self._element, "lowest": self._lowest}
         return super().names() | self._constants | tools
@@ -141,6 +142,6 @@ class IntegralPolynomials(Numerators):
             return "def inverse(p):\n    return by_norm(p)"
         return super().source(operation)
 
-    def key(self, p: Held) -> tuple[Any, ...]:
+    def key(self, p: Held) -> tuple[Hashable, ...]:
         """Return the coefficients and the denominator."""
         return (*(tuple(map(int, f.coeffs())) for f in p[:4]), p[4])

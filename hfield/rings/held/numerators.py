@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Hashable
 from typing import Any
 
 from hfield.product import Scalar
@@ -73,7 +74,7 @@ class Numerators(Compact):
         value = f"return {', '.join(results)}, d1"
         return function(operation, p, [*formula(operation, results), value])
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return what every source names; a field adds its constants and how it puts in lowest terms."""
         return {"by_norm": self._by_norm}
 
@@ -91,7 +92,7 @@ class Numerators(Compact):
         """Tell whether p = 0."""
         return all(c == 0 for c in p[:-1])
 
-    def key(self, p: Held) -> Any:
+    def key(self, p: Held) -> Hashable:
         """Return p itself."""
         return p
 

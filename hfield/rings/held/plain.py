@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import BINARY, GENERAL, pattern, specialise
+
+if TYPE_CHECKING:
+    from hfield.product import Coordinates
 
 
 class Plain(Compact):
@@ -42,11 +45,11 @@ class Plain(Compact):
         except HFieldError:  # not decided: then it stays a name
             return False
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return the constants, and 0."""
         return {**self.constants._asdict(), "by_norm": self._by_norm}
 
-    def _by_norm(self, p: Any) -> Any:
+    def _by_norm(self, p: Coordinates) -> Any:
         n = self.norm(p)
         if not self.ring.is_unit(n):
             return None

@@ -53,7 +53,7 @@ class Quotients(Compact):
         w, x, y, z = map(self._project, held)
         return w, x, y, z
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return the constants, the modulus, and the maps."""
         tools = {"n": self.modulus, "project": self._project, "invert": self._invert}
         return self.lifted._asdict() | tools

@@ -31,7 +31,7 @@ class RationalFunctions(Numerators):
             (named(c, name, lambda x, n: x == n),) for name, c in self._constants.items()
         )
 
-    def _common(self, *polynomials: Any) -> Polynomial:
+    def _common(self, *polynomials: Polynomial) -> Polynomial:
         """Return the least common multiple of monic polynomials."""
         common = self._one
         for f in polynomials:
@@ -52,7 +52,7 @@ class RationalFunctions(Numerators):
         w, x, y, z, d = held
         return quotient(w, d), quotient(x * m, d), quotient(y * k, d), quotient(z * m * k, d)
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return the constants, and what puts fractions in lowest terms."""
         tools = {"element": self._field.quotient, "one": self._one, "lowest": self._lowest}
         return super().names() | self._constants | tools

@@ -94,7 +94,7 @@ class Labels(Compact):
         element = self.tables.elements
         return element[w], element[x], element[y], element[z]
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, object]:
         """Return the tables, and the rows of the constants in the one of products."""
         t = self.tables
         rows = {f"T{n}": t.times[self._label(c)] for n, c in self.constants._asdict().items()}

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from random import Random
 from typing import Any
 
 from hfield.errors import CoercionError
+from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.operators import Element
 from hfield.rings.rational import rational, unwrap
@@ -52,7 +53,7 @@ class Completion(Ring):
             raise self.refuse(x) from None
 
     @abstractmethod
-    def exact(self, value: Any) -> Any:
+    def exact(self, value: Scalar) -> Any:
         """Return an element of the global field as one of this field."""
 
     @property
@@ -68,11 +69,11 @@ class Completion(Ring):
         """What functions mean in the global field."""
         return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
 
-    def _lifted(self, f: Callable[..., Any]) -> Callable[..., Any]:
+    def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., Any]:
         """Return a function of the global field as one of exact elements."""
         return lambda *xs: self(f(*(x.value for x in xs)))
 
-    def places(self) -> Iterator[Any]:
+    def places(self) -> Iterator[Hashable]:
         """Run through the places: there is one."""
         yield self.place
 

@@ -1,6 +1,8 @@
 """The completion of a global field at a place: a :class:`LocalField`, RR or CC."""
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, shorten
 from hfield.factorisation import factorise
@@ -22,6 +24,9 @@ from hfield.rings.residues.number_ideals import local_place
 from hfield.rings.residues.prime_ideals import prime_at
 from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
+
+if TYPE_CHECKING:
+    from hfield.rings.residues.finite_places import FinitePlace
 
 
 def p_adic_numbers(p: str) -> LocalField:
@@ -83,7 +88,7 @@ def completion_of_number_field(field: NumberField, place: object) -> Ring:
     return infinite_completion(field, v, isinstance(v, RealPlace))
 
 
-def _at_prime_ideal(field: Ring, v: Any, residues: Any) -> LocalField:
+def _at_prime_ideal(field: Ring, v: Any, residues: FinitePlace) -> LocalField:
     """Return the completion at a prime ideal with ``p``, ``e`` and ``f``."""
     below = f"ℚ{str(v.p).translate(SUBSCRIPTS)}"
     size = f"of degree {v.e * v.f} over {below}" if v.e * v.f > 1 else f"which is {below}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError
+from hfield.product import Scalar
 from hfield.rings.operators import Element
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ class LocalElement(Element):
     value: Any
     precision: int | None
 
-    def __init__(self, field: LocalField, value: Any, precision: int | None = None) -> None:
+    def __init__(self, field: LocalField, value: Scalar, precision: int | None = None) -> None:
         if precision is not None:
             value = field.truncated(value, precision)
         object.__setattr__(self, "field", field)

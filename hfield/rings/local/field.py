@@ -58,7 +58,7 @@ class LocalField(Completion):
         """Return the valuation of a nonzero element of the global field."""
         return int(self.residues.valuation(x))
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: Scalar, n: int) -> Any:
         """Return the standard element of the global field that is x up to πⁿ."""
         if self.global_field.is_zero(x):
             return x
@@ -69,7 +69,7 @@ class LocalField(Completion):
         """An element of valuation 1."""
         return LocalElement(self, self.pi)
 
-    def exact(self, value: Any) -> LocalElement:
+    def exact(self, value: Scalar) -> LocalElement:
         """Return an element of the global field."""
         return LocalElement(self, value)
 
@@ -116,7 +116,7 @@ class LocalField(Completion):
         """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""
         return square_root(self, x, 1) is not None
 
-    def sqrt(self, x: Any) -> LocalElement | None:
+    def sqrt(self, x: LocalElement) -> LocalElement | None:
         """Return a square root, exact where the global field has it, else to some digits (Hensel's lemma).
 
         None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
@@ -147,7 +147,7 @@ class LocalField(Completion):
         """Return the key of the value, and the precision."""
         return self.global_field.key(x.value), x.precision
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: LocalElement, style: str = "plain") -> str:
         """Write x, such as ``2+O(5^4)``."""
         shown = self.global_field.text(x.value, style)
         if x.precision is None:

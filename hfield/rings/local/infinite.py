@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from functools import cached_property
 from typing import Any
 
 from hfield.errors import UndecidedError, shorten
+from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.local.completion import Completion
 from hfield.rings.operators import Element
@@ -19,7 +21,7 @@ class EmbeddedElement(Element):
     field: InfiniteCompletion
     value: Any
 
-    def __init__(self, field: InfiniteCompletion, value: Any) -> None:
+    def __init__(self, field: InfiniteCompletion, value: Scalar) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "value", value)
 
@@ -47,7 +49,7 @@ class InfiniteCompletion(Completion):
 
     arithmetic = "local_fields.arithmetic_infinite.InfiniteArithmetic"
 
-    def exact(self, value: Any) -> EmbeddedElement:
+    def exact(self, value: Scalar) -> EmbeddedElement:
         """Return an element of the number field."""
         return EmbeddedElement(self, value)
 
@@ -55,19 +57,19 @@ class InfiniteCompletion(Completion):
         """Tell whether x is 0."""
         return self.global_field.is_zero(x.value)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: EmbeddedElement) -> EmbeddedElement:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         return self.exact(self.global_field.inverse(x.value))
 
-    def key(self, x: Any) -> Any:
+    def key(self, x: EmbeddedElement) -> Hashable:
         """Return the key of x in the number field."""
         return self.global_field.key(x.value)
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: EmbeddedElement, style: str = "plain") -> str:
         """Write x as in the number field."""
         return self.global_field.text(x.value, style)
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: EmbeddedElement) -> EmbeddedElement | None:
         """Return a square root, the positive one in ℝ, and None where there is none.
 
         Raises :class:`UndecidedError` for a root that is not in the number field, and so has no name here.
@@ -115,7 +117,7 @@ class RealCompletion(InfiniteCompletion):
         self.check_ordering(ordering)
         return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: EmbeddedElement) -> bool:
         """Tell whether x is not negative."""
         return self.sign(x) >= 0
 
@@ -132,7 +134,7 @@ class ComplexCompletion(InfiniteCompletion):
         """1: −1 is a square."""
         return Known(1, "−1 is a square in ℂ")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[EmbeddedElement, ...]:
         """Return a square root of −1 if the number field has one."""
         root = self.global_field.sqrt(self.global_field(-1))
         return () if root is None else (self.exact(root),)

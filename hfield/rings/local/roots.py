@@ -122,7 +122,7 @@ def minus_one(F: LocalField) -> tuple[Known, tuple[LocalElement, ...]]:
     why = {
         1: "",
         2: ", and −1 itself is no square",
-        4: f", and fewer squares do not do: the degree of {F.name} over Qp(2) is odd",
+        4: ", and fewer squares do not do, for the degree over ℚ₂ is odd",
     }[len(squares)]
     return Known(len(squares), f"−1 = {shown} in {F.name}{why}"), squares
 

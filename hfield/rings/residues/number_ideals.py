@@ -29,12 +29,12 @@ class LocalPlace(ResidueField):
     @property
     def uniformiser(self) -> FieldElement:
         """An integer of valuation 1 at P."""
-        return self.prime.uniformiser  # type: ignore[no-any-return]
+        return self.prime.uniformiser
 
     @property
     def inverse_uniformiser(self) -> FieldElement:
         """A number of valuation −1 at P."""
-        return self.prime.inverse_uniformiser  # type: ignore[no-any-return]
+        return self.prime.inverse_uniformiser
 
     def lift(self, x: flint.nmod_poly) -> FieldElement:
         """Return a residue as an integer of the field."""

@@ -122,7 +122,7 @@ class DegreeOne(PrimePlace):
         odd = truncated(v, self.modulus, n // 2)
         return self.uniformiser * odd + truncated(u + v * shift, self.modulus, (n + 1) // 2)
 
-    def _rational(self, u: Fraction, v: Fraction, n: int) -> Any:
+    def _rational(self, u: Fraction, v: Fraction, n: int) -> Fraction:
         """Return the least rational number ≥ 0 that is u + v·ω up to pⁿ, at a prime that splits."""
         trace, constant = _minimal(self.number_field)
         r, modulus = self.root, self.modulus
@@ -158,16 +158,16 @@ class Inert(ResidueField):
         """Return a residue as a number of the field."""
         return self.number_field(int(x[0])) + omega(self.number_field) * int(x[1])
 
-    def valuation(self, x: Any) -> int:
+    def valuation(self, x: Surd) -> int:
         """Return the order of a nonzero number at this prime."""
         return content(self.number_field, x, self.prime)
 
-    def truncated(self, x: Any, n: int) -> Surd:
+    def truncated(self, x: Surd, n: int) -> Surd:
         """Return u + v·ω with the least u, v ≥ 0 that is x up to pⁿ."""
         u, v = (truncated(c, self.prime, n) for c in coordinates(self.number_field, x))
         return omega(self.number_field) * v + u
 
-    def reduce(self, x: Any) -> Polynomial:
+    def reduce(self, x: Surd) -> Polynomial:
         """Return the class of a number without p in its denominator."""
         u, v = (self.scalar(self.base(y)) for y in coordinates(self.number_field, x))
         return u + v * self.field.gen.num

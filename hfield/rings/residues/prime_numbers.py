@@ -1,13 +1,18 @@
 """The residue field ℤ/p of ℚ, with the same names as ``ResidueField``."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.factorisation import remove
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Rational
 
 
 class PrimePlace:
@@ -29,7 +34,7 @@ class PrimePlace:
         """Return a residue as a rational number."""
         return self._number(x)
 
-    def valuation(self, x: Any) -> int:
+    def valuation(self, x: Rational) -> int:
         """Return the order of a nonzero rational number at p."""
         over, under = int(x.numerator), int(x.denominator)
         return remove(over, self.modulus)[0] - remove(under, self.modulus)[0]
@@ -38,7 +43,7 @@ class PrimePlace:
         """Return the least number ≥ 0 that is x up to pⁿ, with a power of p below it."""
         return truncated(x, self.modulus, n)
 
-    def reduce(self, x: Any) -> int:
+    def reduce(self, x: Rational) -> int:
         """Return the class of a rational number whose denominator p does not divide."""
         return int(x.numerator) * self.inverse(int(x.denominator)) % self.modulus
 
@@ -77,7 +82,7 @@ class PrimePlace:
         return None if root is None else ((root - h) % p, a)
 
 
-def truncated(x: Any, p: int, n: int) -> Fraction:
+def truncated(x: Rational, p: int, n: int) -> Fraction:
     """Return the least rational number ≥ 0 that is x up to pⁿ, with a power of p below it."""
     k, below = remove(int(x.denominator), p)
     if n + k <= 0:

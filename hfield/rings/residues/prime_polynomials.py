@@ -16,16 +16,18 @@ from hfield.product import Scalar
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.flint_types import Polynomial, SparsePolynomial
+    from hfield.rings.functions import FunctionField
     from hfield.rings.quotient import Quotient
 
 
 def valuation(x: Quotient, p: Polynomial) -> int:
     """Return the order of a nonzero rational function at the irreducible polynomial p."""
-    return _order(x.num, p) if x.num % p == 0 else -_order(x.den, p)
+    return multiplicity(x.num, p) if x.num % p == 0 else -multiplicity(x.den, p)
 
 
-def _order(poly: Polynomial, p: Polynomial) -> int:
+def multiplicity(poly: Polynomial | SparsePolynomial, p: Polynomial | SparsePolynomial) -> int:
+    """Return how often an irreducible polynomial divides another that is not 0."""
     n = 0
     while True:
         quotient, rest = divmod(poly, p)
@@ -40,7 +42,7 @@ class ResidueField:
     ``field`` is the ring k(t) (its elements have ``num`` and ``den``, its ``base`` is k).
     """
 
-    def __init__(self, field: Any, modulus: Polynomial) -> None:
+    def __init__(self, field: FunctionField, modulus: Polynomial) -> None:
         self.field, self.modulus = field, modulus
         self.base: Ring = field.base
         self.degree = int(modulus.degree())
@@ -66,7 +68,7 @@ class ResidueField:
         """1/π."""
         return self.field.quotient(self.field.one.num, self.modulus)
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: Polynomial) -> Any:
         """Return a polynomial as an element of k(t)."""
         return self.field.quotient(x, self.field.one.num)
 
@@ -78,7 +80,7 @@ class ResidueField:
         """Return an element of k as a polynomial."""
         return self.field.constant(x).num
 
-    def reduce(self, x: Any) -> Any:
+    def reduce(self, x: Any) -> Polynomial:
         """Return the class of a rational function without pole at π."""
         return self.multiply(x.num % self.modulus, self.inverse(x.den % self.modulus))
 
@@ -212,7 +214,7 @@ class ResidueField:
 class AtInfinity(ResidueField):
     """The place of k(t) at infinity, with residue field k and uniformiser 1/t."""
 
-    def __init__(self, field: Any) -> None:
+    def __init__(self, field: FunctionField) -> None:
         super().__init__(field, field.gen.num)
 
     @property
@@ -229,13 +231,13 @@ class AtInfinity(ResidueField):
         """Return the degree of the denominator less that of the numerator."""
         return int(x.den.degree()) - int(x.num.degree())
 
-    def reduce(self, x: Any) -> Polynomial:
+    def reduce(self, x: Quotient) -> Polynomial:
         """Return the value at infinity of a rational function without pole there."""
         if x.num == 0 or self.valuation(x) > 0:
             return self.zero
         return self.scalar(self.field.base_element(x.num.leading_coefficient()))
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: Quotient, n: int) -> Quotient:
         """Return the sum of the terms of x, a series in 1/t, before (1/t)ⁿ."""
         t = self.field.gen.num
         up, down = t ** max(n - 1, 0), t ** max(1 - n, 0)

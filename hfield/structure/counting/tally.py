@@ -7,6 +7,7 @@ the product is the one formula of :mod:`hfield.product`.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -58,7 +59,7 @@ class Tables:
         negatives = [self.index[ring.key(ring.zero - x)] for x in self.elements]
         self.negatives = np.array(negatives, dtype=np.int32)
 
-    def _table(self, np: Any, operation: Any) -> Any:
+    def _table(self, np: Any, operation: Callable[[Scalar, Scalar], Scalar]) -> Any:
         key, index = self.ring.key, self.index
         rows = [[index[key(operation(x, y))] for y in self.elements] for x in self.elements]
         return np.array(rows, dtype=np.int32).ravel()

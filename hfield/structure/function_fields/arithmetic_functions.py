@@ -131,7 +131,7 @@ class OverEven(FunctionArithmetic):
         """Return I and J by a square root of b and one conic."""
         return embed_even(self.ring, outer, inner)
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
         """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
         raise AssertionError("in characteristic 2 square roots are norms")
 

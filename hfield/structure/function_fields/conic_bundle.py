@@ -33,7 +33,7 @@ from hfield.structure.rationals.whole_numbers import fraction
 if TYPE_CHECKING:
     import flint
 
-    from hfield.rings.flint_types import Polynomial
+    from hfield.rings.flint_types import Coefficient, Polynomial
     from hfield.rings.functions import FunctionField
     from hfield.rings.quotient import Quotient
 
@@ -145,7 +145,7 @@ def _degree(x: Quotient) -> int:
     return int(x.num.degree()) - int(x.den.degree()) if x.num != 0 else -(10**9)
 
 
-def _leading(field: FunctionField, x: Quotient) -> Any:
+def _leading(field: FunctionField, x: Quotient) -> Coefficient:
     """Return the leading coefficient (denominators are monic)."""
     return field.base(x.num.leading_coefficient())
 

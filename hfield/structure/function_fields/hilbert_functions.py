@@ -10,7 +10,7 @@ Szamuely, *Central Simple Algebras and Galois Cohomology*, chapter 6.
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.product import Scalar
 from hfield.rings.function_places import FunctionPlace
@@ -23,10 +23,11 @@ from hfield.structure.rationals.whole_numbers import fraction
 if TYPE_CHECKING:
     import flint
 
+    from hfield.rings.flint_types import Coefficient, Polynomial
     from hfield.rings.quotient import Quotient
 
 
-def _poles_and_zeros(field: FunctionField, *elements: Any) -> list[FunctionPlace]:
+def _poles_and_zeros(field: FunctionField, *elements: Quotient) -> list[FunctionPlace]:
     found = {}
     for x in elements:
         for poly in (x.num, x.den):
@@ -48,7 +49,7 @@ def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
 
 def tame_residue(
     field: FunctionField, a: Quotient, b: Quotient, place: FunctionPlace
-) -> tuple[ResidueField, Any]:
+) -> tuple[ResidueField, Polynomial]:
     """Return the residue field and the tame residue of (a, b) at a place."""
     if place.poly is None:
         kappa = ResidueField(field, field.gen.num)
@@ -88,7 +89,7 @@ def _invariant(field: FunctionField, a: Quotient, b: Quotient, place: FunctionPl
     return _trace_to_prime(field, _coefficient_of_inverse(field, part))
 
 
-def _coefficient_of_inverse(field: FunctionField, x: Quotient) -> Any:
+def _coefficient_of_inverse(field: FunctionField, x: Quotient) -> Coefficient:
     """Return the coefficient of 1/t in the expansion at infinity: the sum of all finite residues."""
     rest = x.num % x.den
     return field.base(rest[int(x.den.degree()) - 1]) if rest != 0 else field.base.zero

@@ -205,7 +205,7 @@ def _searched(
     return None
 
 
-def _candidates(field: FunctionField, f: Quotient) -> Iterator[Any]:
+def _candidates(field: FunctionField, f: Quotient) -> Iterator[Quotient]:
     """Run through polynomials with small coefficients of at most half the degree of f, simple ones first."""
     size = max(1, int(f.num.degree()) // 2) + 1
     for bound in (0, 1, 2, 3):

@@ -78,7 +78,7 @@ def _form(a: Quotient, b: Quotient) -> NormalForm:
 
 def _square_classes(
     field: FunctionField, numbers: Sequence[Quotient]
-) -> tuple[list[Any], list[FunctionPlace]]:
+) -> tuple[list[Quotient], list[FunctionPlace]]:
     """Return squarefree polynomials with the classes of the numbers, and their prime divisors."""
     reduced, primes = [], []
     for x in numbers:
@@ -161,7 +161,7 @@ def _search(
 
 
 def _remainder(
-    field: FunctionField, residues: Sequence[tuple[ResidueField, Any]]
+    field: FunctionField, residues: Sequence[tuple[ResidueField, Polynomial]]
 ) -> tuple[Polynomial, Polynomial]:
     """Return the polynomial with the given residues, of degree below that of the modulus, and the modulus."""
     x, modulus = field.zero.num, field.one.num

@@ -3,14 +3,20 @@
 They are tried until (a, e) = (a, b) holds too.
 """
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants
 from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm, normal_form
+
+if TYPE_CHECKING:
+    from hfield.rings.quotient import Quotient
+
 
 TRIALS = 600
 
@@ -34,7 +40,7 @@ def searched_slot(
     )
 
 
-def _small_pairs(ring: FunctionField) -> Iterator[tuple[Any, Any]]:
+def _small_pairs(ring: FunctionField) -> Iterator[tuple[Quotient, Quotient]]:
     """Run through pairs of small polynomials over ℚ, not both 0."""
     seen: list[Any] = []
     for x in _small(ring):
@@ -44,7 +50,7 @@ def _small_pairs(ring: FunctionField) -> Iterator[tuple[Any, Any]]:
             yield y, x
 
 
-def _small(ring: FunctionField) -> Iterator[Any]:
+def _small(ring: FunctionField) -> Iterator[Quotient]:
     """Run through small polynomials, 0 and 1 first."""
     yield ring.zero
     yield ring.one

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Hashable
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
@@ -16,6 +17,9 @@ from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
 from hfield.structure.norm_forms.zero_norms import zero_norm
 
+if TYPE_CHECKING:
+    from hfield.rings.local.element import LocalElement
+
 
 class InfiniteArithmetic(GlobalField):
     """The arithmetic of ℝ or ℂ with the elements of a number field in it.
@@ -25,7 +29,7 @@ class InfiniteArithmetic(GlobalField):
 
     ring: InfiniteCompletion
 
-    def read_place(self, text: object) -> Any:
+    def read_place(self, text: object) -> Hashable:
         """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
         ring = self.ring
         place = ring.place if text is None else known_field(ring.global_field).read_place(text)
@@ -45,7 +49,7 @@ class InfiniteArithmetic(GlobalField):
             )
         return 1 if self.ring.is_square(a) or self.ring.is_square(b) else -1
 
-    def ramified(self, form: NormalForm) -> tuple[Any, ...]:
+    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return the place, or nothing."""
         return (self.ring.place,) if self.hilbert_symbol(form.a, form.b, None, None) < 0 else ()
 
@@ -54,11 +58,11 @@ class InfiniteArithmetic(GlobalField):
         a, b = (self.ring.text(x) for x in form.constants)
         return f"{a} and {b} are negative real numbers in {self.ring}"
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+    def discriminant(self, ramified: tuple[object, ...]) -> Any:
         """Return 1: no prime ramifies."""
         return self.ring.one
 
-    def residues(self, place: Any) -> None:
+    def residues(self, place: object) -> None:
         """There is no residue field."""
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
@@ -83,7 +87,7 @@ class InfiniteArithmetic(GlobalField):
                     return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
         raise self._beyond("the images of i and j have")
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
         """Refuse: multiples of i, j, k have been tried."""
         raise self._beyond("its square roots have")
 

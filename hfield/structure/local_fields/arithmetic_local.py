@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Hashable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
@@ -16,6 +16,10 @@ from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, known_field
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
+
+if TYPE_CHECKING:
+    from hfield.rings.local.element import LocalElement
+
 
 TRIES = 2_000
 
@@ -33,7 +37,7 @@ class LocalArithmetic(GlobalField):
         super().__init__(ring)
         self.below = known_field(self.ring.global_field)
 
-    def read_place(self, text: object) -> Any:
+    def read_place(self, text: object) -> Hashable:
         """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
         place = self.ring.place if text is None else self.below.read_place(text)
         if place != self.ring.place:
@@ -56,7 +60,7 @@ class LocalArithmetic(GlobalField):
             )
         return -1 if self._is_division(Constants(a, ring(even), b)) else 1
 
-    def ramified(self, form: NormalForm) -> tuple[Any, ...]:
+    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return the place, or nothing."""
         c = Constants(form.a, self.ring(form.kind == "artin-schreier"), form.b)
         return (self.ring.place,) if self._is_division(c) else ()
@@ -89,23 +93,23 @@ class LocalArithmetic(GlobalField):
         symbol = f"({a}, {b})" if form.kind == "symbol" else f"[{a}, {b})"
         return f"the Hilbert symbol {symbol} over {self.ring} is −1"
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+    def discriminant(self, ramified: tuple[object, ...]) -> Any:
         """Return a uniformiser, or 1."""
         return self.ring.uniformiser if ramified else self.ring.one
 
     # --- zeros of norm forms -----------------------------------------------------------------------
 
-    def residues(self, place: Any) -> Any:
+    def residues(self, place: object) -> Any:
         """Return the place of the global field with its residue field."""
         return self.ring.residues
 
-    def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+    def unit_and_prime(self, c: Constants, place: object) -> tuple[Vector, Vector] | None:
         """Return u and j for the values of the constants, which prove nothing of constants with an O()."""
         if not all(x.is_exact for x in c):
             return None
         return self.below.unit_and_prime(Constants(*(x.value for x in c)), place)
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+    def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
         """Yield u and j at the one place, whatever else showed that the norm has no zero."""
         return super().evidence(c, self.ring.places())
 
@@ -134,7 +138,7 @@ class LocalArithmetic(GlobalField):
         others = [self._turned(inner, i, v) for v in _pure(self.ring)]
         return i, self._root(inner, outer.b, others)
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
         """Return x, which exists, for every quadratic extension is in the division algebra."""
         return self._root(Constants(form.a, self.ring.zero, form.b), s, _pure(self.ring))
 
@@ -144,7 +148,7 @@ class LocalArithmetic(GlobalField):
         w, x, y, z = (r - s for r, s in zip(left, right, strict=True))
         return w, x, y, z
 
-    def _root(self, c: Constants, s: Any, among: list[Coordinates]) -> Coordinates:
+    def _root(self, c: Constants, s: LocalElement, among: list[Coordinates]) -> Coordinates:
         """Return a combination x of quaternions of trace 0 with ``x² = s``, to some digits."""
         F = self.ring
         if F.characteristic == 2:
@@ -168,14 +172,14 @@ class LocalArithmetic(GlobalField):
 
     # --- characteristic 2 ------------------------------------------------------------------------------
 
-    def square_parts(self, x: Any) -> tuple[Any, Any]:
+    def square_parts(self, x: LocalElement) -> tuple[LocalElement, LocalElement]:
         """Return u and v with ``x = u² + g·v²``, for an x that is known exactly."""
         if not x.is_exact:
             raise UndecidedError(f"{x} is split into squares only if it is known exactly")
         u, v = self.below.square_parts(x.value)
         return self.ring(u), self.ring(v)
 
-    def as_norm(self, x: Any, s: Any) -> tuple[Any, Any]:
+    def as_norm(self, x: LocalElement, s: LocalElement) -> tuple[LocalElement, LocalElement]:
         """Return w and r with ``x = w² + s·r²``, for x and s that are known exactly."""
         if not (x.is_exact and s.is_exact):
             raise UndecidedError(f"{x} is written as a norm only if it and {s} are known exactly")

@@ -23,7 +23,7 @@ from hfield.product import Constants, Scalar, norm
 from hfield.structure.minimal_conics import Vector, adapt, kernel_at
 
 if TYPE_CHECKING:
-    from hfield.rings.residues.kinds import FinitePlace
+    from hfield.rings.residues.finite_places import FinitePlace
 
 
 MAX_STEPS = 1_000
@@ -144,7 +144,7 @@ def _isotropic(place: FinitePlace, form: Form, names: list[int]) -> Vector | Non
     return None
 
 
-def _generates(place: Any, c: Constants, u: Vector, one: Any) -> bool:
+def _generates(place: FinitePlace, c: Constants, u: Vector, one: Scalar) -> bool:
     """Tell whether X² − tr(u)·X + N(u) has no root in the residue field."""
     trace = u[0] + u[0] + c.t * u[1]
     a, b, d = (place.reduce(x) for x in (one, trace, _norm(c, u)))

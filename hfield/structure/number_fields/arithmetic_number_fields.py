@@ -91,7 +91,7 @@ class NumberFieldArithmetic(GlobalField):
         e = common_slot([outer.a, inner.a], ramified_places_number_field(outer.a, outer.b))
         return through_slot(self.ring, outer, inner, e, self._point)
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: FieldElement) -> Coordinates | None:
         """Return x by a common slot, unless s is a square at a ramified place."""
         ramified = self.ramified(form)
         if any(is_local_square(v, s) for v in ramified):
@@ -99,7 +99,7 @@ class NumberFieldArithmetic(GlobalField):
         c = Constants(form.a, self.ring.zero, form.b)
         return generator_by_slot(self.ring, s, c, common_slot([c.a, s], ramified), self._point)[0]
 
-    def _point(self, c: Constants) -> tuple[Any, Any, Any]:
+    def _point(self, c: Constants) -> tuple[FieldElement, FieldElement, FieldElement]:
         """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``."""
         x, y, w = solve_conic_number_field(self.ring, c.a, c.b)
         return w, x, y

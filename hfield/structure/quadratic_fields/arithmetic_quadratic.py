@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Coordinates, Scalar
@@ -67,7 +67,7 @@ class QuadraticArithmetic(GlobalField):
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
 
-    def with_ramification(self, places: Iterable[object]) -> tuple[Any, Any]:
+    def with_ramification(self, places: Iterable[object]) -> tuple[Surd, Surd]:
         """Return constants found in ℚ[s]/(s² − d), which is the same field."""
         field = as_number_field(self.ring)
         same = [place_in_number_field(field, self.read_place(v)) for v in places]
@@ -101,7 +101,7 @@ class QuadraticArithmetic(GlobalField):
         """Return I and J by a common slot and three conics."""
         return through_slot(self.ring, outer, inner, *self._slot(outer, [outer.a, inner.a]))
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: Surd) -> Coordinates | None:
         """Return x by a common slot, unless s is a square at a ramified place."""
         c = Constants(form.a, self.ring.zero, form.b)
         local = integral(pair(self.ring, s))
@@ -109,7 +109,7 @@ class QuadraticArithmetic(GlobalField):
             return None
         return generator_by_slot(self.ring, s, c, *self._slot(c, [c.a, s]))[0]
 
-    def _slot(self, c: Constants, numbers: list[Surd]) -> tuple[Any, Point]:
+    def _slot(self, c: Constants, numbers: list[Surd]) -> tuple[Surd, Point]:
         """Return a common slot built from local classes, and what solves conics with its primes."""
         e, primes = common_slot(self.ring, c, numbers)
         return e, functools.partial(_conic_point, self.ring, primes)

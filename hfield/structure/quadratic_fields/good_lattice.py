@@ -5,9 +5,11 @@ are integral at all other primes. The lattice that has these bases at the bad pr
 one elsewhere, is their sum, each times a number that is divisible enough by the others.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -22,9 +24,12 @@ from hfield.rings.residues.prime_ideals import (
 )
 from hfield.structure.minimal_conics import Conic, Vector, minimise
 
+if TYPE_CHECKING:
+    from hfield.rings.surds import Surd
+
 
 def bad_primes(
-    field: QuadraticField, numbers: Iterable[Any], known: Iterable[int] = ()
+    field: QuadraticField, numbers: Iterable[Surd], known: Iterable[int] = ()
 ) -> list[int]:
     """Return 2 and the primes of the norms of some integers; ``known`` may name primes of these."""
     return sorted({2}.union(*(factorise(int(norm(field, x)), known) for x in numbers)))

@@ -15,7 +15,7 @@ import itertools
 import math
 import random
 from collections.abc import Callable, Collection, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise, is_prime, remove
@@ -42,7 +42,7 @@ Whole = tuple[int, int]
 
 def common_slot(
     field: QuadraticField, c: Constants, numbers: Sequence[Surd]
-) -> tuple[Any, list[int]]:
+) -> tuple[Surd, list[int]]:
     """Return an e with (x, e) isomorphic to the algebra (a, b), for each of the numbers x.
 
     Along with it 2 and the primes that divide the norms of a, b, e and the numbers, for what follows. Raises

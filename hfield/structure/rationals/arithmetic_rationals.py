@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from hfield.factorisation import WORD, Factors, is_prime, known_primes, shared_primes
 from hfield.product import Constants, Coordinates, Scalar
@@ -66,7 +66,7 @@ class RationalArithmetic(GlobalField):
         """Return ℤ/p."""
         return None if place == INFINITE else PrimePlace(int(place))
 
-    def _exact(self, c: Constants) -> tuple[Constants, Any]:
+    def _exact(self, c: Constants) -> tuple[Constants, Scalar]:
         return Constants(*(fraction(x) for x in c)), Fraction(1)
 
     def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:

@@ -9,21 +9,29 @@ determinant ±1, on which the solution is read off. Compare Cremona and Rusin, "
 of rational conics", Math. Comp. 72 (2003), and Serre, *A Course in Arithmetic*, chapter IV, §3.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.structure.rationals.whole_numbers import crt, sqrt_mod, square_class, squarefree
 from hfield.structure.rationals.whole_numbers import fraction as to_fraction
 
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Rational
+
+
 Vector = list[int]
 
 
-def solve_conic(a: Any, b: Any, known: Iterable[int] = ()) -> tuple[Fraction, Fraction, Fraction]:
+def solve_conic(
+    a: Rational, b: Rational, known: Iterable[int] = ()
+) -> tuple[Fraction, Fraction, Fraction]:
     """Return rationals ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``; a, b are nonzero rationals.
 
     The conic must have a point, that is, ``(a, b | ℚ)`` must ramify nowhere.

@@ -6,9 +6,11 @@ theorem 1; that a rational quaternion algebra is known by the even set of places
 is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -17,8 +19,11 @@ from hfield.factorisation import WORD, Factors, factorise, is_prime, known_prime
 from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.structure.rationals.whole_numbers import crt, square_class
 
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Rational
 
-def hilbert_symbol_q(a: Any, b: Any, place: Any) -> int:
+
+def hilbert_symbol_q(a: Rational, b: Rational, place: object) -> int:
     """Return the Hilbert symbol of two nonzero rationals at a place of ℚ: 1 or −1.
 
     Raises :class:`RingError` for a 0 or for a place that is none, :class:`CoercionError` for
@@ -48,7 +53,9 @@ def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
     return int(flint.fmpz(u).jacobi(p))
 
 
-def ramified_places_q(a: Any, b: Any, factors: Factors | None = None) -> tuple[Place, ...]:
+def ramified_places_q(
+    a: Rational, b: Rational, factors: Factors | None = None
+) -> tuple[Place, ...]:
     """Return the places of ℚ where ``(a, b | ℚ)`` is a division algebra, primes first, ascending.
 
     ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
@@ -94,7 +101,7 @@ def discriminant_q(places: Iterable[Place]) -> int:
     return math.prod(p for p in places if isinstance(p, int))
 
 
-def from_ramification_q(primes: Iterable[Any], infinite: bool) -> tuple[int, int]:
+def from_ramification_q(primes: Iterable[object], infinite: bool) -> tuple[int, int]:
     """Return integers (a, b) such that ``(a, b | ℚ)`` ramifies exactly at the places named.
 
     Raises :class:`RingError` unless the primes are distinct primes and the places even in number.

@@ -1,8 +1,10 @@
 """Whole numbers: what Hilbert symbols, conics and orders over ℚ need to know of them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -10,8 +12,11 @@ from hfield.errors import CoercionError, RingError, shorten
 from hfield.factorisation import factorise
 from hfield.rings.rational import rational
 
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Rational
 
-def fraction(x: Any) -> Fraction:
+
+def fraction(x: Rational) -> Fraction:
     """Turn an int, a Fraction, or a FLINT integer or rational into a Fraction."""
     number = rational(x)
     if number is not None:
@@ -22,11 +27,11 @@ def fraction(x: Any) -> Fraction:
     )
 
 
-def square_class(x: Any) -> int:
+def square_class(x: Rational) -> int:
     """Return a nonzero integer equal to the rational x up to a square: numerator · denominator."""
     if type(x) is int:
         n = x
-    elif type(x) is flint.fmpq:
+    elif isinstance(x, flint.fmpq):
         n = int(x.p * x.q)
     else:
         f = fraction(x)

@@ -202,7 +202,7 @@ class SeveralArithmetic(GlobalField):
         """Refuse: no isomorphisms are sought."""
         raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
         """Refuse: no square roots are sought."""
         raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 

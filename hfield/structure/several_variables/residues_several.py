@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
 from hfield.rings.functions import build as build_functions
+from hfield.rings.residues.prime_polynomials import multiplicity
 from hfield.rings.several_variables import RationalFunctions
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class Residue:
         return root is not None
 
 
-def places_of(F: RationalFunctions, *elements: Any) -> list[PolynomialPlace]:
+def places_of(F: RationalFunctions, *elements: Quotient) -> list[PolynomialPlace]:
     """Return the prime polynomials in elements of k(x, y, …), and infinity of each variable."""
     found = {}
     for x in elements:
@@ -69,16 +70,7 @@ def valuation(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> int:
     if place.infinite is not None:
         over, under = (int(p.degrees()[place.infinite]) for p in (x.num, x.den))
         return under - over
-    return _order(x.num, place.poly) - _order(x.den, place.poly)
-
-
-def _order(poly: SparsePolynomial, p: SparsePolynomial) -> int:
-    n = 0
-    while True:
-        quotient, rest = divmod(poly, p)
-        if rest != 0:
-            return n
-        poly, n = quotient, n + 1
+    return multiplicity(x.num, place.poly) - multiplicity(x.den, place.poly)
 
 
 def unit_part(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> Any:

@@ -44,7 +44,7 @@ def false_claim(data: Certificate, established: Established, seed: int = 0) -> s
         return _false_whole(statement, where, verdict)
     if statement.lstrip().startswith("associative"):
         return ""
-    shown = witness(data["evidence"])
+    shown = witness(data["evidence"], where)
     found = {"verdict": verdict, "scope": established.scope, "witness": shown}
     try:
         wrong = judge(statement, where, data["algebra"], found, seed)

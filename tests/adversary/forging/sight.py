@@ -4,6 +4,7 @@ Random samples miss the zeros of q[0]² + q[1]² over ℚ(i); these are among th
 """
 
 import random
+import re
 from collections.abc import Iterator
 from itertools import islice, product
 from typing import Any
@@ -66,14 +67,22 @@ def every_place(table: Table, unknowns: Widths) -> Iterator[dict[str, Any]]:
         }
 
 
-def witness(evidence: Any) -> dict[str, Any] | None:
-    """Return what evidence gives to show its claim by, as the judge reads it."""
+def witness(evidence: Any, where: str | None) -> dict[str, Any] | None:
+    """Return what evidence gives to show its claim over a field by, as the judge reads it."""
     kind = evidence.get("kind") if isinstance(evidence, dict) else None
     if kind == "witness":
-        return {"F": [evidence["field"]], **evidence["values"]}
+        field = _plain(evidence["field"])
+        if where is not None and field == _plain(where):
+            field = where
+        return {"F": [field], **evidence["values"]}
     if kind == "terms":
         return {name: [text] for name, text in evidence["terms"].items()}
     return None
+
+
+def _plain(field: str) -> str:
+    """Return the name of a field as it is usually spelled: ``GF( 03)`` is GF(3)."""
+    return re.sub(r"\b0+(?=[0-9])", "", "".join(field.split()))
 
 
 def seen_false(data: Certificate) -> str:

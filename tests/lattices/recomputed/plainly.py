@@ -133,10 +133,10 @@ class Plain:
         steps = [[int(r == c) for c in range(n)] for r in range(n)]
         while True:
             pairs = itertools.permutations(range(n), 2)
-            found = ((r, k, round(gram[r][k] / gram[k][k])) for r, k in pairs)
-            r, k, c = next(((r, k, c) for r, k, c in found if c), (0, 0, 0))
-            if not c:
+            r, k = next(((r, k) for r, k in pairs if 2 * abs(gram[r][k]) > gram[k][k]), (0, 0))
+            if r == k:
                 return [combination(step, basis) for step in steps]
+            c = round(gram[r][k] / gram[k][k])
             steps[r] = [x - c * y for x, y in zip(steps[r], steps[k], strict=True)]
             gram[r] = [x - c * y for x, y in zip(gram[r], gram[k], strict=True)]
             for line in gram:

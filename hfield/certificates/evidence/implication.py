@@ -8,12 +8,12 @@ from hfield.certificates.clauses import Clause, Expansion, freeze, without_facto
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
 from hfield.certificates.items import Item
-from hfield.certificates.over_field import Place
+from hfield.certificates.over_field import Place, place_of, reach
 from hfield.certificates.polynomials import is_constant
-from hfield.certificates.rejection import a_list, reject
+from hfield.certificates.rejection import a_list, an_object, reject
 from hfield.certificates.rules import Rules
 from hfield.certificates.scalars.finite import is_prime
-from hfield.certificates.statement import Setting
+from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
 
 MAX_CHOICES = 512
@@ -92,3 +92,13 @@ def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item
         if not any(part <= set(choice) for part in excluded):
             return False
     return True
+
+
+def implication(statement: Statement, setting: Setting, evidence: object) -> Finding:
+    """Show a statement by cofactors."""
+    data = an_object(evidence, "kind facts items", "the evidence")
+    expansion = place_of(statement, setting).expansion
+    return check_implication(expansion, setting, data).within(reach(statement, setting))
+
+
+CHECKS = {("proved", False, "implication"): implication}

@@ -97,3 +97,9 @@ def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int
     if not 0 < max(out) <= MAX_DEGREE:
         reject("the degree in what is sought is 0, or too large")
     return out
+
+
+CHECKS = {
+    ("proved", True, "real root"): real_root,
+    ("proved", True, "complex root"): complex_root,
+}

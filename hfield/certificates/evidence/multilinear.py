@@ -5,9 +5,12 @@ from itertools import product
 from typing import Any
 
 from hfield.certificates.evaluate import Quaternion
-from hfield.certificates.exhaustion import evaluator_at
+from hfield.certificates.evidence.exhaustion import evaluator_at
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, MULTILINEAR
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import a_list, an_integer, reject, texts
+from hfield.certificates.over_field import reach
+from hfield.certificates.rejection import a_list, an_integer, an_object, reject, texts
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
@@ -72,3 +75,13 @@ def _degrees(tree: Tree, names: list[str]) -> Degrees:
             reject("a side of the equation has too many degrees")
         return {tuple(a + b for a, b in zip(u, v, strict=True)) for u in left for v in right}
     reject("a side of the equation is not linear in each unknown")
+
+
+def multilinear(statement: Statement, setting: Setting, evidence: object) -> Finding:
+    """Show an equation by its values at tuples of basis vectors."""
+    data = an_object(evidence, "kind unknowns tuples", "the evidence")
+    check_multilinear(statement, setting, data)
+    return Finding(COMMUTATIVE_RINGS, MULTILINEAR).within(reach(statement, setting))
+
+
+CHECKS = {("proved", False, "multilinear"): multilinear}

@@ -3,15 +3,15 @@
 from dataclasses import replace
 
 from hfield.certificates.clauses import expand
-from hfield.certificates.existence import Prove
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import FIELD
+from hfield.certificates.kinds import prove
 from hfield.certificates.rejection import a_text, an_integer, an_object, reject
 from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import Setting, Statement
 
 
-def fractions(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
+def fractions(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """What nothing divides in, and holds for all of the field of fractions, holds for the ring in it."""
     data = an_object(evidence, "kind field proof", "the evidence")
     field = read_field(a_text(data["field"], "the field of the evidence"))
@@ -20,7 +20,7 @@ def fractions(prove: Prove, statement: Statement, setting: Setting, evidence: ob
     return prove(statement.matrix, replace(setting, field=field), data["proof"]).within(FIELD)
 
 
-def reduction(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
+def reduction(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Polynomials that have no common zero modulo n have none in ℤ, or modulo a multiple of n."""
     data = an_object(evidence, "kind modulus proof", "the evidence")
     ring, n = setting.field, an_integer(data["modulus"], "the modulus", 2)
@@ -32,3 +32,9 @@ def reduction(prove: Prove, statement: Statement, setting: Setting, evidence: ob
         reject("only that polynomials have no common zero is shown modulo n")
     there = replace(setting, field=read_field(f"ZZ/{n}"))
     return prove(statement.matrix, there, data["proof"]).within(FIELD)
+
+
+CHECKS = {
+    ("proved", False, "fractions"): fractions,
+    ("proved", False, "reduction"): reduction,
+}

@@ -1,11 +1,11 @@
 """Evidence for and against "exists": terms, cases with terms, and that nothing is there."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from hfield.certificates.finding import Finding, together
 from hfield.certificates.glossary import FIELD, FIELDS, WITNESS
+from hfield.certificates.kinds import prove
 from hfield.certificates.language import Tree, parse, substitute
 from hfield.certificates.rejection import (
     a_list,
@@ -20,17 +20,15 @@ from hfield.certificates.values import trees_of_values
 
 MAX_CASES = 64
 
-Prove = Callable[[Tree, Setting, object], Finding]
 
-
-def terms(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
+def terms(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Show existence by terms: the statement with them put in is true for all values given."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
     return prove(instance, setting, data["proof"]).within(_reach(setting)).by(WITNESS)
 
 
-def cases(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
+def cases(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Show existence by terms of its own for each of some cases, one of which always holds."""
     data = an_object(evidence, "kind cases cover", "the evidence")
     entries = a_list(data["cases"], "cases", 1)
@@ -84,7 +82,7 @@ def _is_monotone(tree: Tree) -> bool:
     )
 
 
-def none_exists(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
+def none_exists(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Refute existence: for no values is it true. All other unknowns must have got values."""
     here, data = _somewhere(statement, setting, evidence, "kind proof")
     if statement.given:
@@ -92,7 +90,7 @@ def none_exists(prove: Prove, statement: Statement, setting: Setting, evidence: 
     return prove(("not", statement.matrix), here, data["proof"]).within(FIELD)
 
 
-def place(prove: Prove, statement: Statement, setting: Setting, evidence: object) -> Finding:
+def place(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Refute existence at values of the other unknowns, letters of the algebra among them."""
     here, data = _somewhere(statement, setting, evidence, "kind values proof")
     assert here.field is not None
@@ -118,3 +116,11 @@ def _somewhere(
     if any(ring.constant(("name", name)) is not None for name in statement.exists):
         reject(f"what 'exists' binds means an element of {ring.name} there")
     return replace(setting, field=ring), data
+
+
+CHECKS = {
+    ("proved", True, "terms"): terms,
+    ("proved", True, "cases"): cases,
+    ("refuted", True, "none exists"): none_exists,
+    ("refuted", True, "place"): place,
+}

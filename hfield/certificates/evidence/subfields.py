@@ -5,12 +5,13 @@ term has the same value in both. So what is false for elements of ℚ(√d) is f
 to exist exists there.
 """
 
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from functools import partial
 
+from hfield.certificates.evidence.witnesses import counterexample, example
 from hfield.certificates.finding import Finding
+from hfield.certificates.kinds import Check
 from hfield.certificates.rejection import a_text, an_object, reject
 from hfield.certificates.scalars.completions import AtPrime
 from hfield.certificates.scalars.fields import read_field
@@ -21,7 +22,7 @@ from hfield.certificates.work import charge
 
 
 def subfield(
-    check: Callable[[Statement, Setting, object], Finding],
+    check: Check,
     statement: Statement,
     setting: Setting,
     evidence: object,
@@ -38,7 +39,7 @@ def subfield(
     return check(statement, replace(setting, field=inner), data["witness"])
 
 
-def _lift(r: Any, d: int, p: int) -> None:
+def _lift(r: Fraction, d: int, p: int) -> None:
     """Let a root of X² − d lie near r."""
     if not r or (r * r != d and _order(r * r - d, p) <= 2 * _order(2 * r, p)):
         reject(f"{r} is not so near a root of {d} in Qp({p}) that Hensel's lemma finds one")
@@ -54,3 +55,9 @@ def _order(x: Fraction, p: int) -> int:
         charge(5 + below.bit_length() // 100)
         n, below = n - 1, below // p
     return n
+
+
+CHECKS = {
+    ("proved", True, "subfield"): partial(subfield, example),
+    ("refuted", False, "subfield"): partial(subfield, counterexample),
+}

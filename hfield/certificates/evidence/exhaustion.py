@@ -7,10 +7,12 @@ from typing import Any
 
 from hfield.certificates.clauses import Expansion, expand
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
+from hfield.certificates.finding import Finding
+from hfield.certificates.glossary import EXHAUSTION, FIELD
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import ONE, Monomial, variables
-from hfield.certificates.rejection import reject
+from hfield.certificates.rejection import an_integer, an_object, reject
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
@@ -157,3 +159,17 @@ class _Tree:
                 m = tuple(pair for pair in m if pair[0] != variable)
             out[m] = ring.add(out[m], c) if m in out else c
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
+
+
+def exhaustion(statement: Statement, setting: Setting, evidence: object) -> Finding:
+    """Show a statement over a finite ring by all cases."""
+    data = an_object(evidence, "kind cases", "the evidence")
+    check = check_exists if statement.exists else check_all
+    check(statement, setting, an_integer(data["cases"], "cases", 1))
+    return Finding(FIELD, EXHAUSTION)
+
+
+CHECKS = {
+    ("proved", False, "exhaustion"): exhaustion,
+    ("proved", True, "exhaustion"): exhaustion,
+}

@@ -1,0 +1,121 @@
+"""``hfield ideal``: an ideal of an order, what it is, and whether another one is equivalent."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING, Any
+
+from hfield.commands.orders import (
+    add_certificate,
+    add_where,
+    algebra_of,
+    elements_of,
+    level_of,
+    write_certificate,
+)
+from hfield.commands.output import open_output
+from hfield.commands.parser import add_factors, add_format, add_output, given_factors
+
+if TYPE_CHECKING:
+    from hfield.lattices.answers import Answer
+    from hfield.lattices.ideal import Ideal
+
+HELP = (
+    "Show the ideal of a maximal or an Eichler order that elements generate: its basis, norm, orders, and "
+    "whether it is principal. --with asks whether another ideal is equivalent, and gives the element. The "
+    "certificate is about the ideal; with --with or --principal about that answer."
+)
+DOING = "computing the ideal"
+EXAMPLES = (
+    "hfield ideal '(-1,-11|QQ)' '3, 1 + j'",
+    "hfield ideal '(-1,-11|QQ)' '3, 1 + j' --with '9' --certificate answer.json",
+)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_where(parser)
+    parser.add_argument("generators", metavar="X,Y,…", help="elements, such as '3, 1 + j'")
+    parser.add_argument(
+        "--side", choices=("left", "right"), default="left", help="the side (default: left)"
+    )
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument("--with", dest="other", metavar="X,Y,…", help="generators of another ideal")
+    group.add_argument("--principal", action="store_true", help="ask for a generator")
+    add_certificate(parser)
+    add_factors(parser)
+    add_format(parser, "plain", "json", "latex")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Make the ideal, ask what is asked, and print."""
+    with (
+        given_factors(args),
+        open_output(args.output) as out,
+        open_output(args.certificate) as file,
+    ):
+        I, answer = _asked(args)
+        if args.certificate is not None:
+            write_certificate(file, I.claim if answer is None else answer)
+        if args.format == "json":
+            out.write_json(to_json(I, answer))
+        elif args.format == "latex":
+            out.write(I.latex())
+        else:
+            out.write("\n".join(f"{label:<22} {text}" for label, text in page(I, answer)))
+    return 0
+
+
+def _asked(args: Namespace) -> tuple[Ideal, Answer | None]:
+    A = algebra_of(args.algebra)
+    O = A.eichler_order(level_of(args.level))
+    make = O.left_ideal if args.side == "left" else O.right_ideal
+    I = make(elements_of(A, args.generators, "the list of generators"))
+    if args.principal:
+        return I, I.is_principal()
+    if args.other is None:
+        return I, None
+    return I, I.equivalence(make(elements_of(A, args.other, "--with")))
+
+
+def to_json(I: Ideal, answer: Answer | None) -> dict[str, Any]:
+    """Return what programs read."""
+    data = {
+        "schema": "hfield-ideal/1",
+        **I.evidence,
+        "integral": I.is_integral(),
+        "invertible": I.is_invertible(),
+        "two_sided": I.is_two_sided(),
+    }
+    if answer is not None:
+        data |= {"holds": answer.holds, "reason": answer.reason, "theorem": answer.theorem}
+        data["element"] = answer.evidence.get("element")
+    return data
+
+
+def page(I: Ideal, answer: Answer | None) -> list[tuple[str, str]]:
+    """Return the lines of the page."""
+    kinds = [
+        word
+        for word, holds in (
+            ("integral", I.is_integral()),
+            ("locally principal", I.is_invertible()),
+            ("two-sided", I.is_two_sided()),
+        )
+        if holds
+    ]
+    other = I.right_order() if I.side == "left" else I.left_order()
+    lines = [
+        (f"{I.side} ideal of", str(I.order)),
+        ("basis", ", ".join(map(str, I.basis))),
+        ("reduced basis", ", ".join(map(str, I.reduced_basis()))),
+        ("reduced norm", f"{I.norm()}{': ' * bool(kinds)}{', '.join(kinds)}"),
+        ("right order" if I.side == "left" else "left order", ", ".join(map(str, other.basis))),
+    ]
+    if answer is not None:
+        question = "principal" if answer.lattices[0] == I.order else "equivalent"
+        lines.append((question, repr(answer)))
+    if answer is not None and answer.theorem is not None:
+        lines.append(("theorem", answer.theorem))
+    return lines

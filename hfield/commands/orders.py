@@ -1,0 +1,77 @@
+"""What the commands about orders, ideals and classes share: the algebra, the level, the certificate."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser
+from typing import TYPE_CHECKING
+
+from hfield.commands.output import Sink, note
+from hfield.commands.parser import UsageError
+from hfield.errors import shorten
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+    from hfield.lattices.answers import Answer
+    from hfield.lattices.certified import Claim
+    from hfield.quaternion import Quaternion
+
+
+def add_certificate(parser: ArgumentParser) -> None:
+    """Declare the file for a certificate."""
+    parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+
+
+def write_certificate(file: Sink, claim: Claim | Answer) -> None:
+    """Write a certificate, or tell why there is none."""
+    if claim.certificate is None:
+        note(f"no certificate is written: {claim.why_no_certificate}")
+    else:
+        file.write_json(claim.certificate)
+
+
+def add_algebra(parser: ArgumentParser) -> None:
+    """Declare the algebra."""
+    parser.add_argument(
+        "algebra",
+        metavar="ALGEBRA",
+        help="such as '(-1,-11|QQ)', or a discriminant such as 11 or 30",
+    )
+
+
+def add_where(parser: ArgumentParser) -> None:
+    """Declare the algebra and the level."""
+    add_algebra(parser)
+    parser.add_argument(
+        "--level", metavar="N", default="1", help="the level, prime to the discriminant"
+    )
+
+
+def algebra_of(text: str) -> QuaternionAlgebra:
+    """Read an algebra, or the definite one of a discriminant. Raises :class:`UsageError`."""
+    from hfield.algebra import QuaternionAlgebra
+    from hfield.factorisation import factorise
+
+    if not (text.isascii() and text.isdecimal()):
+        return QuaternionAlgebra.from_text(text)
+    primes = factorise(int(text)) if int(text) > 1 else {}
+    if len(primes) % 2 == 0 or max(primes.values()) > 1:
+        raise UsageError(
+            f"{shorten(text)} is not the discriminant of a definite algebra over QQ: expected a product of "
+            "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
+        )
+    return QuaternionAlgebra.from_ramification("QQ", sorted(primes))
+
+
+def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
+    """Read elements that are separated by commas. Raises :class:`UsageError` where there is none."""
+    words = [word for word in text.split(",") if word.strip()]
+    if not words:
+        raise UsageError(f"{what} names no element; expected elements such as 'i, j'")
+    return [A(word) for word in words]
+
+
+def level_of(text: str) -> int:
+    """Read a level. Raises :class:`UsageError`."""
+    if not (text.isascii() and text.isdecimal() and int(text) > 0):
+        raise UsageError(f"the level {shorten(text)!r} is no positive integer")
+    return int(text)

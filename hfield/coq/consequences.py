@@ -1,0 +1,151 @@
+"""What follows from the items of a proof: products, multiples, functions that vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from flint.utils.flint_exceptions import DomainError
+
+from hfield.coq.formulas import Equation, Formula, Junction, equations
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.coq.implied import Item
+
+
+def tops(formulas: Iterable[Formula]) -> list[flint.fmpz_mpoly]:
+    """Return the numerators of all differences in some formulas."""
+    out = []
+    for equation in (e for f in formulas for e in equations(f)):
+        out += differences(equation)
+    return out
+
+
+def differences(equation: Equation) -> list[flint.fmpz_mpoly]:
+    """Return the numerators of the differences of both sides."""
+    left, right = equation.left.value, equation.right.value
+    if equation.left.is_scalar:
+        return [(left - right).top]
+    return [(u - v).top for u, v in zip(left, right, strict=True)]
+
+
+def proportional(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
+    """Tell whether two polynomials are multiples of each other by numbers."""
+    if f == 0 or g == 0:
+        return bool(f == g)
+    return bool(g.leading_coefficient() * f == f.leading_coefficient() * g)
+
+
+def are_products(
+    f: flint.fmpz_mpoly,
+    z: flint.fmpz_mpoly,
+    common: flint.fmpz_mpoly,
+    factors: Sequence[flint.fmpz_mpoly],
+) -> bool:
+    """Tell whether f and z are both their common part times what was divided by."""
+    parts = [proportional(h, common) or bool(quotient(h, common, factors)) for h in (f, z)]
+    return all(parts)
+
+
+def quotient(
+    f: flint.fmpz_mpoly, z: flint.fmpz_mpoly, factors: Sequence[flint.fmpz_mpoly]
+) -> list[flint.fmpz_mpoly]:
+    """Return factors whose product times z is f, up to a number; empty if there are none."""
+    if f == 0 or z == 0:
+        return []
+    content = z.content()
+    try:
+        rest = (f * content) / z
+    except DomainError:
+        return []
+    out = []
+    for d in factors:
+        while not d.is_constant() and not rest.is_constant():
+            try:
+                rest = rest / d
+            except DomainError:
+                break
+            out.append(d)
+    return out if rest.is_constant() else []
+
+
+def vanishes_as_function(f: flint.fmpz_mpoly, p: int) -> list[flint.fmpz_mpoly] | None:
+    """Return cofactors of x^p - x, variable by variable, that make f, if f is 0 on all of GF(p)."""
+    context = f.context()
+    width = context.nvars()
+    current = {m: int(c) % p for m, c in f.to_dict().items() if int(c) % p}
+    if not current or all(max(m) < p for m in current):
+        return None
+    cofactors = []
+    for n in range(width):
+        out: dict[tuple[int, ...], int] = {}
+        cofactor: dict[tuple[int, ...], int] = {}
+        for m, c in current.items():
+            e = m[n]
+            while e >= p:  # x^e = x^(e-p)·(x^p - x) + x^(e-p+1)
+                low = (*m[:n], e - p, *m[n + 1 :])
+                cofactor[low] = cofactor.get(low, 0) + c
+                e -= p - 1
+            own = (*m[:n], e, *m[n + 1 :])
+            out[own] = (out.get(own, 0) + c) % p
+        current = {m: c for m, c in out.items() if c}
+        cofactors.append(context.from_dict({m: c % p for m, c in cofactor.items() if c % p}))
+    return None if current else cofactors
+
+
+# --- what holds over every commutative ring --------------------------------------------------------
+
+
+class Directly:
+    """Derives a formula as Coq does over commutative rings, to know whether it will."""
+
+    def __init__(self, items: Sequence[Item]) -> None:
+        self.items = [i for i in items if i.is_direct]
+
+    def derives(self, zeros: Sequence[flint.fmpz_mpoly], formula: Formula) -> bool:
+        """Tell whether the formula follows where these polynomials are 0."""
+        match formula:
+            case Equation():
+                return all(self._zero(zeros, f) for f in differences(formula))
+            case Junction("and", left, right):
+                return self.derives(zeros, left) and self.derives(zeros, right)
+            case Junction("or", left, right):
+                return self.derives(zeros, left) or self.derives(zeros, right)
+            case Junction("=>", left, right):
+                cases = self._cases(left)
+                return cases is not None and all(
+                    self.derives([*more, *zeros], right) for more in cases
+                )
+        return False
+
+    def _zero(self, zeros: Sequence[flint.fmpz_mpoly], f: flint.fmpz_mpoly) -> bool:
+        if f == 0 or any(_opposite(f, z) for z in zeros) or any(_is_one(z) for z in zeros):
+            return True
+        return any(
+            all(z == 0 or any(_opposite(z, y) for y in zeros) for z in i.zeros)
+            and (_opposite(i.member, f) or _is_one(i.member))
+            for i in self.items
+        )
+
+    def _cases(self, formula: Formula) -> list[list[flint.fmpz_mpoly]] | None:
+        match formula:
+            case Equation():
+                return [differences(formula)]
+            case Junction("and" | "or" as op, left, right):
+                first, second = self._cases(left), self._cases(right)
+                if first is None or second is None:
+                    return None
+                if op == "or":
+                    return first + second
+                return [u + v for u in first for v in second]
+        return None
+
+
+def _is_one(f: flint.fmpz_mpoly) -> bool:
+    return bool(f in (1, -1))
+
+
+def _opposite(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
+    return bool(f in (g, -g))

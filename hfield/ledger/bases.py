@@ -1,0 +1,54 @@
+"""Whether some vectors are a basis: how many they are, and their determinant."""
+
+from dataclasses import dataclass
+
+from hfield.certificates.glossary import COUNT, DETERMINANT, PROVED, REFUTED
+from hfield.proving.decision import Decision
+from hfield.rings.base import Ring
+
+
+@dataclass(frozen=True)
+class IsBasis:
+    """The vectors listed are a basis of the free module of rank ``dimension``."""
+
+    vectors: tuple[tuple[int, ...], ...]
+    dimension: int
+    words: str
+
+    @property
+    def text(self) -> str:
+        """The claim in words."""
+        return f"{self.words} is a basis"
+
+    @property
+    def statement(self) -> str:
+        """The claim in the vocabulary of certificates."""
+        return f"basis{{{'; '.join((str(self.dimension), *(','.join(map(str, v)) for v in self.vectors)))}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Count the vectors and their coordinates, then take the determinant over ℤ."""
+        lengths = {len(v) for v in self.vectors}
+        if lengths != {self.dimension} or len(self.vectors) != self.dimension:
+            step = (
+                f"{len(self.vectors)} vectors with {', '.join(map(str, sorted(lengths)))} coordinates "
+                f"cannot be a basis of a space of dimension {self.dimension}."
+            )
+            last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
+            return Decision(
+                REFUTED,
+                COUNT,
+                witness={"missing": last},
+                steps=(step,),
+                evidence={"kind": "count"},
+            )
+        from flint import fmpz_mat
+
+        det = int(fmpz_mat([list(v) for v in self.vectors]).det())
+        unit = abs(det) == 1 if field is None else field.is_unit(field(det))
+        step = f"The determinant is {det}, {'a unit' if unit else 'not a unit'}."
+        return Decision(
+            PROVED if unit else REFUTED,
+            DETERMINANT,
+            steps=(step,),
+            evidence={"kind": "determinant"},
+        )

@@ -1,0 +1,40 @@
+"""Kinds of evidence: the folder is the list; and what an evaluation takes for a scalar."""
+
+from pathlib import Path
+
+import pytest
+
+from hfield.certificates import evidence
+from hfield.certificates.evaluate import Evaluator, RingScalars
+from hfield.certificates.kinds import checks
+from hfield.certificates.language import parse
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.statement import HAMILTON
+
+MODULES = {p.stem for p in Path(evidence.__file__).parent.glob("*.py")} - {"__init__"}
+
+
+def test_every_module_of_the_folder_is_read():
+    def home(check):
+        return getattr(check, "func", check).__module__
+
+    assert {home(check).rpartition(".")[2] for check in checks().values()} == MODULES
+
+
+def test_what_each_kind_shows_is_one_of_the_verdicts():
+    assert {verdict for verdict, _, _ in checks()} == {"proved", "refuted", "vacuous"}
+    assert ("refuted", False, "identity") not in checks()
+    assert ("proved", True, "none exists") not in checks()
+
+
+@pytest.mark.parametrize("name", ["QQ", "GF(5)", "GF(9)", "QQ(sqrt(2))"])
+@pytest.mark.parametrize("text", ["1/i", "q/p", "e/(1+j)"])
+def test_what_divides_is_a_scalar(name, text):
+    """Elements of GF(9) are tuples as quaternions are: one must not pass for the other."""
+    ring = read_field(name)
+    evaluator = Evaluator(RingScalars(ring), HAMILTON, {})
+    q = evaluator.value(parse("1+i+2*k"))
+    evaluator = Evaluator(RingScalars(ring), HAMILTON, {("name", x): q for x in "pq"})
+    with pytest.raises(Rejected, match="a quaternion stands where a scalar is meant"):
+        evaluator.value(parse(text))
