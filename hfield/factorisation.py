@@ -222,7 +222,7 @@ def factor(
     """
     n = abs(n)
     if n < WORD:
-        return Factorisation({int(p): int(e) for p, e in flint.fmpz(n).factor()})
+        return Factorisation({int(p): int(e) for p, e in sorted(flint.fmpz(n).factor())})
     return _factor(n, _known.get().union(known), bits, sieved)
 
 

@@ -20,9 +20,10 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-CORE = ("core", "forged", "messages", "polynomials", "rejected")
+CORE = ("core_cases", "core_implications", "core_reading", "core_rules")
+ALL_CORE = (*CORE, "forged", "messages", "polynomials", "rejected")
 CHECKER = (
-    *(f"tests/certificates/test_{name}.py" for name in CORE),
+    *(f"tests/certificates/test_{name}.py" for name in ALL_CORE),
     "tests/adversary/test_breaks.py",
 )
 # Tests that take seconds each and are not about the part: they compile, import, or draw any text.
@@ -35,20 +36,15 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("tests/certificates/test_polynomials.py", "tests/certificates/test_core_reading.py"),
     ),
     "checker": (
-        tuple(
-            f"hfield/certificates/{name}.py"
-            for name in (
-                *(
-                    "clauses",
-                    "evaluate",
-                    "exhaustion",
-                    "existence",
-                    "finding",
-                    "implication",
-                    "items",
-                ),
-                *("json_text", "kinds", "multilinear", "over_field", "pin", "statement", "values"),
-            )
+        (
+            "hfield/certificates/evidence/*.py",
+            *(
+                f"hfield/certificates/{name}.py"
+                for name in (
+                    *("clauses", "evaluate", "finding", "items", "json_text", "kinds"),
+                    *("over_field", "pin", "statement", "values"),
+                )
+            ),
         ),
         CHECKER,
     ),
@@ -72,7 +68,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             *("tests/adversary/test_primitives.py", "tests/adversary/test_places.py"),
             *(
                 f"tests/certificates/test_{name}.py"
-                for name in ("arithmetic", "core", "local_facts", "reading", "scalars")
+                for name in ("arithmetic", *CORE, "local_facts", "reading", "scalars")
             ),
         ),
     ),

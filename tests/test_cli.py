@@ -49,7 +49,8 @@ def test_every_command_has_help(capsys, name):
 
 
 @pytest.mark.parametrize("name", catalogue.names())
-def test_every_command_has_examples_that_its_arguments_take(capsys, name):
+def test_every_command_has_examples_that_its_arguments_take(capsys, monkeypatch, name):
+    monkeypatch.setenv("COLUMNS", "160")  # wide enough for every example on one line
     module, parser = catalogue.command(name)
     lines = [line for line in module.EXAMPLES if line.startswith("hfield ")]
     assert lines

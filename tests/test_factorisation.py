@@ -5,7 +5,7 @@ import pickle
 import random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from hfield.errors import RingError, TooLargeError, UndecidedError
@@ -85,6 +85,7 @@ def test_small_numbers():
 
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.integers(2, 10**14), min_size=1, max_size=4), st.integers(1, 3))
+@example([3043148024355], 1)  # FLINT names 129763 before 91967
 def test_products_come_apart(numbers, exponent):
     n = math.prod(numbers) ** exponent
     primes = factorise(n)

@@ -44,10 +44,16 @@ def decide_rows(
 def _chunks(pieces: Sequence[Piece]) -> list[range]:
     """Return the indices of the pieces in runs, those with claims that compute without a field first.
 
-    They take longest, and what is long must not come last, when the other workers have nothing.
+    They take longest, and what is long must not come last, when the other workers have nothing. A run ends
+    where a claim does, unless it has twice its length by then.
     """
     size = max(LEAST, -(-len(pieces) // TASKS))
-    runs = [range(m, min(m + size, len(pieces))) for m in range(0, len(pieces), size)]
+    runs, start = [], 0
+    for m in range(1, len(pieces) + 1):
+        ends = m == len(pieces) or pieces[m][0] is not pieces[m - 1][0]
+        if m == len(pieces) or m - start >= (size if ends else 2 * size):
+            runs.append(range(start, m))
+            start = m
     return sorted(runs, key=lambda run: all(pieces[n][1] != NO_FIELD for n in run))
 
 
