@@ -50,6 +50,8 @@ def real(value: object, name: str) -> Array:
         return array.astype(array.dtype.newbyteorder("="), copy=False)
     if isinstance(value, str) and value.lower() in _AXES:
         raise DTypeError(f"{name} is {value!r}; write {_AXES[value.lower()]} for that axis")
+    if isinstance(value, str):
+        raise DTypeError(f"{name} is the text {value!r}; expected numbers, such as [0, 0, 1]")
     raise DTypeError(
         f"{name} has dtype {array.dtype}; expected float32, float64 or integers: "
         f"convert with .astype(np.float64) where that is what you mean"

@@ -46,6 +46,12 @@ def test_an_array_shows_its_text():
     assert "shape (3,)" in repr(q)
 
 
+def test_an_explanation_shows_its_steps():
+    html = explain("theorem-3")._repr_html_()
+    assert "proved" in html
+    assert "2. all coefficients of the difference are 0" in html
+
+
 def test_an_answer_shows_verdict_witness_and_reasons():
     html = prove("p*q == q*p")._repr_html_()
     for part in ("refuted", "p = i, q = j", "characteristic 2", "<pre>"):

@@ -12,7 +12,7 @@ from hfield.commands.orders import (
     level_of,
     write_certificate,
 )
-from hfield.commands.output import open_output
+from hfield.commands.output import fitted, open_output
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 
 HELP = (
@@ -71,7 +71,9 @@ def run(args: Namespace) -> int:
             if C is not None:
                 facts[1] = ("class number", f"{number}, by Eichler's formula and by enumeration")
                 facts.append(("type number", str(C.type_number)))
-            out.write("\n".join(_latex(facts, C) if args.format == "latex" else _plain(facts, C)))
+            width = out.style().width
+            lines = _latex(facts, C) if args.format == "latex" else _plain(facts, C, width)
+            out.write("\n".join(lines))
     return 0
 
 
@@ -89,16 +91,16 @@ def _table(C: Any) -> list[list[str]]:
     return rows
 
 
-def _plain(facts: list[tuple[str, str]], C: Any) -> list[str]:
-    lines = [f"{label:<14} {text}" for label, text in facts]
+def _plain(facts: list[tuple[str, str]], C: Any, width: int) -> list[str]:
+    lines = [fitted(facts, 14, width)]
     if C is None:
         return lines
     table = _table(C)
     widths = [max(len(row[n]) for row in table) for n in range(5)]
     lines.append("")
     for row in table:
-        cells = [f"{x:>{w}}" for x, w in zip(row, widths, strict=False)]
-        lines.append("  ".join([*cells, row[5]]))
+        cells = "  ".join(f"{x:>{w}}" for x, w in zip(row, widths, strict=False))
+        lines.append(fitted([(f"{cells} ", row[5])], len(cells) + 1, width))
     if len(C) > SHOWN:
         lines.append(f"… and {len(C) - SHOWN} more; --format json lists all")
     return lines

@@ -27,8 +27,13 @@ _hfield() {
   [[ -n $found[1] ]] && compadd -Q -a found || _files
 }
 compdef _hfield hfield""",
+    # an empty word is a word: fish drops it unless it is quoted
     "fish": """\
-complete -c hfield -a '(hfield completion --words (commandline -opc)[2..] (commandline -ct) 2>/dev/null)'""",
+function _hfield
+  set -l found (hfield completion --words (commandline -opc)[2..] "$(commandline -ct)" 2>/dev/null)
+  set -q found[1]; and string join -- \\n $found; or __fish_complete_path (commandline -ct)
+end
+complete -c hfield -f -a '(_hfield)'""",
 }
 # Spellings that no shell needs quoted, and algebras as they are typed within quotes.
 FIELDS: tuple[str, ...] = ("Q", "R", "C", "Z", "GF2", "GF3", "GF4", "GF7", "GF9", "GF2t", "Qx")

@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
             out.write_latex(count_latex(result), args.standalone)
         else:
             title = f"{A.name}, q = {A.ring.order}"
-            out.write("\n".join([title, "", *count_lines(result)]))
+            out.write("\n".join([title, "", *count_lines(result, out.style().width)]))
     return 0
 
 
@@ -146,12 +146,15 @@ def _exhausted(A: QuaternionAlgebra) -> Counts:
     return Counts(A, lines, found.elements)
 
 
-def count_lines(result: Counts) -> list[str]:
-    """Lay out the counts in columns."""
+def count_lines(result: Counts, width: int = 100) -> list[str]:
+    """Lay out the counts in columns, and wrap what is said of them."""
+    from textwrap import wrap
+
     rows = [(label, str(n), formula or "") for label, n, formula in result.lines]
     wide = [max(len(row[n]) for row in rows) for n in (0, 1)]
     lines = [f"  {w:<{wide[0]}}  {n:>{wide[1]}}  {formula}".rstrip() for w, n, formula in rows]
-    return [*lines, "", f"  {_note(result)}"]
+    told = wrap(_note(result), width, initial_indent="  ", subsequent_indent="  ")
+    return [*lines, "", *told]
 
 
 def count_latex(result: Counts) -> str:

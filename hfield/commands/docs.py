@@ -28,7 +28,7 @@ def run(args: Namespace) -> int:
     if not SITE.is_dir():
         raise UsageError(
             "this installation has no pages: in a checkout, `pip install '.[docs]'` and "
-            "`python tasks.py docs` make them, and a wheel that is built then carries them"
+            "`python tasks.py docs` make them, and `pip install .` then brings them here"
         )
     path = SITE / f"{args.page.removesuffix('.html')}.html"
     if not path.is_file():

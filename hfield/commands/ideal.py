@@ -13,7 +13,7 @@ from hfield.commands.orders import (
     level_of,
     write_certificate,
 )
-from hfield.commands.output import open_output
+from hfield.commands.output import fitted, open_output
 from hfield.commands.parser import add_factors, add_format, add_output, given_factors
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
         elif args.format == "latex":
             out.write(I.latex())
         else:
-            out.write("\n".join(f"{label:<22} {text}" for label, text in page(I, answer)))
+            out.write(fitted(page(I, answer), 22, out.style().width))
     return 0
 
 

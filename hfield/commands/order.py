@@ -13,7 +13,7 @@ from hfield.commands.orders import (
     level_of,
     write_certificate,
 )
-from hfield.commands.output import open_output
+from hfield.commands.output import fitted, open_output
 from hfield.commands.parser import add_factors, add_format, add_output, given_factors
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def run(args: Namespace) -> int:
                 + r"\right\rangle"
             )
         else:
-            out.write("\n".join(f"{label:<22} {text}" for label, text in page(O)))
+            out.write(fitted(page(O), 22, out.style().width))
     return 0
 
 

@@ -8,7 +8,7 @@ import re
 import stat
 import sys
 import unicodedata
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
@@ -79,6 +79,23 @@ class Sink:
         asked = terminal or os.environ.get("COLUMNS")  # a pipe or a file has a width if it is said
         width = min(100, get_terminal_size((100, 24)).columns) if asked else 100
         return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
+
+
+def fitted(facts: Iterable[tuple[str, str]], margin: int, width: int) -> str:
+    """Return a line for each label and what it says, gone on below the text where it is too long."""
+    from textwrap import fill
+
+    below = " " * (margin + 1)
+    return "\n".join(
+        fill(
+            text,
+            width,
+            initial_indent=f"{label:<{margin}} ",
+            subsequent_indent=below,
+            break_on_hyphens=False,
+        )
+        for label, text in facts
+    )
 
 
 @contextmanager

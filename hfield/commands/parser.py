@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import REMAINDER, ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from shutil import get_terminal_size
@@ -86,11 +86,16 @@ class Parser(ArgumentParser):
         """Put a space before what only looks like an option: argparse then leaves it alone."""
         marked: list[str] = []
         for n, word in enumerate(words):
-            if word == "--":
+            if word == "--" and not self._takes_the_rest(words[:n]):
                 return [*marked, *words[n:]]
             expression = word.startswith("-") and word != "-" and not self._is_option(word)
             marked.append(f" {word}" if expression else word)
         return marked
+
+    def _takes_the_rest(self, words: Sequence[str]) -> bool:
+        """Say whether an option among the words takes all that follows, also a ``--``."""
+        known = self._option_string_actions
+        return any(word in known and known[word].nargs == REMAINDER for word in words)
 
     def _is_option(self, word: str) -> bool:
         if word.startswith("--"):

@@ -161,7 +161,8 @@ def regular(algebra: Parent) -> Regular:
 def _checked(algebra: Parent) -> Regular:
     if algebra.ring.name != "QQ":
         raise RingError(
-            f"lattices and orders over ℤ belong to algebras over QQ, and {algebra} is over {algebra.ring}"
+            "lattices, orders and ideals belong to algebras over QQ (over number fields: "
+            f"A.maximal_order() in Python), and {algebra} is over {algebra.ring}"
         )
     a, t, b = (fraction(x) for x in algebra.constants)
     if not discriminant(Constants(a, t, b)):

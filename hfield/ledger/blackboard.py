@@ -80,6 +80,11 @@ class Explanation:
 
     __repr__ = __str__
 
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(str(self))}</pre>"
+
     def _repr_latex_(self) -> str:
         return f"${self.latex()}$"
 

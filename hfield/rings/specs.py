@@ -153,7 +153,10 @@ def _extension(base: Ring, inner: str) -> Ring:
     m = re.fullmatch(r"sqrt\((.+)\)|sqrt(-?\d+)", inner)
     if m or inner == "I":
         if base.name != "QQ":
-            raise RingError(f"{base}({shorten(inner)}): square roots are adjoined to QQ only")
+            raise RingError(
+                f"{base}({shorten(inner)}): square roots are adjoined to QQ only; larger fields are written "
+                "QQ(sqrt(2))_(5) over Qp(5), QQ(x)[u]/(u^2-x) over functions"
+            )
         from hfield.rings.quadratic import build as build_quadratic
 
         return build_quadratic((m[1] or m[2]) if m else "-1")

@@ -127,9 +127,9 @@ class _Parser:
             or not (before[-1].isalnum() or before == ")")
         ):
             return ""
-        return ": write " + (
-            f"{before}*{self.token}" if before != ")" else f"* before {self.token}"
-        )
+        units = set(self.token) <= set("ijk")  # 2ij is two products
+        product = "*".join(self.token) if units else self.token
+        return ": write " + (f"{before}*{product}" if before != ")" else f"* before {product}")
 
     def grow(self, node: Node, *children: Node) -> Node:
         """Note how high the tree has grown, and stop before whoever walks it would fall."""

@@ -9,6 +9,7 @@ from anim.picture import Camera, Look, painter
 from anim.picture.mesh import Mesh
 from anim.picture.projection import frame, reached, view
 from anim.picture.solid import drawing_order, pieces
+from anim.picture.styles import classic
 from tests.anim.cones import random_rotation
 
 cameras = st.builds(
@@ -132,3 +133,12 @@ def test_a_camera_inside_a_large_top_is_refused():
     with pytest.raises(AnimationError, match="too near"):
         painter(Model(ring=10, p2=30.0), Look(SIZE))
     painter(Model(ring=10, p2=30.0), Look(SIZE, camera=Camera(distance=60)))
+
+
+def test_a_classic_axis_has_few_numbers_so_that_they_do_not_touch(monkeypatch):
+    seen = []
+    view_of = classic._view
+    monkeypatch.setattr(classic, "_view", lambda axes: seen.append(axes) or view_of(axes))
+    painter(MODEL, Look((640, 480), "classic", Camera(-60, 20), tilt=50))
+    for axis in (seen[-1].xaxis, seen[-1].yaxis, seen[-1].zaxis):
+        assert 3 <= len(axis.get_ticklabels()) <= 7

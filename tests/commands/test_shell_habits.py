@@ -21,6 +21,7 @@ from hfield.commands.completion import SCRIPTS, candidates
         (["prove", "x", "--field", "GF2"], ["GF2", "GF2t"]),
         (["table", "--format", "la"], ["latex"]),
         (["info", "--fa"], ["--factors"]),
+        (["warm", "--"], ["--help", "--format", "--output"]),
         (["eval", "i", "--algebra", "'["], ["'[1,t|GF(4)(t))'"]),
         (["check", "a"], []),
         (["nonsense", ""], []),
@@ -34,6 +35,11 @@ def test_at_first_all_commands(capsys):
     assert set(names()) < set(candidates([""]))
     assert main(["completion", "--words", "expo"]) == 0
     assert capsys.readouterr().out == "export\n"
+
+
+def test_two_hyphens_are_the_beginning_of_an_option(capsys):
+    assert main(["completion", "--words", "info", "--"]) == 0
+    assert "--factors" in capsys.readouterr().out.split()
 
 
 @pytest.mark.parametrize("shell", SCRIPTS)
@@ -54,6 +60,19 @@ def test_bash_completes(tmp_path):
         ["bash"], input="\n".join(lines), text=True, capture_output=True, timeout=60
     )
     assert "centre" in said.stdout.split()
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [("explain centr", "centre"), ("", "--version"), ("verify --format ", "json")],
+)
+def test_fish_completes_also_where_nothing_is_typed_yet(typed, offered):
+    if which("fish") is None or which("hfield") is None:
+        pytest.skip("fish or hfield is not on the path")
+    asked = f"{SCRIPTS['fish']}\ncomplete -C 'hfield {typed}'"
+    said = subprocess.run(["fish"], input=asked, text=True, capture_output=True, timeout=60)
+    assert offered in said.stdout.split()
+    assert said.stderr == ""
 
 
 @pytest.mark.parametrize("field", [f for f in completion.FIELDS if f != "universal"])
@@ -101,7 +120,10 @@ PAGES = [
     ["explain", "centre"],
     ["info", "(-1,-3|QQ)"],
     ["info", "H(GF(9))"],
-    ["order", "(-1,-11|QQ)"],
+    ["classes", "(-1,-11|QQ)"],
+    ["count", "--field", "GF9", "--formulas"],
+    ["ideal", "(-1,-11|QQ)", "3, 1 + j"],
+    ["order", "(-1,-11|QQ)", "--level", "9"],
     ["prove", "p*q == 0 => p == 0 or q == 0", "--field", "QQ"],
     ["prove", "p*q == q*p"],
     ["table", "--field", "GF3"],

@@ -170,6 +170,7 @@ def test_rotate_quat_takes_rotations_and_rotate_degrees() -> None:
         (lambda: R @ R, r"p \* q"),
         (lambda: V @ R, r"inverse=True"),
         (lambda: rotate(V, "z", 1.0), r"\[0, 0, 1\]"),
+        (lambda: rotate(V, "w", 1.0), "axis is the text 'w'"),
         (lambda: Rotation.from_axis_angle("X", 1.0), r"\[1, 0, 0\]"),
     ],
 )

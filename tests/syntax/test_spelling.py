@@ -97,7 +97,12 @@ def test_fractions_and_blanks():
 
 @pytest.mark.parametrize(
     ("text", "mend"),
-    [("ij", r"write i\*j"), ("2q", r"write 2\*q"), ("(1+i)j", r"write \* before j")],
+    [
+        ("ij", r"write i\*j"),
+        ("2q", r"write 2\*q"),
+        ("2ij", r"write 2\*i\*j"),
+        ("(1+i)j", r"write \* before j"),
+    ],
 )
 def test_a_missing_sign_is_named(text, mend):
     with pytest.raises(NotationError, match=mend):

@@ -53,6 +53,8 @@ def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
 
 def _set_up(axes: Any, look: Look, reached: Floats) -> None:
     """Set camera, limits and letters; one unit is as long on every axis."""
+    from matplotlib.ticker import MaxNLocator
+
     camera = look.camera
     reach, tall = float(np.abs(reached[:, :2]).max()), float(reached[:, 2].max())
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(0, tall), autoscale_on=False)
@@ -67,6 +69,7 @@ def _set_up(axes: Any, look: Look, reached: Floats) -> None:
     size = min(look.size) / LETTERS * 72 / DPI
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.set_tick_params(labelsize=size, pad=size / 6)
+        axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))  # more numbers would touch
         if min(look.size) < SMALLEST_LETTERED:
             axis.set_ticklabels([])
 
