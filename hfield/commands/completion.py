@@ -27,10 +27,10 @@ _hfield() {
   [[ -n $found[1] ]] && compadd -Q -a found || _files
 }
 compdef _hfield hfield""",
-    # an empty word is a word: fish drops it unless it is quoted
+    # files only where nothing else is known, as in the other shells
     "fish": """\
 function _hfield
-  set -l found (hfield completion --words (commandline -opc)[2..] "$(commandline -ct)" 2>/dev/null)
+  set -l found (hfield completion --words (commandline -opc)[2..] (commandline -ct) 2>/dev/null)
   set -q found[1]; and string join -- \\n $found; or __fish_complete_path (commandline -ct)
 end
 complete -c hfield -f -a '(_hfield)'""",

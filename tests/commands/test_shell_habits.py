@@ -64,14 +64,19 @@ def test_bash_completes(tmp_path):
 
 @pytest.mark.parametrize(
     ("typed", "offered"),
-    [("explain centr", "centre"), ("", "--version"), ("verify --format ", "json")],
+    [("explain centr", "centre"), ("", "info"), ("verify --format ", "json"), ("check ", "file")],
 )
-def test_fish_completes_also_where_nothing_is_typed_yet(typed, offered):
+def test_fish_offers_files_only_where_nothing_else_is_known(tmp_path, typed, offered):
     if which("fish") is None or which("hfield") is None:
         pytest.skip("fish or hfield is not on the path")
     asked = f"{SCRIPTS['fish']}\ncomplete -C 'hfield {typed}'"
-    said = subprocess.run(["fish"], input=asked, text=True, capture_output=True, timeout=60)
-    assert offered in said.stdout.split()
+    (tmp_path / "file").touch()
+    said = subprocess.run(
+        ["fish"], input=asked, text=True, capture_output=True, timeout=60, cwd=tmp_path
+    )
+    words = said.stdout.split()
+    assert offered in words
+    assert ("file" in words) == (offered == "file")
     assert said.stderr == ""
 
 
