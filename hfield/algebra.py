@@ -70,7 +70,9 @@ class QuaternionAlgebra(Invariants, ArrayMakers):
         F = read_ring(ring)
         named = list(primes)
         if F.name != "QQ":
-            field = structure.global_field(F)
+            from hfield.structure.global_field import global_field
+
+            field = global_field(F)
             if field is None or infinite is not None:
                 raise RingError(
                     f"algebras over {shorten(F.name)} are not made from ramified primes and a flag: expected "
