@@ -1,5 +1,7 @@
 """Powers that would not end are refused, whatever the ring; what stays small has powers of any size."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -85,3 +87,7 @@ def test_bits_of_a_sum_of_roots_count_its_numbers():
     R = ring("RR")
     assert bits(R(2) ** 400) > 400
     assert bits(R("root(2,3)") * 2**400) > 400
+
+
+def test_a_fraction_takes_the_bits_of_both_its_parts():
+    assert bits(Fraction(2**10, 3)) == 11 + 2 == bits(Fraction(3, 2**10))
