@@ -290,3 +290,19 @@ def test_an_identity_of_fractions_holds_where_no_denominator_is_0(
     _, _, last = statement.partition(" or ")
     if last:
         rejects({**data, "statement": last}, "expanding")
+
+
+def test_every_coordinate_has_to_vanish() -> None:
+    for first in ("(s**2 - s)*e", "s == 0 or (1/s - (1/s)**2)*e"):
+        data = certified(f"{first} + (y**2 - y)*i == 0", "GF(2)", "identity", IDENTITY)
+        assert check(data)
+        rejects({**data, "statement": f"{first} + y*i == 0"}, "expanding")
+
+
+@pytest.mark.parametrize(
+    ("statement", "ring"), [("2*s == 0", "ZZ/4"), ("2*s == 0 or 3*s == 0", "ZZ/6")]
+)
+def test_where_zero_has_divisors_a_product_that_vanishes_shows_nothing(
+    statement: str, ring: str
+) -> None:
+    rejects(certified(statement, ring, "identity", IDENTITY), "expanding")

@@ -37,6 +37,17 @@ def test_direct_items() -> None:
         rejects({**data, "evidence": implication([bad])}, ".")
 
 
+def test_items_of_a_characteristic_are_multiplied_out_modulo_it() -> None:
+    data = certified("s*y == 1 => s*y*t == t", "GF(3)", "implication", implication([]))
+    for cofactor, is_right in (("t", True), ("t + 3", True), ("t + 1", False), ("0", False)):
+        item = direct(["s*y - 1"], "s*t*y - t", [cofactor], characteristic=3)
+        own = {**data, "evidence": implication([item])}
+        if is_right:
+            assert check(own)
+        else:
+            rejects(own, "is not what it should be")
+
+
 def test_a_hypothesis_that_is_a_contradiction() -> None:
     item = direct(["s", "s - 1"], "1", ["1", "-1"])
     data = certified("s == 0 and s == 1 => p == q", None, "implication", implication([item]))

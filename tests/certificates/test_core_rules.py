@@ -25,6 +25,13 @@ def form_step(kind: str, terms: list[str], cofactors: list[str], **more: Any) ->
     return {"step": kind, "terms": terms, "cofactors": cofactors, "denominator": 1, **more}
 
 
+@pytest.mark.parametrize("fact", [NORM, SQUARES, ROOTS])
+def test_facts_are_about_a_field_that_is_named(fact: dict[str, Any]) -> None:
+    for field in (None, "ZZ", "ZZ/6", "QQ[x]"):
+        data = certified("q == q", field, "implication", implication([], [fact]))
+        rejects(data, "facts are about a field that is named")
+
+
 def test_a_norm_that_is_0_only_at_0() -> None:
     coordinates = [f"q[{n}]" for n in range(4)]
     norm = " + ".join(f"{c}**2" for c in coordinates)
