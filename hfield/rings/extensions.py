@@ -6,17 +6,13 @@ from collections.abc import Hashable, Sequence
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import (
-    CoercionError,
-    NotInvertibleError,
-    UndecidedError,
-)
+from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.rings.base import Known, Ring
 from hfield.rings.finite import ExtensionField
 from hfield.rings.operators import Element
+from hfield.rings.overfield import Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import sum_text
-from hfield.rings.rational import rational, unwrap
 from hfield.rings.several_variables import RationalFunctions, listed
 
 if TYPE_CHECKING:
@@ -53,7 +49,7 @@ class ExtensionElement(Element):
         return self.coefficients == other.coefficients
 
 
-class SimpleExtension(Ring):
+class SimpleExtension(Overfield):
     """F[u]/(f) for a field F of rational functions and an irreducible f; ``gen`` is the class of u.
 
     >>> from hfield.rings import ring
@@ -61,8 +57,6 @@ class SimpleExtension(Ring):
     >>> F("1/u"), F("u^2")
     (1/(t^3+2*t)*u, t^3+2*t)
     """
-
-    is_field = True
 
     def __init__(
         self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Quotient]
@@ -101,20 +95,9 @@ class SimpleExtension(Ring):
                     out[shift + m] = out[shift + m] - top * c
         return ExtensionElement(self, [*out, *[self.base.zero] * (n - len(out))])
 
-    def __call__(self, x: object) -> Any:
-        """Turn a number or an element of F into an element, read a text. Raises :class:`CoercionError`."""
-        x = unwrap(x)
-        if isinstance(x, ExtensionElement):
-            if x.field == self:
-                return x
-            raise self.refuse(x)
-        if isinstance(x, str):
-            return self.parse(x)
-        number = rational(x)
-        try:
-            return self._constant(self.base(x if number is None else number))
-        except CoercionError:
-            raise self.refuse(x) from None
+    def from_below(self, x: object) -> ExtensionElement:
+        """Turn a number or an element of F into an element. Raises :class:`CoercionError`."""
+        return self._constant(self.base(x))
 
     def is_zero(self, x: ExtensionElement) -> bool:
         """Tell whether x is 0."""

@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.errors import NotInvertibleError, RingError, shorten
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
+from hfield.rings.overfield import Overfield
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.quotient import Quotient
-from hfield.rings.rational import rational, unwrap
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient, Polynomial
@@ -37,7 +37,7 @@ _CONTEXTS: dict[Ring, Any] = {}
 atexit.register(gc.freeze)
 
 
-class FunctionField(Ring):
+class FunctionField(Overfield):
     """F(t), the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
 
     >>> from hfield.rings import ring
@@ -46,7 +46,6 @@ class FunctionField(Ring):
     1/2*x-1/2
     """
 
-    is_field = True
     arithmetic = "function_fields.arithmetic_functions.FunctionArithmetic"
 
     def __init__(self, base: Ring, variable: str) -> None:
@@ -94,25 +93,9 @@ class FunctionField(Ring):
         """Return a coefficient as flint gives it as an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
 
-    def __call__(self, x: object) -> Any:
-        """Turn a number or an element of the base field into a constant, read a text.
-
-        Raises :class:`CoercionError`.
-        """
-        x = unwrap(x)
-        if isinstance(x, Quotient):
-            if x.field == self:
-                return x
-            raise self.refuse(x)
-        if isinstance(x, str):
-            return self.parse(x)
-        number = rational(x)
-        if number is None:
-            try:
-                return self.constant(self.base(x))
-            except CoercionError:
-                raise self.refuse(x) from None
-        return self.constant(self.base(number))
+    def from_below(self, x: object) -> Quotient:
+        """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
+        return self.constant(self.base(x))
 
     def is_zero(self, x: Any) -> bool:
         """Tell whether x is 0."""

@@ -158,6 +158,8 @@ class Rationals(_Ordered):
         x = unwrap(x)
         if isinstance(x, flint.fmpq):
             return x
+        if isinstance(x, flint.fmpz):
+            return flint.fmpq(x)
         if isinstance(x, str):
             return self.parse(x)
         number = rational(x)

@@ -20,15 +20,15 @@ def level(field: NumberField) -> Known:
     """Return ∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
     if field.signature[0]:
         return Known(INFINITY, f"{field.name} has a real place, so it has an ordering")
-    if field.sqrt(field(-1)) is not None:
-        return Known(1, f"−1 = ({field.text(field.sqrt(field(-1)))})^2 in {field.name}")
+    squares = field.minus_one_as_squares()
+    shown = " + ".join(f"({field.text(y)})^2" for y in squares)
+    if len(squares) == 1:
+        return Known(1, f"−1 = {shown} in {field.name}")
     odd = [P for P in field.primes_above(2) if P.e * P.f % 2]
     fewer = "−1 itself is no square"
     if odd:
         fewer = f"the completion at {odd[0]} has odd degree over ℚ₂, where fewer squares do not do"
-    squares = field.minus_one_as_squares()
     if squares:
-        shown = " + ".join(f"({field.text(y)})^2" for y in squares)
         return Known(len(squares), f"−1 = {shown} in {field.name}, and {fewer}")
     if odd:
         return Known(4, fewer)

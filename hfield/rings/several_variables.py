@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.errors import NotInvertibleError, RingError, shorten
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.overfield import Overfield
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, quotient_text
 from hfield.rings.quotient import Quotient
-from hfield.rings.rational import unwrap
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import SparsePolynomial
 
 
-class RationalFunctions(Ring):
+class RationalFunctions(Overfield):
     """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`Quotient`.
 
     Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
@@ -31,7 +31,6 @@ class RationalFunctions(Ring):
     (1/2*x-1/2*y, (x^2+y^2)/(x*y))
     """
 
-    is_field = True
     arithmetic = "several_variables.arithmetic_several.SeveralArithmetic"
 
     def __init__(self, polynomials: PolynomialRing) -> None:
@@ -72,22 +71,9 @@ class RationalFunctions(Ring):
         """Tell whether a polynomial is 1."""
         return bool(poly == self._one)
 
-    def __call__(self, x: object) -> Any:
-        """Turn a number, or an element of k or k[x, y, …], into an element; read a text.
-
-        Raises :class:`CoercionError`.
-        """
-        x = unwrap(x)
-        if isinstance(x, Quotient):
-            if x.field == self:
-                return x
-            raise self.refuse(x)
-        if isinstance(x, str):
-            return self.parse(x)
-        try:
-            return Quotient(self, self.polynomials(x), self._one)
-        except CoercionError:
-            raise self.refuse(x) from None
+    def from_below(self, x: object) -> Quotient:
+        """Turn a number, or an element of k or k[x, y, …], into one. Raises :class:`CoercionError`."""
+        return Quotient(self, self.polynomials(x), self._one)
 
     def is_zero(self, x: Quotient) -> bool:
         """Tell whether x is 0."""

@@ -188,7 +188,6 @@ def test_parts_and_signs_of_surds(x) -> None:
 
 
 def test_numbers_near_0_have_signs() -> None:
-    below, above = Surd({2: flint.fmpq(1), 1: flint.fmpq(-(10**40), 1)}), 0
     root = isqrt(2 * 10**80)
     below = Surd({1: flint.fmpq(root, 10**40), 2: flint.fmpq(-1)})
     above = Surd({1: flint.fmpq(root + 1, 10**40), 2: flint.fmpq(-1)})

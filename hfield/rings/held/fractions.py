@@ -85,7 +85,7 @@ class Fractions(Numerators):
 
     def scalar(self, s: Any) -> Held:
         """Hold s·e for an element s of the field."""
-        *numerators, d = self._fraction(s)
+        *numerators, d = self.fraction(s)
         held = *numerators, *(0,) * (3 * self.degree), d
         return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
@@ -137,18 +137,13 @@ class Fractions(Numerators):
         ]
         return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
 
-    def scaled(self, p: Held, s: Scalar) -> Held:
-        """Return s·p for an element s of the ring."""
-        held: Held = self.multiple(p, self._fraction(s))
-        return held
-
     def divided(self, p: Held, s: Scalar) -> Held | None:
         """Return p/s for an element s of the ring, or None where it is not a unit."""
         held: Held | None
         if not self.ring.is_field:
             held = super().divided(p, s)
             return held
-        *numerators, d1 = self._fraction(s)
+        *numerators, d1 = self.fraction(s)
         *inverse, d = self._reciprocal(*numerators)
         if d == 0:
             return None
@@ -157,7 +152,7 @@ class Fractions(Numerators):
         held = self.multiple(p, (*(c * d1 for c in inverse), d))
         return held
 
-    def _fraction(self, s: Scalar) -> Held:
+    def fraction(self, s: Scalar) -> Held:
         """Return the numerators of an element of the ring over one denominator."""
         vector = self._vector(s)
         d = _denominator(vector)

@@ -97,15 +97,10 @@ class IntegralPolynomials(Numerators):
     def scalar(self, s: Scalar) -> Held:
         """Hold s·e for an element s of the field."""
         zero = flint.fmpz_poly()
-        numerator, d = self._fraction(s)
+        numerator, d = self.fraction(s)
         return numerator, zero, zero, zero, d
 
-    def scaled(self, p: Held, s: Scalar) -> Held:
-        """Return s·p for an element s of the field."""
-        held: Held = self.multiple(p, self._fraction(s))
-        return held
-
-    def _fraction(self, s: Any) -> tuple[Any, int]:
+    def fraction(self, s: Any) -> tuple[Any, int]:
         """Return s as a polynomial in c·s over ℤ, and its denominator."""
         poly = self._polynomial(s)
         return poly.numer(), int(poly.denom())

@@ -31,6 +31,10 @@ class Numerators(Compact):
     relation: tuple[str, ...]
 
     @abstractmethod
+    def fraction(self, s: Scalar) -> Held:
+        """Return the numerators of an element of the ring over one denominator, in lowest terms."""
+
+    @abstractmethod
     def settle(self, names: list[str]) -> list[str]:
         """Write how to return the named numerators over d in lowest terms."""
 
@@ -85,7 +89,7 @@ class Numerators(Compact):
 
     def scaled(self, p: Held, s: Scalar) -> Held:
         """Return s·p for an element s of the ring."""
-        held: Held = self.product(p, self.scalar(s))
+        held: Held = self.multiple(p, self.fraction(s))
         return held
 
     def is_zero(self, p: Held) -> bool:

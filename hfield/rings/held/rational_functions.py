@@ -46,6 +46,10 @@ class RationalFunctions(Numerators):
         w, x, y, z = (c.num * (d // e) for c, e in zip(coordinates, denominators, strict=True))
         return self._lowest(w, x, y, z, d)
 
+    def fraction(self, s: Any) -> Held:
+        """Return numerator and denominator of a rational function."""
+        return s.num, s.den
+
     def coordinates(self, held: Held) -> Coordinates:
         """Return the four coordinates, rational functions."""
         quotient, m, k = self._field.quotient, self._m, self._k

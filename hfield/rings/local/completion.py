@@ -7,21 +7,17 @@ from collections.abc import Callable, Hashable, Iterator
 from random import Random
 from typing import Any
 
-from hfield.errors import CoercionError
 from hfield.product import Scalar
 from hfield.rings.base import Ring
-from hfield.rings.operators import Element
-from hfield.rings.rational import rational, unwrap
+from hfield.rings.overfield import Overfield
 
 
-class Completion(Ring):
+class Completion(Overfield):
     """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
 
     Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
     what they mean there.
     """
-
-    is_field = True
 
     def __init__(self, name: str, words: str, global_field: Ring, place: Any) -> None:
         self.name, self._words = name, words
@@ -34,23 +30,12 @@ class Completion(Ring):
         """Say what the field is."""
         return self._words
 
-    def __call__(self, x: Any) -> Any:
-        """Turn a number or an element of the global field into an exact element; read a text.
+    def from_below(self, x: object) -> Any:
+        """Turn a number or an element of the global field into an exact element.
 
         Raises :class:`CoercionError`.
         """
-        x = unwrap(x)
-        if isinstance(x, Element) and isinstance(x.field, Completion):
-            if x.field == self:
-                return x
-            raise self.refuse(x)
-        if isinstance(x, str):
-            return self.parse(x)
-        number = rational(x)
-        try:
-            return self.exact(self.global_field(x if number is None else number))
-        except CoercionError:
-            raise self.refuse(x) from None
+        return self.exact(self.global_field(x))
 
     @abstractmethod
     def exact(self, value: Scalar) -> Any:
