@@ -47,7 +47,7 @@ FLOORS = [
     {"rotation.quaternions", "rotation.matrices"},
     {"rotation.vectors", "rotation.euler", "rotation.averaging"},
     {"rotation.davenport", "rotation.groups"},
-    {"rotation.acting", "rotation.jacobians", "rotation.dual_numbers"},
+    {"rotation.acting", "rotation.jacobians"},
     {"rotation.kernels", "rotation.shown"},
     {"rotation.batch", "rotation.products"},
     {"rotation.wahba", "rotation.fused", "rotation.rigid_motions", "rotation.screws"},
