@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from hfield.errors import NotFiniteError, TooLargeError
-from hfield.quaternion import Quaternion, held_by
-from hfield.rings.base import Ring
+from hfield.quaternion import Parent, Quaternion, held_by
 
 MOST = 10**8  # elements of an array that lists all
 
 
-class ArrayMakers:
+class ArrayMakers(Parent):
     """The part of an algebra's methods that are about arrays."""
-
-    ring: Ring
-    array_holding: Any
-    basis: Any
-    one: Any
-    __call__: Callable[..., Quaternion]
 
     def from_array(self, values: object) -> Quaternion:
         """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
@@ -32,8 +24,7 @@ class ArrayMakers:
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
         1 + 5k
         """
-        algebra: Any = self
-        return held_by(algebra, self.array_holding, self.array_holding.from_array(values))
+        return held_by(self, self.array_holding, self.array_holding.from_array(values))
 
     def product(self, values: Any, axis: int | None = None) -> Quaternion:
         """Return the ordered product of an array, or of a list of elements, from left to right.
@@ -47,7 +38,7 @@ class ArrayMakers:
         if isinstance(values, Quaternion) and values.shape:
             found: Quaternion = self(values).product(axis)
             return found
-        parts = [self(x) for x in values] or [self.one]
+        parts = [self(x) for x in values] or [self.basis[0]]
         while len(parts) > 1:  # factors of equal size multiply fastest
             pairs = zip(parts[::2], parts[1::2], strict=False)
             parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
@@ -74,5 +65,4 @@ class ArrayMakers:
         scalars = self(list(self.ring.elements()), 0, 0, 0)
         w, x, y, z = (scalars[n.ravel()] for n in np.indices((len(scalars),) * 4, np.uint32))
         _, i, j, k = self.basis
-        every: Quaternion = w + x * i + y * j + z * k
-        return every
+        return w + x * i + y * j + z * k

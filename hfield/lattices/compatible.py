@@ -17,12 +17,10 @@ from hfield.lattices import hermite
 from hfield.lattices.regular import PAIRS
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.lattices.ideal import Ideal
 
 
-def product(first: Ideal, second: Ideal) -> tuple[int, flint.fmpz_mat] | None:
+def product(first: Ideal, second: Ideal) -> tuple[int, fmpz_mat] | None:
     """Return ``first·second`` in Hermite form, or None where this way does not do.
 
     ``first`` is a right ideal and ``second`` a left ideal of the same order.
@@ -47,9 +45,7 @@ def product(first: Ideal, second: Ideal) -> tuple[int, flint.fmpz_mat] | None:
     return hermite.hermite(first._den, fmpz_mat(4, 4, steps) * first._matrix)
 
 
-def _coordinates(
-    row: list[flint.fmpz], triangle: list[flint.fmpz], n: flint.fmpz
-) -> list[flint.fmpz]:
+def _coordinates(row: list[fmpz], triangle: list[fmpz], n: fmpz) -> list[fmpz]:
     """Return integer coordinates with respect to the rows of a triangular matrix, modulo n."""
     found = []
     for m in range(4):
@@ -61,7 +57,7 @@ def _coordinates(
     return found
 
 
-def _index_root(ideal: Ideal) -> flint.fmpz | None:
+def _index_root(ideal: Ideal) -> fmpz | None:
     """Return n > 1 with [O : J] = n², or None; the norm of J, if J is locally principal."""
     order = ideal.order
     volume = hermite.volume(ideal._matrix) * order._den**4
@@ -70,7 +66,7 @@ def _index_root(ideal: Ideal) -> flint.fmpz | None:
     return n if n > 1 and not rest and n * n == index else None
 
 
-def _generator(ideal: Ideal, n: flint.fmpz) -> tuple[flint.fmpz, ...] | None:
+def _generator(ideal: Ideal, n: fmpz) -> tuple[fmpz, ...] | None:
     """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
     r, entries = ideal._regular, ideal._matrix.entries()
     unit = r.scale * ideal._den**2 * n
@@ -82,7 +78,7 @@ def _generator(ideal: Ideal, n: flint.fmpz) -> tuple[flint.fmpz, ...] | None:
     return None
 
 
-def _echelon(rows: Iterator[list[flint.fmpz]], n: flint.fmpz) -> list[flint.fmpz] | None:
+def _echelon(rows: Iterator[list[fmpz]], n: fmpz) -> list[fmpz] | None:
     """Return the entries of a basis of the row space and n·ℤ⁴, of index n²: two rows, and twice n.
 
     The product lies above and has this index, so two rows with a minor that is a unit modulo n span it.
@@ -99,9 +95,7 @@ def _echelon(rows: Iterator[list[flint.fmpz]], n: flint.fmpz) -> list[flint.fmpz
     return None
 
 
-def _reduced(
-    first: list[flint.fmpz], second: list[flint.fmpz], p: int, q: int, u: flint.fmpz, n: flint.fmpz
-) -> list[flint.fmpz]:
+def _reduced(first: list[fmpz], second: list[fmpz], p: int, q: int, u: fmpz, n: fmpz) -> list[fmpz]:
     """Make columns p and q of two rows those of the identity; u is the inverse of their minor."""
     a, b, c, d = first[p] * u % n, first[q] * u % n, second[p] * u % n, second[q] * u % n
     found = [0] * 16

@@ -10,18 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
-
-if TYPE_CHECKING:
-    import flint
-
 
 Rows = tuple[tuple[int, int, int, int], ...]
 
 
-def hermite(den: int, matrix: flint.fmpz_mat) -> tuple[int, flint.fmpz_mat] | None:
+def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
     """Return the canonical form of what the rows of an integer matrix, over ``den``, generate.
 
     None when the rank is below 4.
@@ -49,24 +44,24 @@ def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]
     return den, [[x.numerator * (den // x.denominator) for x in row] for row in rows]
 
 
-def volume(matrix: flint.fmpz_mat) -> flint.fmpz:
+def volume(matrix: fmpz_mat) -> fmpz:
     """Return the determinant of a triangular matrix, the product of the diagonal, as flint's integer."""
     return matrix[0, 0] * matrix[1, 1] * matrix[2, 2] * matrix[3, 3]
 
 
-def determinant(matrix: flint.fmpz_mat) -> int:
+def determinant(matrix: fmpz_mat) -> int:
     """Return the determinant of a triangular matrix."""
     return int(volume(matrix))
 
 
-def inverse(matrix: flint.fmpz_mat) -> tuple[flint.fmpz_mat, int]:
+def inverse(matrix: fmpz_mat) -> tuple[fmpz_mat, int]:
     """Return ``(m, d)`` with m/d the inverse of an integer matrix."""
     m, d = matrix.inv().numer_denom()
     return m, int(d)
 
 
 def coordinates(
-    matrix: flint.fmpz_mat, row: Sequence[int]
+    matrix: fmpz_mat, row: Sequence[int]
 ) -> tuple[Fraction, Fraction, Fraction, Fraction]:
     """Return the coordinates of a row with respect to those of an upper triangular matrix."""
     rest = [Fraction(x) for x in row]
@@ -80,13 +75,13 @@ def coordinates(
     return found[0], found[1], found[2], found[3]
 
 
-def in_coordinates(matrix: flint.fmpz_mat, other: flint.fmpz_mat) -> tuple[flint.fmpz_mat, int]:
+def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
     """Return ``(m, d)``: the rows of ``other`` are those of m/d times the regular ``matrix``."""
     inv, d = inverse(matrix)
     return other * inv, d
 
 
-def contains(den: int, matrix: flint.fmpz_mat, row_den: int, row: Sequence[int]) -> bool:
+def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bool:
     """Tell whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
     rest = []
     for x in row:
@@ -106,13 +101,13 @@ def contains(den: int, matrix: flint.fmpz_mat, row_den: int, row: Sequence[int])
     return True
 
 
-def tuples(matrix: flint.fmpz_mat) -> Rows:
+def tuples(matrix: fmpz_mat) -> Rows:
     """Return the rows of a matrix with four columns as tuples of ints."""
     e = [int(x) for x in matrix.entries()]
     return tuple((e[n], e[n + 1], e[n + 2], e[n + 3]) for n in range(0, len(e), 4))
 
 
-def span(den: int, matrix: flint.fmpz_mat) -> tuple[int, flint.fmpz_mat]:
+def span(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return the Hermite form of what the rows of an integer matrix, over ``den``, span, of any rank."""
     h = matrix.hnf()
     entries = h.entries()

@@ -25,8 +25,6 @@ from hfield.lattices.maximal import endpoints
 from hfield.lattices.order import Order
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.quaternion import Quaternion
 
 
@@ -102,7 +100,7 @@ def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     return _conjugating(first, sources * other_den, targets * den), ""
 
 
-def _conjugating(order: Order, sources: flint.fmpz_mat, targets: flint.fmpz_mat) -> list[int]:
+def _conjugating(order: Order, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
     """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
     r = order._regular
     s, t = hermite.tuples(sources), hermite.tuples(targets)
@@ -117,7 +115,7 @@ def _conjugating(order: Order, sources: flint.fmpz_mat, targets: flint.fmpz_mat)
     raise AssertionError("an isometry, or its negative, is a conjugation")
 
 
-def _content(matrix: flint.fmpz_mat) -> int:
+def _content(matrix: fmpz_mat) -> int:
     return math.gcd(*(int(x) for x in matrix.entries()))
 
 

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterable
 from functools import cached_property
 from itertools import product
-from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
@@ -15,9 +14,6 @@ from hfield.lattices import enumeration, hermite
 from hfield.lattices.given import natural, prime
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.reduction import kronecker
-
-if TYPE_CHECKING:
-    import flint
 
 
 class OrderInvariants(Lattice):
@@ -114,7 +110,7 @@ class OrderInvariants(Lattice):
         return math.gcd(*(form[r][c] // (2 if r == c else 1) for r in range(3) for c in range(3)))
 
     @cached_property
-    def _ternary(self) -> tuple[int, flint.fmpz_mat, list[list[int]]]:
+    def _ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
         """The trace-0 part of ℤ + 2O: a denominator, three rows, and their matrix of tr(x·conj(y))."""
         r, t = self._regular, self._regular.constants.t
         vectors = fmpz_mat([row[1:] for row in self.hnf[1]]).hnf()
@@ -132,7 +128,7 @@ class OrderInvariants(Lattice):
         return den, rows, [entries[0:3], entries[3:6], entries[6:9]]
 
     @cached_property
-    def _reduced_ternary(self) -> tuple[int, flint.fmpz_mat, list[list[int]]]:
+    def _reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
         den, rows, gram = self._ternary
         reduced, steps = fmpz_mat(gram).lll(transform=True, rep="gram")
         entries = [int(x) for x in reduced.entries()]

@@ -14,7 +14,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpz_mat
+from flint import fmpz, fmpz_mat
 
 from hfield.errors import RingError
 from hfield.lattices.hermite import integral
@@ -26,8 +26,6 @@ from hfield.structure.rationals.hilbert_rationals import ramified_places_q
 from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.quaternion import Parent
 
 
@@ -81,7 +79,7 @@ class Regular:
         self.definite = self.square < 0 and b < 0
         self.majorant = self.form if self.definite else self._majorant()
 
-    def _majorant(self) -> flint.fmpz_mat:
+    def _majorant(self) -> fmpz_mat:
         """Return a positive definite integral form that the norm does not exceed, up to a scale."""
         h, s, b = self.constants.t / 2, abs(self.square), abs(self.constants.b)
         # over 1, i − t/2, j and their product the norm is diagonal
@@ -92,13 +90,13 @@ class Regular:
         ]
         return fmpz_mat(integral(form)[1])
 
-    def products(self, rows: flint.fmpz_mat, others: flint.fmpz_mat) -> flint.fmpz_mat:
+    def products(self, rows: fmpz_mat, others: fmpz_mat) -> fmpz_mat:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""
         columns = others.transpose()
         found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
         return fmpz_mat(rows.nrows() * others.nrows(), 4, [x for row in found for x in row])
 
-    def norm_products(self, rows: flint.fmpz_mat, side: str) -> flint.fmpz_mat:
+    def norm_products(self, rows: fmpz_mat, side: str) -> fmpz_mat:
         """Return the products ``x·conj(y)`` of the six pairs of four rows, ``conj(x)·y`` on the right.
 
         They are ``scale·conjugate_scale`` times too large.
@@ -107,23 +105,23 @@ class Regular:
         found = [rows * form * columns for form in self._norms[side]]
         return fmpz_mat(6, 4, [m[pair] for pair in PAIRS for m in found])
 
-    def left_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
+    def left_matrix(self, row: tuple[int, ...]) -> fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
         return sum(
             (m * x for m, x in zip(self.left[1:], row[1:], strict=True)), self.left[0] * row[0]
         )
 
-    def right_matrix(self, row: tuple[int, ...]) -> flint.fmpz_mat:
+    def right_matrix(self, row: tuple[int, ...]) -> fmpz_mat:
         """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
         return sum(
             (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
         )
 
-    def norm(self, row: Sequence[flint.fmpz | int]) -> flint.fmpz:
+    def norm(self, row: Sequence[fmpz | int]) -> fmpz:
         """Return the norm of a row of flint integers, ``scale`` times too large."""
         return sum(c * row[m] * row[n] for m, n, c in self._squares)
 
-    def gram(self, rows: flint.fmpz_mat) -> flint.fmpz_mat:
+    def gram(self, rows: fmpz_mat) -> fmpz_mat:
         """Return the matrix of ``tr(x·conj(y))`` on the rows, ``scale`` times too large."""
         return rows * self.form * rows.transpose()
 

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from functools import lru_cache
 from itertools import product
 from operator import add
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from flint import fmpz_mat
+from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
@@ -23,10 +23,6 @@ from hfield.lattices.lattice import Lattice
 from hfield.lattices.maximal import above, endpoints, zero_divisor
 from hfield.lattices.order import Order
 from hfield.lattices.reduction import echelon, roots, simple_root
-
-if TYPE_CHECKING:
-    import flint
-
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""
@@ -66,7 +62,7 @@ def _units(order: Order, p: int) -> Units:
     return Units(order, p)
 
 
-def right_subideals(ideal: Lattice, order: Order, p: int) -> Iterator[tuple[int, flint.fmpz_mat]]:
+def right_subideals(ideal: Lattice, order: Order, p: int) -> Iterator[tuple[int, fmpz_mat]]:
     """Yield the p + 1 right ideals of relative norm p in a right ideal; the order is M₂(ℤₚ) at p.
 
     They are matrices over denominators, in Hermite form.
@@ -88,16 +84,14 @@ def right_subideals(ideal: Lattice, order: Order, p: int) -> Iterator[tuple[int,
     yield _of(ideal, second, along[1], tail)
 
 
-def _of(
-    ideal: Lattice, y: flint.fmpz_mat, z: flint.fmpz_mat, tail: list[flint.fmpz]
-) -> tuple[int, flint.fmpz_mat]:
+def _of(ideal: Lattice, y: fmpz_mat, z: fmpz_mat, tail: list[fmpz]) -> tuple[int, fmpz_mat]:
     found = hermite.hermite(ideal._den, fmpz_mat(6, 4, y.entries() + z.entries() + tail))
     if found is None:
         raise AssertionError("p times a lattice has rank 4")
     return found
 
 
-def _divided(matrix: flint.fmpz_mat, n: int) -> flint.fmpz_mat:
+def _divided(matrix: fmpz_mat, n: int) -> fmpz_mat:
     """Return an integer matrix divided by an integer that divides all entries."""
     if n == 1:
         return matrix
