@@ -25,17 +25,7 @@ _BLOCK = 2**21  # products of quaternions that are held at once
 def elements(group: str, axis: str = "Z") -> Array:
     """Return the unit quaternions (order, 4) of a finite group; the identity comes first.
 
-    Parameters
-    ----------
-    group : str
-        ``"I"``, ``"O"`` or ``"T"``; ``"Cn"`` of order n or ``"Dn"`` of order 2n.
-    axis : "X", "Y" or "Z"
-        The axis of C and D.
-
-    Raises
-    ------
-    RotationError
-        No such group or axis.
+    Parameters and errors are those of `Rotation.create_group`.
     """
     if not isinstance(group, str):
         raise RotationError(f"group {group!r}: a text is expected, one of I, O, T, Cn and Dn")

@@ -38,10 +38,10 @@ def left_jacobian(rotvec: Any) -> Array:
 
     Examples
     --------
-    >>> left_jacobian([0, 0, 0])
-    array([[1., 0., 0.],
-           [0., 1., 0.],
-           [0., 0., 1.]])
+    >>> left_jacobian([math.pi, 0, 0]).round(4) + 0.0  # half a turn about x
+    array([[ 1.    ,  0.    ,  0.    ],
+           [ 0.    ,  0.    , -0.6366],
+           [ 0.    ,  0.6366,  0.    ]])
     """
     return _LEFT(_vectors(rotvec))
 
@@ -59,7 +59,7 @@ def inverse_left_jacobian(rotvec: Any) -> Array:
 
     Examples
     --------
-    >>> inverse_left_jacobian([0, 0, 0])
+    >>> (inverse_left_jacobian([1, 2, 3]) @ left_jacobian([1, 2, 3])).round(12) + 0.0
     array([[1., 0., 0.],
            [0., 1., 0.],
            [0., 0., 1.]])

@@ -15,7 +15,7 @@ import numpy as np
 from rotation.arrays import real
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 from rotation.native import tracing
-from rotation.native.tracing import Lanes, Rows
+from rotation.native.symbols import Condition, Lanes, Rows
 
 Array = Any  # an array of any library that follows the standard
 
@@ -69,7 +69,7 @@ def _own_namespace(value: Any) -> Any:
     kind = type(value)
     if kind is np.ndarray or isinstance(value, np.ndarray | np.generic):
         return np
-    if kind in (Lanes, Rows):
+    if kind in (Lanes, Condition, Rows):
         return tracing
     if kind in _PLAIN or isinstance(value, int | float | complex | str | bytes | Sequence):
         return None

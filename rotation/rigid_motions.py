@@ -7,7 +7,6 @@ R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic ma
 from hfield import product as formula
 from rotation.acting import turned_by
 from rotation.coordinates import Coordinates, join, split, sum_of_squares, unit
-from rotation.dual_numbers import Dual
 from rotation.errors import RotationError
 from rotation.jacobians import exponential_factors, logarithm_factor
 from rotation.matrices import matrix_entries
@@ -85,16 +84,6 @@ MATRIX = Formula(_matrix, (4,), (3,))
 SWEPT = Formula(_swept, (3,), (3,))
 UNSWEPT = Formula(_unswept, (3,), (3,))
 DUAL = Formula(_dual, (4,), (3,))
-
-
-def dual_product(p: Array, q: Array) -> Array:
-    """Return products of dual quaternions (…, 8): the one formula of `hfield`, over dual numbers."""
-    xp = namespace(p, q)
-    p, q = xp.broadcast_arrays(p, q)
-    a, b, c, d = (Dual(p[..., n], p[..., n + 4]) for n in range(4))
-    e, f, g, h = (Dual(q[..., n], q[..., n + 4]) for n in range(4))
-    whole = formula.multiply(HAMILTON, (a, b, c, d), (e, f, g, h))
-    return join(xp, (*(c.real for c in whole), *(c.dual for c in whole)))
 
 
 @quiet

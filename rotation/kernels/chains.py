@@ -15,8 +15,8 @@ from rotation.arrays import Array
 from rotation.compensated import Pair, two_product, two_sum
 from rotation.coordinates import middling
 from rotation.kernels import twins
-from rotation.native import assembling, tracing
-from rotation.native.tracing import Lanes, Program
+from rotation.native import assembling, calling, tracing
+from rotation.native.symbols import Lanes, Program
 
 Pairs = tuple[Pair, Pair, Pair, Pair]
 
@@ -45,7 +45,7 @@ def _module() -> str:
     program = Program(width=1)
     kind = program.kind
     for k in range(4):
-        at = program.value("ptr", f"getelementptr double, ptr %from, i64 {k}")
+        at = program.value(f"getelementptr double, ptr %from, i64 {k}")
         program.lines.append(f"%q{k} = load {kind}, ptr {at}, align 8")
     factor = tuple(Lanes(program, f"%q{k}") for k in range(4))
     w, x, y, z = ((Lanes(program, f"%high{k}"), Lanes(program, f"%low{k}")) for k in range(4))
@@ -61,7 +61,7 @@ def _module() -> str:
         )
     )
     for k, (high, _) in enumerate(product):
-        at = program.value("ptr", f"getelementptr double, ptr %to, i64 {k}")
+        at = program.value(f"getelementptr double, ptr %to, i64 {k}")
         program.lines.append(f"store {kind} {high.name}, ptr {at}, align 8")
     states = [
         f"%{part}{k} = phi {kind} [ {program.constant(float(part == 'high' and k == 0))}, %start ], "
@@ -71,10 +71,7 @@ def _module() -> str:
     ]
     return "\n".join(
         [
-            *(
-                f"declare {kind} @llvm.{name}.v1f64({', '.join([kind] * n)})"
-                for name, n in (("fabs", 1), ("sqrt", 1), ("fma", 3))
-            ),
+            *calling.intrinsics("double", 1),
             "define i64 @entry(i64 %n, ptr %addresses) {",
             "start:",
             "%q = load ptr, ptr %addresses",

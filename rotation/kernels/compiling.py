@@ -5,7 +5,8 @@ from typing import Any
 from hfield.native import compiling
 from rotation.kernels import formulas
 from rotation.native import assembling
-from rotation.native.sweeping import Operand, Way, module
+from rotation.native.operands import Operand, Way
+from rotation.native.sweeping import module
 
 Kind = tuple[int, str, int, int]
 

@@ -12,7 +12,7 @@ from rotation import acting
 from rotation.coordinates import Coordinates, split, sum_of_squares
 from rotation.kernels.sincos import reachable, sincos
 from rotation.native import tracing
-from rotation.native.tracing import Rows
+from rotation.native.symbols import Rows
 from rotation.quaternions import normalise
 
 # Between these a squared length, times a coordinate between those, neither overflows nor loses digits.

@@ -37,10 +37,11 @@ def quaternions(points: Array, q: Array) -> Array:
     return rotated
 
 
-def euler(points: Array, angles: Array, axes: tuple[int, int, int], backward: bool) -> Array:
-    """Return the three rotations one after the other, by the last of the angles first if ``backward``."""
-    for k, axis in enumerate(axes):
-        points = axis_angle(points, np.eye(3)[axis], angles[..., 2 - k if backward else k])
+def euler(points: Array, angles: Array, axes: tuple[int, ...], backward: bool) -> Array:
+    """Return the rotations one after the other, by the last of the angles first if ``backward``."""
+    turns = np.moveaxis(angles, -1, 0)[:: -1 if backward else 1]
+    for axis, angle in zip(axes, turns, strict=True):
+        points = axis_angle(points, np.eye(3)[axis], angle)
     return points
 
 

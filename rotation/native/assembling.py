@@ -16,12 +16,11 @@ from typing import Any
 import numpy as np
 
 from hfield.native import compiling
-from rotation.native import tracing
+from rotation.native import calling, tracing
 from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
-from rotation.native.tracing import WIDTH, Lanes, Program, Rows
+from rotation.native.symbols import WIDTH, Lanes, Program, Rows
 
 AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
-_LIBRARY = {"sin": 1, "cos": 1, "atan": 1, "atan2": 2, "fmod": 2}
 
 Function = Callable[..., int]
 
@@ -68,7 +67,7 @@ def introduce() -> None:
     import llvmlite.binding as llvm
 
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
-    for name in _LIBRARY:
+    for name in calling.LIBRARY:
         address = ctypes.cast(getattr(system, name), ctypes.c_void_p).value
         llvm.add_symbol(f"rotation_{name}", address)
     for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
@@ -109,11 +108,6 @@ def _flat(values: Any) -> list[Any]:
     return [x for v in values for x in _flat(v)] if isinstance(values, tuple) else [values]
 
 
-def _mask(numbers: Any) -> str:
-    numbers = list(numbers)
-    return f"<{len(numbers)} x i32> <" + ", ".join(f"i32 {n}" for n in numbers) + ">"
-
-
 def _module(
     formula: Any,
     shapes: tuple[tuple[int, ...], ...],
@@ -130,13 +124,9 @@ def _module(
             arguments.append(Rows(shape, [Lanes(program, name) for name in columns]))
             continue
         kind = f"<{size * WIDTH} x double>"
-        whole = program.value(kind, f"load {kind}, ptr %in{number}, align 8")
+        whole = program.value(f"load {kind}, ptr %in{number}, align 8")
         columns = [
-            program.value(
-                "",
-                f"shufflevector {kind} {whole}, {kind} poison, "
-                + _mask(range(n, size * WIDTH, size)),
-            )
+            program.shuffled(kind, whole, "poison", range(n, size * WIDTH, size))
             for n in range(size)
         ]
         arguments.append(Rows(shape, [Lanes(program, name) for name in columns]))
@@ -150,23 +140,15 @@ def _module(
         bits = f"<{WIDTH} x i1>"
         some = program.told[0]
         for other in program.told[1:]:
-            some = program.value(bits, f"or {bits} {some}, {other}")
+            some = program.value(f"or {bits} {some}, {other}")
         said = "i1 " + program.some(some)
     inner = "\n".join(program.lines)
-    declared = [
-        f"declare double @rotation_{name}({', '.join(['double'] * n)})"
-        for name, n in _LIBRARY.items()
-    ]
-    intrinsics = [
-        f"declare <{WIDTH} x double> @llvm.{name}.v{WIDTH}f64({', '.join([f'<{WIDTH} x double>'] * n)})"
-        for name, n in (("fabs", 1), ("sqrt", 1), ("fma", 3))
-    ]
     pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(sizes)))
     text = "\n".join(
         [
-            *declared,
+            *calling.of_the_system(calling.LIBRARY),
             "declare void @llvm.prefetch.p0(ptr, i32, i32, i32)",
-            *intrinsics,
+            *calling.intrinsics("double", WIDTH),
             FRAME,
             f"define internal i1 @block({pointers}, ptr noalias %out) alwaysinline {{",
             "start:",
@@ -181,13 +163,8 @@ def _module(
 
 def _spread(program: Program, pointer: str, n: int) -> str:
     """Add the reading of one number into every row."""
-    at = program.value("ptr", f"getelementptr double, ptr {pointer}, i64 {n}")
-    one = program.value("", f"load double, ptr {at}, align 8")
-    first = program.value("", f"insertelement {program.kind} poison, double {one}, i32 0")
-    zeros = f"<{WIDTH} x i32> zeroinitializer"
-    return program.value(
-        "", f"shufflevector {program.kind} {first}, {program.kind} poison, {zeros}"
-    )
+    at = program.value(f"getelementptr double, ptr {pointer}, i64 {n}")
+    return program.spread(at, "double", 8)
 
 
 def _shape(values: Any) -> tuple[int, ...]:
@@ -201,19 +178,19 @@ def _store(program: Program, names: list[str]) -> None:
     if whole:
         for line in range(width):
             place = AHEAD * width + line
-            at = program.value("ptr", f"getelementptr {program.kind}, ptr %out, i64 {place}")
+            at = program.value(f"getelementptr {program.kind}, ptr %out, i64 {place}")
             program.lines.append(f"call void @llvm.prefetch.p0(ptr {at}, i32 1, i32 3, i32 1)")
     for first in range(0, whole, WIDTH):
         for row, name in enumerate(_transposed(program, names[first : first + WIDTH])):
-            at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + first}")
+            at = program.value(f"getelementptr double, ptr %out, i64 {row * width + first}")
             program.lines.append(f"store {program.kind} {name}, ptr {at}, align 8")
     if not whole:
         _store_few(program, names)
         return
     for k in range(whole, width):
         for row in range(WIDTH):
-            at = program.value("ptr", f"getelementptr double, ptr %out, i64 {row * width + k}")
-            one = program.value("", f"extractelement {program.kind} {names[k]}, i32 {row}")
+            at = program.value(f"getelementptr double, ptr %out, i64 {row * width + k}")
+            one = program.value(f"extractelement {program.kind} {names[k]}, i32 {row}")
             program.lines.append(f"store double {one}, ptr {at}, align 8")
 
 
@@ -224,10 +201,10 @@ def _transposed(program: Program, columns: list[str]) -> list[str]:
         for i in range(WIDTH):
             if i & d:
                 continue
-            pair = f"shufflevector {kind} {v[i]}, {kind} {v[i + d]}, "
-            upper = _mask(n + WIDTH - d if n & d else n for n in range(WIDTH))
-            lower = _mask(n + WIDTH if n & d else n + d for n in range(WIDTH))
-            v[i], v[i + d] = program.value("", pair + upper), program.value("", pair + lower)
+            a, b = v[i], v[i + d]
+            upper = (n + WIDTH - d if n & d else n for n in range(WIDTH))
+            lower = (n + WIDTH if n & d else n + d for n in range(WIDTH))
+            v[i], v[i + d] = (program.shuffled(kind, a, b, half) for half in (upper, lower))
     return v
 
 
@@ -240,17 +217,14 @@ def _store_few(program: Program, names: list[str]) -> None:
         for (_, a, length), (_, b, other) in zip(parts[::2], parts[1::2], strict=False):
             kind = f"<{length} x double>"
             if other < length:
-                b = program.value(
-                    "",
-                    f"shufflevector <{other} x double> {b}, <{other} x double> poison, "
-                    + _mask(n if n < other else 0 for n in range(length)),
-                )
-            text = f"shufflevector {kind} {a}, {kind} {b}, " + _mask(range(length + other))
-            joined.append((f"<{length + other} x double>", program.value("", text), length + other))
+                filled = (n if n < other else 0 for n in range(length))
+                b = program.shuffled(f"<{other} x double>", b, "poison", filled)
+            whole = program.shuffled(kind, a, b, range(length + other))
+            joined.append((f"<{length + other} x double>", whole, length + other))
         if len(parts) % 2:
             joined.append(parts[-1])
         parts = joined
     ((kind, whole, length),) = parts
     order = [c * WIDTH + r for r in range(WIDTH) for c in range(width)]
-    rows = program.value("", f"shufflevector {kind} {whole}, {kind} poison, {_mask(order)}")
+    rows = program.shuffled(kind, whole, "poison", order)
     program.lines.append(f"store {kind} {rows}, ptr %out, align 8")

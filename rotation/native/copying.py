@@ -1,6 +1,6 @@
 """Copies between strided rows and columns, in LLVM's notation."""
 
-from typing import Any
+from rotation.native.operands import Operand
 
 _COPY = """
 define internal void @copySIZE(
@@ -51,7 +51,7 @@ def copy(size: int) -> str:
     return _COPY.replace("BITS", str(8 * size)).replace("SIZE", str(size))
 
 
-def copy_call(operand: Any, to: str, source: str, rows: int | str) -> str:
+def copy_call(operand: Operand, to: str, source: str, rows: int | str) -> str:
     """Write a call that copies an operand's rows; the last of ``%m`` is repeated where there are more."""
     last = "%last" if isinstance(rows, int) else rows
     return (

@@ -1,6 +1,6 @@
 """The loop around a formula, in LLVM's notation: from headers of numpy's arrays to blocks of eight rows."""
 
-from rotation.native.tracing import WIDTH
+from rotation.native.symbols import WIDTH
 
 FREE = 2048  # rows for which it pays to free the interpreter lock
 _HEAD = object.__basicsize__

@@ -4,6 +4,7 @@ import base64
 import io
 import json
 import os
+import select
 import shutil
 import subprocess
 import time
@@ -20,7 +21,8 @@ FLAGS = (
     *("--headless=new", "--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader"),
     *("--enable-unsafe-swiftshader", "--no-first-run", "--disable-dev-shm-usage", "--remote-debugging-pipe"),
 )  # fmt: skip
-PATIENCE = 60.0  # seconds for any one answer
+# Seconds for any one answer: no bound on how quick the browser is, but the end of a wait for one that hangs.
+PATIENCE = 120.0
 
 
 class Browser:
@@ -77,18 +79,21 @@ class Browser:
             message["sessionId"] = self.session
         os.write(self._out, json.dumps(message).encode() + b"\0")
         number = self._number
+        deadline = time.monotonic() + PATIENCE
         while True:
-            answer = self._receive()
+            answer = self._receive(method, deadline)
             if answer.get("id") == number:
                 assert "error" not in answer, (method, answer["error"])
                 return answer["result"]
 
-    def _receive(self) -> dict[str, Any]:
-        deadline = time.monotonic() + PATIENCE
+    def _receive(self, method: str, deadline: float) -> dict[str, Any]:
+        """Return the next thing that the browser says while it is to answer ``method``."""
         while b"\0" not in self._buffer:
-            assert time.monotonic() < deadline, "the browser does not answer"
+            left = max(0.0, deadline - time.monotonic())
+            if not select.select([self._in], [], [], left)[0]:  # a read would wait for ever
+                raise TimeoutError(f"no answer to {method} in {PATIENCE:g} s: the browser hangs")
             part = os.read(self._in, 1 << 20)
-            assert part, "the browser has gone"
+            assert part, f"the browser has gone before it answered {method}"
             self._buffer += part
         text, _, self._buffer = self._buffer.partition(b"\0")
         event: dict[str, Any] = json.loads(text)
@@ -129,7 +134,8 @@ class Browser:
         """Wait until an expression is true."""
         deadline = time.monotonic() + PATIENCE
         while not self.evaluate(condition):
-            assert time.monotonic() < deadline, f"never true: {condition}"
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"not true in {PATIENCE:g} s: {condition}")
             time.sleep(0.02)
 
     def picture(self) -> NDArray[np.int64]:

@@ -195,6 +195,8 @@ def test_one_two_and_three_angles(seq: tuple[int, ...], backward: bool) -> None:
     for axis, k in zip(seq, range(len(seq))[:: -1 if backward else 1], strict=True):
         expected = twins.axis_angle(expected, np.eye(3)[axis], angles[:, k])
     np.testing.assert_allclose(out, expected, rtol=0, atol=2e-14)
+    plain = twins.euler(POINTS, angles, seq, backward)
+    np.testing.assert_allclose(plain, expected, rtol=0, atol=2e-14)
 
 
 def test_threads_share_the_blocks_and_rare_rows_are_told_of_in_each() -> None:

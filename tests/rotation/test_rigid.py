@@ -16,7 +16,7 @@ from rotation import (
     left_jacobian,
     sclerp,
 )
-from rotation.rigid_motions import dual_product
+from tests.rotation.dual_numbers import Dual, dual_product
 
 scipy = pytest.importorskip("scipy.spatial.transform")
 RNG = np.random.default_rng(7)
@@ -103,7 +103,6 @@ def test_dual_quaternions_multiply_as_motions_do() -> None:
 
 def test_the_product_over_dual_numbers_is_that_of_the_ring() -> None:
     from hfield import product
-    from rotation.dual_numbers import Dual
 
     e, one = Dual(0.0, 1.0), 1.0
     assert e * e == Dual(0.0, 0.0)

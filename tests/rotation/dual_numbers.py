@@ -8,7 +8,11 @@ The same ring as QQ[ε]/(ε²), on floats. A unit quaternion over it is a rigid 
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from hfield import product as formula
 from rotation.namespaces import Array
+from rotation.quaternions import HAMILTON
 
 
 @dataclass(frozen=True, slots=True, eq=True)
@@ -45,3 +49,10 @@ class Dual:
 
 def _parts(value: Any) -> tuple[Array, Array]:
     return (value.real, value.dual) if isinstance(value, Dual) else (value, 0.0)
+
+
+def dual_product(p: Array, q: Array) -> Array:
+    """Return products of dual quaternions (…, 8): the one formula of `hfield`, over dual numbers."""
+    a, b = (tuple(Dual(x[..., n], x[..., n + 4]) for n in range(4)) for x in (p, q))
+    whole = formula.multiply(HAMILTON, a, b)
+    return np.stack([*(c.real for c in whole), *(c.dual for c in whole)], axis=-1)
