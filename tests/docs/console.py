@@ -28,6 +28,7 @@ NOT_RUN = {
     "doctor",
     "report",
 }
+SHELL = set("();<>|&")  # what asks more of a shell than to run one command
 
 
 @dataclass
@@ -42,17 +43,15 @@ class Line:
     @property
     def words(self) -> list[str] | None:
         """The words after ``hfield``, where it is run at all."""
-        if (
-            any(sign in self.typed for sign in ("|", "&&", ">", "<", "$(", ";"))
-            and "'" not in self.typed
-        ):
-            return None
+        lexer = shlex.shlex(self.typed, posix=True, punctuation_chars=True)
+        lexer.whitespace_split = True
         try:
-            words = shlex.split(self.typed, comments=True)
+            words = list(lexer)
         except ValueError:
             return None
-        plain = words[:1] == ["hfield"] and not {"|", "&&", ">", "<", "&"} & set(words)
-        if not plain or not words[1:] or words[1] in NOT_RUN or "--coq" in words:
+        if any(set(word) <= SHELL for word in words if word):
+            return None
+        if words[:1] != ["hfield"] or not words[1:] or words[1] in NOT_RUN or "--coq" in words:
             return None
         return words[1:]
 
