@@ -18,6 +18,7 @@ from hfield.errors import (
 )
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
+from hfield.order_makers import OrderMakers
 from hfield.product import Constants
 from hfield.quaternion import Quaternion, held_by, is_many
 from hfield.rings import ring as read_ring
@@ -27,7 +28,7 @@ from hfield.rings.holding import Batch, Holding
 LISTED = 10_000
 
 
-class QuaternionAlgebra(Invariants, ArrayMakers):
+class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Calling the

@@ -12,11 +12,10 @@ import os
 import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
-from shutil import get_terminal_size
 
 from hfield import __version__
 from hfield.commands.catalogue import command, summaries
-from hfield.commands.output import encodable
+from hfield.commands.output import encodable, terminal_width
 from hfield.commands.status import STATUS, Waiting
 from hfield.errors import HFieldError, shorten
 
@@ -72,7 +71,7 @@ def _fail(message: str, status: int) -> int:
     if sys.stderr.isatty():
         from textwrap import fill
 
-        width = min(100, get_terminal_size((100, 24)).columns)
+        width = terminal_width()
         line = fill(line, width, subsequent_indent="  ", break_on_hyphens=False)
     print(encodable(line, sys.stderr), file=sys.stderr)
     return status
@@ -97,7 +96,7 @@ def _dispatch(words: list[str]) -> int:
 def _help() -> str:
     from textwrap import fill
 
-    width = min(100, get_terminal_size((100, 24)).columns)
+    width = terminal_width()
     lines = [
         "usage: hfield COMMAND [OPTION]…",
         "",

@@ -27,7 +27,7 @@ FLOORS = [
     {"hfield.element_text"},
     {"hfield.quaternion"},
     {"hfield.functions", "hfield.maps", "hfield.array_makers", "hfield.lattices"},
-    {"hfield.invariants"},
+    {"hfield.invariants", "hfield.order_makers"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
     {"hfield.proving"},

@@ -16,9 +16,8 @@ from hfield.certificates.rejection import kind_of, reject, shown
 from hfield.certificates.statement import Setting, Statement, read_tree
 
 Check = Callable[[Statement, Setting, object], Finding]
-Shown = tuple[
-    str, bool, str
-]  # the verdict, whether the statement says "exists", the kind of evidence
+# The verdict, whether the statement says "exists", the kind of evidence.
+Shown = tuple[str, bool, str]
 
 
 @cache

@@ -47,21 +47,21 @@ class Rules:
 
     def __init__(self, expansion: Expansion, setting: Setting, place: Place, facts: object) -> None:
         self.expansion, self.setting, self.place = expansion, setting, place
-        self.norms: dict[
-            str, Evaluator[Quotient, Formula]
-        ] = {}  # by the algebra; "" is that of the statement
+        # By the algebra; "" is that of the statement.
+        self.norms: dict[str, Evaluator[Quotient, Formula]] = {}
         self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
         self.roots = False
         self.cites: dict[str, None] = {}
         entries = a_list(facts, "facts")
         if len(entries) > MAX_FACTS:
             reject(f"there are {len(entries)} facts; at most {MAX_FACTS} are read")
-        for fact in entries:
-            form = keyed(fact, "a fact").get("form")
+        for entry in entries:
+            fact = keyed(entry, "a fact")
+            form = fact.get("form")
             if setting.field is None or not setting.field.is_field:
                 reject("facts are about a field that is named")
             if form == "norm":
-                self._norm(keyed(fact), setting.field)
+                self._norm(fact, setting.field)
             elif form == "squares" and self.squares is None:
                 self._squares(fact, setting.field)
             elif form == "roots" and not self.roots:

@@ -6,14 +6,15 @@ from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from hfield.commands.orders import (
-    add_certificate,
+    add_answers,
     add_where,
     algebra_of,
     level_of,
+    open_answers,
     write_certificate,
 )
-from hfield.commands.output import fitted, open_output
-from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
+from hfield.commands.output import fitted
+from hfield.commands.parser import UsageError
 
 HELP = (
     "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ, compare with "
@@ -28,10 +29,7 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_where(parser)
     parser.add_argument("--formula", action="store_true", help="enumerate nothing")
-    add_certificate(parser)
-    add_factors(parser)
-    add_format(parser, "plain", "json", "latex")
-    add_output(parser)
+    add_answers(parser)
 
 
 def run(args: Namespace) -> int:
@@ -40,11 +38,7 @@ def run(args: Namespace) -> int:
         raise UsageError(
             "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
         )
-    with (
-        given_factors(args),
-        open_output(args.output) as out,
-        open_output(args.certificate) as file,
-    ):
+    with open_answers(args) as (out, file):
         A, level = algebra_of(args.algebra), level_of(args.level)
         O = A.eichler_order(level)
         number, mass = A.class_number(level), O.mass()

@@ -146,7 +146,7 @@ def _exhausted(A: QuaternionAlgebra) -> Counts:
     return Counts(A, lines, found.elements)
 
 
-def count_lines(result: Counts, width: int = 100) -> list[str]:
+def count_lines(result: Counts, width: int) -> list[str]:
     """Lay out the counts in columns, and wrap what is said of them."""
     from textwrap import wrap
 

@@ -6,11 +6,10 @@ import platform
 import sys
 from argparse import ArgumentParser, Namespace
 from importlib.metadata import PackageNotFoundError, requires, version
-from shutil import get_terminal_size, which
-from textwrap import wrap
+from shutil import which
 
 from hfield import __version__
-from hfield.commands.output import open_output
+from hfield.commands.output import fitted, open_output
 from hfield.commands.parser import add_format, add_output
 
 HELP = (
@@ -51,7 +50,7 @@ def run(args: Namespace) -> int:
                 {"schema": "hfield-doctor/1", "version": __version__, "python": python, **found}
             )
         else:
-            out.write("\n".join(_page(needed, optional | programs)))
+            out.write("\n".join(_page(needed, optional | programs, out.style().width)))
     return int(None in needed.values())
 
 
@@ -71,8 +70,7 @@ def _version(name: str) -> str | None:
         return None
 
 
-def _page(needed: dict[str, str | None], others: dict[str, str | None]) -> list[str]:
-    width = min(100, get_terminal_size((100, 24)).columns)
+def _page(needed: dict[str, str | None], others: dict[str, str | None], width: int) -> list[str]:
     encoding = getattr(sys.stdout, "encoding", None) or "unknown"
     lines = [
         f"hfield {__version__} on Python {platform.python_version()}, {platform.system()}",
@@ -89,6 +87,6 @@ def _page(needed: dict[str, str | None], others: dict[str, str | None]) -> list[
     for name, (how, adds) in (OPTIONAL | PROGRAMS).items():
         found = others[name]
         told = [found] if found else [f"missing; it adds {adds}", how]
-        beside = [line for text in told for line in wrap(text, width - 19, break_on_hyphens=False)]
-        lines += [f"  {'' if n else name:<16} {line}" for n, line in enumerate(beside)]
+        labels = [f"  {name}", ""]
+        lines.append(fitted(zip(labels, told, strict=False), 18, width))
     return lines

@@ -6,15 +6,15 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from hfield.commands.orders import (
-    add_certificate,
+    add_answers,
     add_where,
     algebra_of,
     elements_of,
     level_of,
+    open_answers,
     write_certificate,
 )
-from hfield.commands.output import fitted, open_output
-from hfield.commands.parser import add_factors, add_format, add_output, given_factors
+from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
@@ -42,19 +42,12 @@ def configure(parser: ArgumentParser) -> None:
     group = parser.add_mutually_exclusive_group()
     group.add_argument("--with", dest="other", metavar="X,Y,…", help="generators of another ideal")
     group.add_argument("--principal", action="store_true", help="ask for a generator")
-    add_certificate(parser)
-    add_factors(parser)
-    add_format(parser, "plain", "json", "latex")
-    add_output(parser)
+    add_answers(parser)
 
 
 def run(args: Namespace) -> int:
     """Make the ideal, ask what is asked, and print."""
-    with (
-        given_factors(args),
-        open_output(args.output) as out,
-        open_output(args.certificate) as file,
-    ):
+    with open_answers(args) as (out, file):
         I, answer = _asked(args)
         if args.certificate is not None:
             write_certificate(file, I.claim if answer is None else answer)

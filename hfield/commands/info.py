@@ -62,9 +62,10 @@ def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Calla
             parts = [page_latex(description), *([count_latex(counted)] if counted else [])]
             out.write_latex("\n\n".join(parts), args.standalone)
             return
-        lines = page(description, out.style().width)
+        width = out.style().width
+        lines = page(description, width)
         if counted is not None:
-            lines += ["", "Counts", *count_lines(counted)]
+            lines += ["", "Counts", *count_lines(counted, width)]
         out.write("\n".join(lines))
 
     return 0, data, show

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.commands.orders import (
     add_algebra,
-    add_certificate,
+    add_answers,
     algebra_of,
     elements_of,
     level_of,
+    open_answers,
     write_certificate,
 )
-from hfield.commands.output import fitted, open_output
-from hfield.commands.parser import add_factors, add_format, add_output, given_factors
+from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order
@@ -36,19 +36,12 @@ def configure(parser: ArgumentParser) -> None:
     group.add_argument(
         "--extremal", action="store_true", help="the p-extremal order where KLPT starts"
     )
-    add_certificate(parser)
-    add_factors(parser)
-    add_format(parser, "plain", "json", "latex")
-    add_output(parser)
+    add_answers(parser)
 
 
 def run(args: Namespace) -> int:
     """Make the order, and print what it is."""
-    with (
-        given_factors(args),
-        open_output(args.output) as out,
-        open_output(args.certificate) as file,
-    ):
+    with open_answers(args) as (out, file):
         O = _made(args)
         if args.certificate is not None:
             write_certificate(file, O.claim)

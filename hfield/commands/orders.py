@@ -1,12 +1,14 @@
-"""What the commands about orders, ideals and classes share: the algebra, the level, the certificate."""
+"""What the commands about orders, ideals and classes share: the algebra, the level, where answers go."""
 
 from __future__ import annotations
 
-from argparse import ArgumentParser
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import Sink, note
-from hfield.commands.parser import UsageError
+from hfield.commands.output import Sink, note, open_output
+from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -16,9 +18,23 @@ if TYPE_CHECKING:
     from hfield.quaternion import Quaternion
 
 
-def add_certificate(parser: ArgumentParser) -> None:
-    """Declare the file for a certificate."""
+def add_answers(parser: ArgumentParser) -> None:
+    """Declare the file for a certificate, the primes that are known, formats and the output."""
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+    add_factors(parser)
+    add_format(parser, "plain", "json", "latex")
+    add_output(parser)
+
+
+@contextmanager
+def open_answers(args: Namespace) -> Iterator[tuple[Sink, Sink]]:
+    """Open the places of the answer and of the certificate; inside, the primes that are known are used."""
+    with (
+        given_factors(args),
+        open_output(args.output) as out,
+        open_output(args.certificate) as file,
+    ):
+        yield out, file
 
 
 def write_certificate(file: Sink, claim: Claim | Answer) -> None:

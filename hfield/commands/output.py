@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING, TextIO
 
 from hfield.atomic import whole_file
@@ -27,6 +28,7 @@ _PLAIN |= {"“": '"', "”": '"', "–": "-", "—": "-", "ł": "l", "Ł": "L",
 _PLAIN |= {"θ": "theta", "†": "+", "│": "|", "─": "-", "┼": "+", "→": "->", "≥": ">=", "∞": "oo"}
 _PLAIN |= {"⟨": "<", "⟩": ">", "↦": "->", "≅": "="}
 _PLAIN |= {"\u0304": "'"}  # q̄ becomes q'
+WIDEST = 100  # letters of a line, however wide the terminal is
 _POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
@@ -70,15 +72,18 @@ class Sink:
 
     def style(self) -> Style:
         """Return what this place can show: its width, unicode, colours."""
-        from shutil import get_terminal_size
-
         from hfield.ledger.matrix import Style
 
         terminal = self.stream.isatty()
         colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
         asked = terminal or os.environ.get("COLUMNS")  # a pipe or a file has a width if it is said
-        width = min(100, get_terminal_size((100, 24)).columns) if asked else 100
+        width = terminal_width() if asked else WIDEST
         return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
+
+
+def terminal_width() -> int:
+    """Return how wide lines for people may be: as wide as the terminal, as far as that is not too wide."""
+    return min(WIDEST, get_terminal_size((WIDEST, 24)).columns)
 
 
 def fitted(facts: Iterable[tuple[str, str]], margin: int, width: int) -> str:

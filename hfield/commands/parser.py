@@ -7,11 +7,10 @@ import sys
 from argparse import REMAINDER, ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
-from shutil import get_terminal_size
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from hfield.commands.output import encodable
+from hfield.commands.output import encodable, terminal_width
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
@@ -55,7 +54,7 @@ class Parser(ArgumentParser):
         """Return the usage, each option whole on its line, however narrow the terminal is."""
         text = " ".join(super().format_usage().split())
         whole = _OPTION.sub(lambda found: found[0].replace(" ", "\0"), text)
-        width = min(100, get_terminal_size((100, 24)).columns)
+        width = terminal_width()
         lines = wrap(whole, width, subsequent_indent=" " * 8, break_on_hyphens=False)
         return "\n".join(lines).replace("\0", " ") + "\n"
 
@@ -112,7 +111,7 @@ class Parser(ArgumentParser):
 
 def _fitted(examples: Sequence[str]) -> list[str]:
     """Indent lines for a shell; one wider than the terminal goes on below, as a shell reads it."""
-    width = min(100, get_terminal_size((100, 24)).columns)
+    width = terminal_width()
     lines: list[str] = []
     for example in examples:
         if len(example) + 2 <= width:

@@ -98,15 +98,12 @@ def _write_page(
 
 
 def _chapters(args: Namespace) -> list[str]:
-    """Return the names of the chapters that are wanted. Raises :class:`UsageError`."""
-    from hfield.report.chapters import names
+    """Return the names of the chapters that are wanted. Raises :class:`ChapterError`."""
+    from hfield.report.chapters import names, require
 
     asked = args.chapters or ("none" if args.ledgers else "all")
     if asked in ("all", "none"):
         return names() if asked == "all" else []
-    wanted = [word.strip() for word in asked.split(",") if word.strip()]
-    for word in wanted:
-        if word not in names():
-            known = ", ".join(names()) or "none is installed"
-            raise UsageError(f"there is no chapter {shorten(word)!r}; there are {known}")
-    return list(dict.fromkeys(wanted))
+    wanted = list(dict.fromkeys(word.strip() for word in asked.split(",") if word.strip()))
+    require(wanted)
+    return wanted

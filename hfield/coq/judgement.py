@@ -14,7 +14,7 @@ from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.coq.universal import conjunction, exhausted, implied, multilinear
 from hfield.coq.witnesses import counterexample, example
-from hfield.proving.statements.language import Sort, Statement, read_statement
+from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
 from hfield.proving.statements.trees import walk
@@ -79,7 +79,7 @@ class Judgement:
         field, statement = self.setting.field, self.statement
         if field is None or field.order is None or not (statement.divides or self.setting.divides):
             return False
-        width = sum(1 if sort is Sort.SCALAR else 4 for _, sort in statement.unknowns)
+        width = sum(sort.width for _, sort in statement.unknowns)
         return bool(field.is_field and field.order**width <= FEW)
 
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:

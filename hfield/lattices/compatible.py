@@ -9,19 +9,17 @@ and no Hermite form of sixteen rows is needed.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz, fmpz_mat
 
 from hfield.lattices import hermite
+from hfield.lattices.regular import PAIRS
 
 if TYPE_CHECKING:
     import flint
 
     from hfield.lattices.ideal import Ideal
-
-PAIRS = list(combinations(range(4), 2))
 
 
 def product(first: Ideal, second: Ideal) -> tuple[int, flint.fmpz_mat] | None:

@@ -14,11 +14,12 @@ from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpq, fmpz_mat
+from flint import fmpz_mat
 
 from hfield.errors import RingError
 from hfield.lattices.hermite import integral
 from hfield.product import Constants, conjugate, multiply, trace
+from hfield.rings.rational import fmpq
 from hfield.rings.rational_places import INFINITE
 from hfield.structure.forms import discriminant
 from hfield.structure.rationals.hilbert_rationals import ramified_places_q
@@ -43,7 +44,7 @@ class Regular:
 
     def __init__(self, constants: Constants) -> None:
         self.constants = constants
-        c = Constants(*(fmpq(x.numerator, x.denominator) for x in constants))
+        c = Constants(*map(fmpq, constants))
         left = [[multiply(c, u, v) for v in UNITS] for u in UNITS]
         form = [[trace(c, multiply(c, u, conjugate(c, v))) for v in UNITS] for u in UNITS]
         self.scale = math.lcm(

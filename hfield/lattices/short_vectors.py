@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
@@ -16,9 +16,6 @@ from hfield.lattices.given import natural
 from hfield.lattices.regular import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
-
-if TYPE_CHECKING:
-    pass
 
 MANY = 10**6
 """More vectors than this are not listed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
@@ -110,6 +111,14 @@ class Row:
             "undecided",
             "refuted",
         )
+
+
+def by_claim(rows: Iterable[Row]) -> list[list[Row]]:
+    """Return the rows of each claim together, claims in the order in which they appear first."""
+    found: dict[str, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row.claim.id, []).append(row)
+    return list(found.values())
 
 
 def decide(claim: Claim, field: str) -> Row:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, by_claim
 from hfield.ledger.columns import panel_order
 from hfield.ledger.evaluated import evaluated
 from hfield.ledger.wording import STATED_FIELD, name_fields, pretty, witness_text
@@ -82,10 +82,7 @@ class Erratum:
 
 def errata(rows: Sequence[Row]) -> list[Erratum]:
     """Return the claims that are refuted in some row, in the order of the ledger."""
-    by_claim: dict[str, list[Row]] = {}
-    for row in rows:
-        by_claim.setdefault(row.claim.id, []).append(row)
-    found = (Erratum(group[0].claim, tuple(group)) for group in by_claim.values())
+    found = (Erratum(group[0].claim, tuple(group)) for group in by_claim(rows))
     return [erratum for erratum in found if erratum.refuted]
 
 

@@ -36,16 +36,23 @@ def names() -> list[str]:
     return sorted(entry_points(group=GROUP).names)
 
 
+def require(wanted: Sequence[str]) -> None:
+    """Raise :class:`ChapterError` for a name that no package brings."""
+    known = names()
+    for name in wanted:
+        if name not in known:
+            listed = ", ".join(known) or "none is installed"
+            raise ChapterError(f"there is no chapter {shorten(name)!r}; there are {listed}")
+
+
 def chapters(
     wanted: Sequence[str], language: str, progress: Progress | None = None
 ) -> list[Chapter]:
     """Make the chapters named, in the order of their sections. Raises :class:`ChapterError`."""
+    require(wanted)
     points = entry_points(group=GROUP)
     made = []
     for done, name in enumerate(wanted):
-        if name not in points.names:
-            known = ", ".join(names()) or "none is installed"
-            raise ChapterError(f"there is no chapter {shorten(name)!r}; there are {known}")
         if progress:
             progress(done, len(wanted), f"chapter {name}")
         chapter = points[name].load()(language)

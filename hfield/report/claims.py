@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
+from itertools import groupby
 
 from hfield.errors import shorten
-from hfield.ledger.claim import Claim, Row
+from hfield.ledger.claim import Row, by_claim
+from hfield.ledger.matrix import tally
 from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.report.certified import Certificates
@@ -19,22 +21,20 @@ Alike = tuple[str, str, str, str]
 
 def claims_html(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
     """Set all claims, by section."""
-    by_claim: dict[Claim, list[Row]] = {}
-    for row in rows:
-        by_claim.setdefault(row.claim, []).append(row)
-    parts, section = [], ""
-    for claim, own in by_claim.items():
-        if claim.section != section:
-            parts += ["</section>"] if section else []
-            section = claim.section
-            parts.append(
-                f'<section class="of-section"><h3>{words["section"]} {escape(section)}</h3>'
-            )
-        parts.append(_article(claim, own, certificates, words))
-    return "\n".join([*parts, "</section>"])
+    sections = groupby(by_claim(rows), key=lambda own: own[0].claim.section)
+    return "\n".join(_section(name, own, certificates, words) for name, own in sections)
 
 
-def _article(claim: Claim, rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+def _section(
+    name: str, claims: Iterable[Sequence[Row]], certificates: Certificates, words: Words
+) -> str:
+    title = f'<section class="of-section"><h3>{words["section"]} {escape(name)}</h3>'
+    articles = (_article(own, certificates, words) for own in claims)
+    return "\n".join([title, *articles, "</section>"])
+
+
+def _article(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+    claim = rows[0].claim
     name = anchor(claim.id)
     refuted = any(row.as_printed.verdict == REFUTED for row in rows)
     facts = [(words["statement"], f'<p lang="en">{escape(claim.statement)}</p>')]
@@ -71,10 +71,9 @@ def _decisions(rows: Sequence[Row], certificates: Certificates, words: Words) ->
     if all(row.as_printed.verdict == NOT_APPLICABLE for row in rows):
         return f'<p class="none">{verdict_html(NOT_APPLICABLE, words)}</p>'
     groups = sorted(alike.values(), key=lambda group: VERDICTS.index(group[0].as_printed.verdict))
-    counts = dict.fromkeys(row.as_printed.verdict for group in groups for row in group)
+    counts = tally(rows)
     title = " ".join(
-        f"{verdict_html(v, words)}<span> × {sum(row.as_printed.verdict == v for row in rows)}</span>"
-        for v in counts
+        f"{verdict_html(v, words)}<span> × {counts[v]}</span>" for v in VERDICTS if counts[v]
     )
     head = ("verdict", "over", "method", "witness", "corrected")
     used = head if any(row.as_corrected is not None for row in rows) else head[:-1]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
+from itertools import groupby
 
 from hfield.ledger.claim import Claim, Row
 from hfield.ledger.matrix import MARKS, columns_of, tally
@@ -95,24 +96,23 @@ def matrix_html(rows: Sequence[Row], words: Words) -> str:
         + "</th>"
         for f in fields
     )
-    bodies, section = [], ""
-    for claim in dict.fromkeys(row.claim for row in rows):
-        if claim.section != section:
-            bodies += ["</tbody>"] if section else []
-            section = claim.section
-            title = f"{words['section']} {escape(section)}"
-            bodies.append(
-                f'<tbody data-s="{escape(section)}"><tr class="group"><th scope="rowgroup"'
-                f' colspan="{len(fields) + 1}">{title}</th></tr>'
-            )
-        cells = "".join(_cell(verdicts.get((claim.id, field)), words) for field in fields)
-        bodies.append(f"{_line(claim)}{cells}</tr>")
+    claims = dict.fromkeys(row.claim for row in rows)
+    bodies = ""
+    for section, own in groupby(claims, key=lambda claim: claim.section):
+        bodies += (
+            f'<tbody data-s="{escape(section)}"><tr class="group"><th scope="rowgroup"'
+            f' colspan="{len(fields) + 1}">{words["section"]} {escape(section)}</th></tr>'
+        )
+        for claim in own:
+            cells = (_cell(verdicts.get((claim.id, field)), words) for field in fields)
+            bodies += f"{_line(claim)}{''.join(cells)}</tr>"
+        bodies += "</tbody>"
     legend = " ".join(verdict_html(v, words) for v in VERDICTS)
     return (
         f'<p class="legend">{legend}</p><div class="scroll tall" tabindex="0" role="group"'
         f' aria-labelledby="matrix-caption"><table class="matrix"><caption id="matrix-caption" class="vh">'
         f'{words["matrix"]}</caption><thead><tr><th scope="col">{words["claim"]}</th>{top}</tr></thead>'
-        f"{''.join(bodies)}</tbody></table></div>"
+        f"{bodies}</table></div>"
     )
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import groupby
 
 from hfield.latex import document, words
-from hfield.ledger.claim import Claim, Row
+from hfield.ledger.claim import Row, by_claim
 from hfield.ledger.paper import explanation, marks, slips
 from hfield.ledger.report import totals
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS
@@ -23,16 +24,10 @@ def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) 
     title = said["thesis"] if ledger is None else f"{ledger}: {said['title']}"
     parts = [words(said["made_by"].format(version=__version__)), words(said["about"])]
     parts += [rf"\section*{{{words(said['matrix'])}}}", marks(rows), words(totals(rows))]
-    by_claim: dict[Claim, list[Row]] = {}
-    for row in rows:
-        by_claim.setdefault(row.claim, []).append(row)
     parts.append(rf"\section*{{{words(said['claims'])}}}")
-    section = ""
-    for claim, own in by_claim.items():
-        if claim.section != section:
-            section = claim.section
-            parts.append(rf"\subsection*{{{words(said['section'])} {words(section)}}}")
-        parts.append(explanation(_telling(own)))
+    for section, claims in groupby(by_claim(rows), key=lambda own: own[0].claim.section):
+        parts.append(rf"\subsection*{{{words(said['section'])} {words(section)}}}")
+        parts += [explanation(_telling(own)) for own in claims]
     parts += [rf"\section*{{{words(said['errata'])}}}", slips(rows) or words(said["no_errata"])]
     return document("\n\n".join(parts), title)
 

@@ -6,15 +6,16 @@ order comes from a form minimised at every prime.
 """
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
-from flint import fmpq
+import flint
 
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, multiply
+from hfield.rings.rational import fmpq
 from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:
@@ -22,7 +23,7 @@ def maximal_basis(c: Constants) -> list[Coordinates]:
 
     The constants are Fractions. Raises :class:`UndecidedError` when they are too hard to factor.
     """
-    c = Constants(*(fmpq(x.numerator, x.denominator) for x in c))  # quicker than Fractions
+    c = Constants(*map(fmpq, c))  # quicker than Fractions
     a, t, b = c
     square = a + t * t / 4
     zero, one = fmpq(0), fmpq(1)
@@ -34,13 +35,13 @@ def maximal_basis(c: Constants) -> list[Coordinates]:
     for x in (square, b, half):
         primes |= set(factorise(int(x.numerator))) | set(factorise(int(x.denominator)))
     for p in sorted(primes):
-        minimise(conic, lattice, PrimePlace(p, fmpq))
+        minimise(conic, lattice, PrimePlace(p, flint.fmpq))
     u, v, w = (_pure(t, vector) for vector in lattice.basis)
     s = -lattice.scale
     products = (multiply(c, p, q) for p, q in ((v, w), (w, u), (u, v)))
     scaled = [(s * q[0], s * q[1], s * q[2], s * q[3]) for q in products]
     basis = [(one, zero, zero, zero), *scaled]
-    return [tuple(Fraction(int(x.numerator), int(x.denominator)) for x in q) for q in basis]  # type: ignore[misc]
+    return [tuple(map(fraction, q)) for q in basis]  # type: ignore[misc]
 
 
 def _pure(t: Any, v: Sequence[Any]) -> Coordinates:

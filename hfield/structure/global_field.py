@@ -89,6 +89,16 @@ class GlobalField(ABC):
         Raises :class:`RingError` for a 0 and for a place that is none.
         """
 
+    def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[Any, Any]:
+        """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
+        a, b = self.ring(a), self.ring(b)
+        even = self.ring.characteristic == 2
+        if self.ring.is_zero(b) or (self.ring.is_zero(a) and not even):
+            raise RingError(
+                "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
+            )
+        return a, b
+
     @abstractmethod
     def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return the places where a form does not split: finite ones ascending, then infinite ones.

@@ -26,7 +26,8 @@ def width(unknowns: Widths) -> int:
     return sum(n for _, n in unknowns)
 
 
-def _assigned(unknowns: Widths, columns: Any) -> dict[str, Any]:
+def assigned(unknowns: Widths, columns: Any) -> dict[str, Any]:
+    """Give unknowns their coordinates in order: one by itself, four as a tuple."""
     out, at = {}, 0
     for name, n in unknowns:
         out[name] = columns[at] if n == 1 else tuple(columns[at : at + n])
@@ -66,9 +67,9 @@ def _false(
     claim: Claim, scalars: Places | Modular, given: np.ndarray, bound: np.ndarray | None = None
 ) -> np.ndarray:
     """Return where hypotheses hold and the conclusion does not, the algebra being defined."""
-    values = _assigned(claim.given, given)
+    values = assigned(claim.given, given)
     if bound is not None:
-        values |= _assigned(claim.bound, bound)
+        values |= assigned(claim.bound, bound)
     world = World(scalars, claim.constants, values)
     right = world.truth(claim.conclusion)
     for h in claim.hypotheses:
@@ -107,7 +108,7 @@ def _first(claim: Claim, union: Union, where: np.ndarray, local: np.ndarray) -> 
     if not wrong.any():
         return None
     at = int(np.argmax(wrong))
-    values = _assigned(claim.given, local[:, at].tolist())
+    values = assigned(claim.given, local[:, at].tolist())
     return f"false over {union.tables[where[at]].name} at {values}"
 
 

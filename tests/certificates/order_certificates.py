@@ -9,7 +9,7 @@ import pytest
 from hfield import QuaternionAlgebra
 from hfield.certificates.check import Established, Pin, check_text
 from hfield.certificates.rejection import Rejected
-from tests.certificates.cases import Certificate
+from tests.certificates.cases import Certificate, certified
 
 ALGEBRAS = ((-1, -11, 0), (-1, -1, 0), ("-1/2", "-5/3", 0), (-1, -3, 1), (2, 3, 0), (-7, -1, 0))
 LIPSCHITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
@@ -57,24 +57,8 @@ def true_ones() -> list[Certificate]:
 
 def about(statement: str, evidence: Any, **changes: Any) -> Certificate:
     kind = statement.partition("{")[0]
-    data = {
-        "schema": "hfield-cert/1",
-        "statement": statement,
-        "algebra": "(-1,-1|QQ)",
-        "field": "QQ",
-    }
-    data |= {"verdict": "proved", "method": kind, "assumes": []}  # type: ignore[dict-item]
-    return {**data, "evidence": {"kind": kind, **evidence}, **changes}
+    return {**certified(statement, "QQ", kind, {"kind": kind, **evidence}), **changes}
 
 
 def order(rows: str, n: int | str, algebra: str = "(-1,-1|QQ)", more: str = "") -> Certificate:
-    return {
-        "schema": "hfield-cert/1",
-        "statement": f"order{{{rows}; {n}{more}}}",
-        "algebra": algebra,
-        "field": "QQ",
-        "verdict": "proved",
-        "method": "order",
-        "assumes": [],
-        "evidence": {"kind": "order"},
-    }
+    return about(f"order{{{rows}; {n}{more}}}", {}, algebra=algebra)

@@ -14,8 +14,8 @@ from hfield.certificates.glossary import (
     REAL_ROOTS,
     SIGN_CHANGE,
 )
-from tests.certificates.cases import Certificate
-from tests.certificates.hand_made import opposite, rejects
+from tests.certificates.cases import Certificate, certified
+from tests.certificates.hand_made import implication, opposite, rejects
 from tests.certificates.test_orders import true_ones
 
 LIPSCHITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
@@ -28,17 +28,7 @@ HALF = {"den": 2, "rows": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0], [1, 1, 1, 1
 def forged(
     statement: str, field: str | None, verdict: str, method: str, evidence: Any, **more: Any
 ) -> Certificate:
-    out: Certificate = {
-        "schema": "hfield-cert/1",
-        "statement": statement,
-        "algebra": f"(-1,-1|{field or 'F'})",
-        "field": field,
-        "verdict": verdict,
-        "method": method,
-        "assumes": [],
-        "evidence": evidence,
-    }
-    return {**out, **more}
+    return {**certified(statement, field, method, evidence), "verdict": verdict, **more}
 
 
 # --- lattices -------------------------------------------------------------------------------------
@@ -268,12 +258,7 @@ def test_a_square_is_never_a_polynomial_without_roots(field: str, square: str) -
     f = f"s**2 - {square}".replace("- -", "+ ").replace("- 5+", "- 5 - ")
     step = {"step": "no root", "polynomial": f, "cofactors": ["1"], "denominator": 1}
     for by, sign in product(("squares", "factors"), ("", "-")):
-        item = opposite([sign + f if sign else f], [], [step])
-        evidence = {
-            "kind": "implication",
-            "facts": [{"form": "roots", "by": by}],
-            "items": [item],
-        }
+        evidence = implication([opposite([sign + f], [], [step])], [{"form": "roots", "by": by}])
         statement = f"s**2 != {square}"
         rejects(forged(statement, field, "proved", "implication", evidence), ".")
 
@@ -281,12 +266,7 @@ def test_a_square_is_never_a_polynomial_without_roots(field: str, square: str) -
 def test_cubes_have_roots_in_local_fields() -> None:
     step = {"step": "no root", "polynomial": "s**3 - 2", "cofactors": ["1"], "denominator": 1}
     for by in ("factors", "squares"):
-        facts = [{"form": "roots", "by": by}]
-        evidence = {
-            "kind": "implication",
-            "facts": facts,
-            "items": [opposite(["s**3 - 2"], [], [step])],
-        }
+        evidence = implication([opposite(["s**3 - 2"], [], [step])], [{"form": "roots", "by": by}])
         for field in ("Qp(5)", "QQ[a]/(a^3-2)", "RR", "GF(5)"):
             rejects(forged("s**3 != 2", field, "proved", "implication", evidence), ".")
 

@@ -8,6 +8,7 @@ import pytest
 from hfield.certificates.check import check
 from hfield.certificates.glossary import COMPLEX_ROOTS, INDUCTION, KULIKOV, REAL_ROOTS
 from hfield.certificates.rejection import Rejected
+from tests.certificates.cases import certified
 
 TUPLES = [["".join(t) for t in product("eijk", repeat=k)] for k in (1, 2, 3)]
 IDENTITY = {"kind": "identity"}
@@ -136,17 +137,9 @@ GOOD: list[Row] = [
 def certificate(row: Row, **changes: Any) -> dict[str, Any]:
     statement, field, verdict, method, cites, evidence, _ = row
     field = changes.get("field", field)
-    data = {
-        "schema": "hfield-cert/1",
-        "statement": statement,
-        "algebra": f"(-1,-1|{field or 'F'})",
-        "field": field,
-        "verdict": verdict,
-        "method": method,
-        "assumes": [cites] if cites else [],
-        "evidence": evidence,
-    }
-    return {**data, **changes}
+    assumes = [cites] if cites else []
+    data = certified(statement, field, method, evidence)
+    return {**data, "verdict": verdict, "assumes": assumes, **changes}
 
 
 def rejects(row: Row, **changes: Any) -> None:

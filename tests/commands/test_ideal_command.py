@@ -4,16 +4,15 @@ import json
 
 import pytest
 
-from hfield.cli import main
 from hfield.factorisation import is_prime
+from tests.commands import running
 
 P, Q = 10**35 + 1, 10**36 + 1
 
 
 def run(capsys, *words):
-    status = main(words)
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
+    """As :func:`running.run`, with each text in one line, for pages are wrapped."""
+    status, out, err = running.run(capsys, *words)
     return status, " ".join(out.split()), " ".join(err.split())
 
 

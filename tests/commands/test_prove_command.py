@@ -4,15 +4,12 @@ import json
 
 import pytest
 
-from hfield.cli import main
 from hfield.syntax import parse
+from tests.commands import running
 
 
 def run(capsys, *words):
-    status = main(["prove", *words])
-    out, err = capsys.readouterr()
-    assert "Traceback" not in err
-    return status, out, err
+    return running.run(capsys, "prove", *words)
 
 
 def answer(capsys, *words):

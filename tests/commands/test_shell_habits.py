@@ -125,6 +125,7 @@ PAGES = [
     ["explain", "centre"],
     ["info", "(-1,-3|QQ)"],
     ["info", "H(GF(9))"],
+    ["info", "H(GF(25))"],
     ["classes", "(-1,-11|QQ)"],
     ["count", "--field", "GF9", "--formulas"],
     ["ideal", "(-1,-11|QQ)", "3, 1 + j"],
@@ -142,6 +143,12 @@ def test_a_page_has_the_width_that_is_asked_for(capsys, monkeypatch, words):
     monkeypatch.setenv("COLUMNS", "60")
     assert main(words) in (0, 1)
     assert [line for line in capsys.readouterr().out.splitlines() if len(line) > 60] == []
+
+
+def test_the_doctor_speaks_on_the_narrowest_terminal(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "15")
+    assert main(["doctor"]) == 0
+    assert capsys.readouterr().err == ""
 
 
 def test_latex_of_several_inputs_is_one_document(capsys):

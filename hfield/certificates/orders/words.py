@@ -147,7 +147,6 @@ def _are_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) 
 
 
 def _are_not_isomorphic(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
-    data = an_object(evidence, "kind", "the evidence", "trace norm bases")
     first, second = (an_order(algebra, part) for part in parts)
     if discriminant(first) != discriminant(second):
         an_object(evidence, "kind", "the evidence of two discriminants")

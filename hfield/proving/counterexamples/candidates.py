@@ -40,7 +40,7 @@ def by_weight(
 
     The ``letters`` have other weights: first −1, then 1, 2 and the rest, and 0 last.
     """
-    widths = [1 if sort is Sort.SCALAR else 4 for _, sort in unknowns]
+    widths = [sort.width for _, sort in unknowns]
     names = [name for name, _ in unknowns]
     own = nonzero_first(scalars)
     for total in range(heaviest + 1):

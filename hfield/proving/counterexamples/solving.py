@@ -8,7 +8,7 @@ looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpq
 
@@ -24,10 +24,6 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring, power
 from hfield.rings.roots import rational_roots
-
-if TYPE_CHECKING:
-    pass
-
 
 MAX_NODES = 1_500
 MAX_TERMS = 400

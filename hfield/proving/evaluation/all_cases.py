@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.product import Scalar
@@ -15,10 +15,6 @@ from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
-
-if TYPE_CHECKING:
-    pass
-
 
 MAX_CASES = 10**8
 FEW_CASES = 1_500  # below, a loop is faster than loading numpy
@@ -37,7 +33,7 @@ def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple
     """
     out = []
     for name, sort in statement.unknowns:
-        for n in range(1 if sort is Sort.SCALAR else 4):
+        for n in range(sort.width):
             text = name if sort is Sort.SCALAR else f"{name}[{n}]"
             if used is None or text in used:
                 out.append((name, n))

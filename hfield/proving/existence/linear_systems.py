@@ -21,7 +21,6 @@ from hfield.proving.polynomials.expansion import Symbolic, coordinate_names
 from hfield.proving.polynomials.normal_form import Formula, Literal, branches
 from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Sort
 
 if TYPE_CHECKING:
     import flint
@@ -173,8 +172,7 @@ class System:
         rest = iter(values)
         for name, sort in self.statement.unknowns:
             if name in self.statement.exists:
-                width = 1 if sort is Sort.SCALAR else 4
-                yield name, self.term(list(islice(rest, width)), below)
+                yield name, self.term(list(islice(rest, sort.width)), below)
 
     def term(self, numerators: list[flint.fmpz_mpoly], below: flint.fmpz_mpoly) -> str:
         """Write a scalar, or a quaternion, with its denominator."""

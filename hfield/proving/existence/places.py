@@ -47,7 +47,7 @@ def given(problem: Problem) -> Free:
 def by_places(problem: Problem) -> Decision:
     """Refute at one place of the given unknowns, or prove at all of them over a finite field."""
     field, free = problem.ring, given(problem)
-    width = sum(1 if sort is Sort.SCALAR else 4 for _, sort in free)
+    width = sum(sort.width for _, sort in free)
     finite = field.order is not None and field.order**width <= MAX_PLACES
     if finite:
         elements = list(field.elements())

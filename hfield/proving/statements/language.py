@@ -45,6 +45,11 @@ class Sort(Enum):
     SCALAR = "scalar"
     BOOLEAN = "statement"
 
+    @property
+    def width(self) -> int:
+        """How many coordinates an unknown of this sort has."""
+        return 1 if self is Sort.SCALAR else 4
+
 
 RESULT = {
     "conj": Sort.QUATERNION,

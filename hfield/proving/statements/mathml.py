@@ -29,9 +29,8 @@ class _MathML(Writer):
             return [self.write(node, floor)]
         x, left, op, y, right = joined
         first, *rest = self.pieces(y, right)
-        sign = self.operator(op).replace(
-            "<mo>", '<mo form="infix">'
-        )  # its spaces, first in its piece too
+        # First in its piece it would lose the spaces of an operator between two sides.
+        sign = self.operator(op).replace("<mo>", '<mo form="infix">')
         return [*self.pieces(x, left), sign + first, *rest]
 
     def bare(self, node: Node) -> str:

@@ -6,7 +6,7 @@ import functools
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import RingError, UndecidedError
+from hfield.errors import UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
@@ -67,14 +67,10 @@ class FunctionArithmetic(GlobalField):
     ) -> int:
         """Return the symbol by a residue; in characteristic 2 that of [a, b | F), where a may be 0."""
         field = self.ring
-        even = field.characteristic == 2
-        a, b = field(a), field(b)
-        if field.is_zero(b) or (field.is_zero(a) and not even):
-            raise RingError(
-                "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
-            )
+        a, b = self._nonzero(a, b)
         v = self.read_place(place)
-        form = normal_form(field, Constants(a, field.one if even else field.zero, b))
+        t = field.one if field.characteristic == 2 else field.zero
+        form = normal_form(field, Constants(a, t, b))
         return self._symbol(form, v)
 
     def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:

@@ -7,13 +7,13 @@ from collections.abc import Hashable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import RingError, UndecidedError
+from hfield.errors import UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.local.infinite import InfiniteCompletion
 from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField, known_field
 from hfield.structure.linear_algebra.centre import basis_of
+from hfield.structure.local_fields.arithmetic_completion import CompletionArithmetic
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
 from hfield.structure.norm_forms.zero_norms import zero_norm
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from hfield.rings.local.element import LocalElement
 
 
-class InfiniteArithmetic(GlobalField):
+class InfiniteArithmetic(CompletionArithmetic):
     """The arithmetic of ℝ or ℂ with the elements of a number field in it.
 
     What asks for elements is answered where the number field has them.
@@ -29,24 +29,12 @@ class InfiniteArithmetic(GlobalField):
 
     ring: InfiniteCompletion
 
-    def read_place(self, text: object) -> Hashable:
-        """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
-        ring = self.ring
-        place = ring.place if text is None else known_field(ring.global_field).read_place(text)
-        if place != ring.place:
-            raise RingError(f"{ring} has one place, {ring.place}; {text} is not it")
-        return place
-
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
         """Return −1 if a and b are negative real numbers, else 1."""
         self.read_place(place)
-        a, b = self.ring(a), self.ring(b)
-        if self.ring.is_zero(a) or self.ring.is_zero(b):
-            raise RingError(
-                "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
-            )
+        a, b = self._nonzero(a, b)
         return 1 if self.ring.is_square(a) or self.ring.is_square(b) else -1
 
     def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:

@@ -6,14 +6,13 @@ import random
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import RingError, UndecidedError
+from hfield.errors import UndecidedError
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
-from hfield.rings.base import Ring
 from hfield.rings.local.field import DIGITS, LocalField
 from hfield.rings.local.roots import hensel
 from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField, known_field
+from hfield.structure.local_fields.arithmetic_completion import CompletionArithmetic
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
 
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
 TRIES = 2_000
 
 
-class LocalArithmetic(GlobalField):
+class LocalArithmetic(CompletionArithmetic):
     """The arithmetic of a completion, by that of the field it completes: constants stand for their classes.
 
     A constant that is known up to O(πⁿ) is replaced by its value, after the digits were counted that its
@@ -33,32 +32,16 @@ class LocalArithmetic(GlobalField):
 
     ring: LocalField
 
-    def __init__(self, ring: Ring) -> None:
-        super().__init__(ring)
-        self.below = known_field(self.ring.global_field)
-
-    def read_place(self, text: object) -> Hashable:
-        """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
-        place = self.ring.place if text is None else self.below.read_place(text)
-        if place != self.ring.place:
-            raise RingError(f"{self.ring} has one place, {self.ring.place}; {text} is not it")
-        return place
-
     # --- symbols -----------------------------------------------------------------------------------
 
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
         """Return the symbol; in characteristic 2 that of [a, b | F), where a may be 0."""
-        ring = self.ring
         self.read_place(place)
-        a, b = ring(a), ring(b)
-        even = ring.characteristic == 2
-        if ring.is_zero(b) or (ring.is_zero(a) and not even):
-            raise RingError(
-                "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
-            )
-        return -1 if self._is_division(Constants(a, ring(even), b)) else 1
+        a, b = self._nonzero(a, b)
+        even = self.ring.characteristic == 2
+        return -1 if self._is_division(Constants(a, self.ring(even), b)) else 1
 
     def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return the place, or nothing."""

@@ -1,9 +1,4 @@
-"""Lattices on which a form over a quadratic field is good at every prime ideal.
-
-At a prime ideal ``minimal_conics`` gives a local basis, and it is one whose entries
-are integral at all other primes. The lattice that has these bases at the bad primes, and is the standard
-one elsewhere, is their sum, each times a number that is divisible enough by the others.
-"""
+"""Lattices on which a form over a quadratic field is good at every prime ideal, by a basis over ℤ."""
 
 from __future__ import annotations
 
@@ -22,7 +17,8 @@ from hfield.rings.residues.prime_ideals import (
     omega,
     primes_above,
 )
-from hfield.structure.minimal_conics import Conic, Vector, minimise
+from hfield.structure.good_lattices import good_generators
+from hfield.structure.minimal_conics import Vector
 
 if TYPE_CHECKING:
     from hfield.rings.surds import Surd
@@ -38,36 +34,18 @@ def bad_primes(
 def good_lattice(field: QuadraticField, form: Vector, primes: Iterable[int]) -> list[Vector]:
     """Return a basis over ℤ of a lattice in F³ on which a diagonal form is minimal at each prime.
 
-    The coefficients are integers of the field, and units outside ``primes``, which contain 2. The form
-    must have a zero in each completion.
+    The form and the primes are as :func:`~hfield.structure.good_lattices.good_generators` takes them.
     """
-    o = field.zero
-    conic = Conic((form[0], form[1], form[2], o, o, o), o, field.one)
-    local: list[tuple[int, PrimeIdeal, list[Vector]]] = []
-    depths: dict[int, int] = {}  # the conductor, prime by prime
-    for p in primes:
-        depths[p] = 0
-        for place in primes_above(field, p):
-            lattice = conic.start()
-            if not minimise(conic, lattice, place):
-                raise AssertionError("the form has a zero in every completion")
-            depths[p] = max(depths[p], _depth(place, lattice.basis))
-            local.append((p, place, lattice.basis))
-    conductor = math.prod(p**n for p, n in depths.items())
-    rows = [[x * conductor for x in v] for v in conic.start().basis]
-    for p, place, basis in local:
-        scale = field.power(place.other, depths[p]) * (conductor // p ** depths[p])
-        rows += [[scale * x for x in v] for v in basis]
-    w = omega(field)
+
+    def above(p: int) -> tuple[PrimeIdeal, ...]:
+        return primes_above(field, p)
+
+    def unit(place: PrimeIdeal, n: int) -> Surd:
+        power: Surd = field.power(place.other, n)
+        return power
+
+    w, rows = omega(field), good_generators(field, form, primes, above, unit)
     return _basis(field, rows + [[w * x for x in v] for v in rows])
-
-
-def _depth(place: PrimeIdeal, basis: list[Vector]) -> int:
-    """Return an n for which the span contains the n-th power of the prime times the standard lattice."""
-    (a, b, c), (d, e, f), (g, h, i) = basis
-    determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
-    worst = min(place.valuation(x) for v in basis for x in v if x.terms)
-    return max(0, place.valuation(determinant) - 2 * min(0, worst))
 
 
 def _basis(field: QuadraticField, generators: list[Vector]) -> list[Vector]:

@@ -21,6 +21,7 @@ from typing import Any
 
 import flint
 
+from hfield.rings.rational import fmpq
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 Row = list[Fraction]
@@ -167,12 +168,8 @@ def _isotropic(
 
 def _graph(isotropic: list[Row]) -> list[Row]:
     """Return the matrix of which a space is the graph."""
-    left = flint.fmpq_mat(
-        [[flint.fmpq(x.numerator, x.denominator) for x in v[:3]] for v in isotropic]
-    )
-    right = flint.fmpq_mat(
-        [[flint.fmpq(x.numerator, x.denominator) for x in v[3:]] for v in isotropic]
-    )
+    left = flint.fmpq_mat([list(map(fmpq, v[:3])) for v in isotropic])
+    right = flint.fmpq_mat([list(map(fmpq, v[3:])) for v in isotropic])
     return [[Fraction(int(x.p), int(x.q)) for x in row] for row in left.solve(right).tolist()]
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import mpmath
 
-from tests.adversary.falsify import Widths, one_place, true_at, width
+from tests.adversary.falsify import Widths, assigned, one_place, true_at, width
 from tests.adversary.forging.targets import Certificate
 from tests.adversary.grammar import read
 from tests.adversary.meaning import Claim, read_claim
@@ -50,21 +50,13 @@ def places(unknowns: Widths, scalars: Exact) -> Iterator[dict[str, Any]]:
     if len(least) ** count <= TRIED:
         rows = product(values if len(values) ** count <= TRIED else least, repeat=count)
     for row in rows:
-        rest = iter(row)
-        yield {
-            name: next(rest) if n == 1 else tuple(next(rest) for _ in range(n))
-            for name, n in unknowns
-        }
+        yield assigned(unknowns, row)
 
 
 def every_place(table: Table, unknowns: Widths) -> Iterator[dict[str, Any]]:
     """Run through all values in a finite ring, or as many as are tried."""
     for row in islice(product(range(table.order), repeat=width(unknowns)), 4 * TRIED):
-        rest = iter(row)
-        yield {
-            name: next(rest) if n == 1 else tuple(next(rest) for _ in range(n))
-            for name, n in unknowns
-        }
+        yield assigned(unknowns, row)
 
 
 def witness(evidence: Any, where: str | None) -> dict[str, Any] | None:
