@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from rotation.coordinates import root
+from rotation.coordinates import polynomial, root
 from rotation.namespaces import Array
 
 Pair = tuple[Array, Array]
@@ -77,7 +77,7 @@ def sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     """
     x, rest = 0.25 * angle[0], 0.25 * angle[1]
     t, e = two_product(xp, x, x)
-    odd, even = _series(SINE, t), _series(VERSINE, t)
+    odd, even = polynomial(SINE, t), polynomial(VERSINE, t)
     sine = two_sum(x, x * t * odd + rest * (1.0 - 0.5 * t))
     versine = two_sum(0.5 * t, (0.5 * e + x * rest) + t * t * even)
     for _ in range(2):
@@ -96,13 +96,6 @@ def angle(xp: Any, sine: Pair, cosine: Array) -> Pair:
     p, e = two_product(xp, sine[0], c[0])
     q, f = two_product(xp, cosine, s[0])
     return a, (p - q) + (((e - f) + (sine[0] * c[1] + sine[1] * c[0])) - cosine * s[1])
-
-
-def _series(coefficients: tuple[float, ...], t: Array) -> Array:
-    total: Array = 0.0
-    for c in reversed(coefficients):
-        total = total * t + c
-    return total
 
 
 def _halves(xp: Any, a: Array) -> Pair:

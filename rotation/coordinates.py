@@ -1,5 +1,6 @@
 """Arrays as tuples of their coordinates, and lengths that neither overflow nor vanish."""
 
+from collections.abc import Sequence
 from functools import reduce
 from operator import add
 from typing import Any
@@ -44,6 +45,14 @@ def factor(xp: Any, coordinates: Coordinates) -> Array:
     high = float(info.max) ** 0.5 / 4.0
     one, step = xp.ones_like(largest), _STEP[info.bits]
     return xp.where(largest < low, step * one, xp.where(largest > high, one / step, one))
+
+
+def polynomial(coefficients: Sequence[float], t: Array) -> Array:
+    """Return ``Σ coefficients[k]·tᵏ``, of at least two terms, by Horner's scheme."""
+    total: Array = coefficients[-1]
+    for c in reversed(coefficients[:-1]):
+        total = total * t + c
+    return total
 
 
 def middling(xp: Any, coordinates: Coordinates) -> Coordinates:

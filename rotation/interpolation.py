@@ -128,8 +128,7 @@ class Slerp:
         return n, xp.reshape(t, (*t.shape, *(1,) * (self.rotations.ndim - 1)))
 
     def _between(self, n: Array, t: Array) -> Rotation:
-        keys = self.rotations._q
-        return slerp(Rotation._of(taken(keys, n)), Rotation._of(taken(keys, n + 1)), t)
+        return slerp(picked(self.rotations, n), picked(self.rotations, n + 1), t)
 
 
 def place(x: Array, times: Array) -> tuple[Array, Array]:
@@ -146,6 +145,11 @@ def taken(array: Array, n: Array) -> Array:
     xp = namespace(array)
     rows = xp.take(array, xp.reshape(n, (-1,)), axis=0)
     return xp.reshape(rows, (*n.shape, *rows.shape[1:]))
+
+
+def picked(rotations: Rotation, n: Array) -> Rotation:
+    """Return of rotations those that whole numbers n (…) say; any array library can."""
+    return Rotation._of(taken(rotations._q, n))
 
 
 class Squad(Slerp):
@@ -178,10 +182,8 @@ class Squad(Slerp):
         self._before = keys[1:] * _turn((steps - velocities[1:, ...] * h) / 2.0)
 
     def _between(self, n: Array, t: Array) -> Rotation:
-        keys = self.rotations._q
-        p, q = Rotation._of(taken(keys, n)), Rotation._of(taken(keys, n + 1))
-        a, b = (Rotation._of(taken(r._q, n)) for r in (self._after, self._before))
-        return _cubic(p, q, a, b, t)
+        p, q = picked(self.rotations, n), picked(self.rotations, n + 1)
+        return _cubic(p, q, picked(self._after, n), picked(self._before, n), t)
 
 
 def _continuous(rotations: Rotation) -> Rotation:

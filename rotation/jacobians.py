@@ -9,7 +9,7 @@ import math
 from fractions import Fraction
 from typing import Any
 
-from rotation.coordinates import Coordinates, join, split, sum_of_squares
+from rotation.coordinates import Coordinates, join, polynomial, split, sum_of_squares
 from rotation.namespaces import Array, expect_last, floats, namespace
 from rotation.rowwise import Formula
 
@@ -73,13 +73,6 @@ def _vectors(rotvec: Any) -> Array:
     return v
 
 
-def _series(coefficients: list[float], t: Array) -> Array:
-    total: Array = coefficients[-1]
-    for c in coefficients[-2::-1]:
-        total = total * t + c
-    return total
-
-
 def _factors(xp: Any, t: Array) -> tuple[Array, Array, Array, Array]:
     """Return θ, where it is small enough for series, and where not θ² and else 1."""
     near = t < _NEAR
@@ -91,8 +84,8 @@ def exponential_factors(xp: Any, v: Coordinates) -> tuple[Array, Array]:
     """Return A and B for rotation vectors."""
     theta, near, far, small = _factors(xp, sum_of_squares(v))
     half = xp.sin(0.5 * theta)
-    a = xp.where(near, _series(_A, small), 2.0 * half * half / far)
-    b = xp.where(near, _series(_B, small), (theta - xp.sin(theta)) / (far * theta))
+    a = xp.where(near, polynomial(_A, small), 2.0 * half * half / far)
+    b = xp.where(near, polynomial(_B, small), (theta - xp.sin(theta)) / (far * theta))
     return a, b
 
 
@@ -100,7 +93,7 @@ def logarithm_factor(xp: Any, v: Coordinates) -> Array:
     """Return C for rotation vectors."""
     theta, near, far, small = _factors(xp, sum_of_squares(v))
     half = 0.5 * theta
-    return xp.where(near, _series(_C, small), (1.0 - half * xp.cos(half) / xp.sin(half)) / far)
+    return xp.where(near, polynomial(_C, small), (1.0 - half * xp.cos(half) / xp.sin(half)) / far)
 
 
 def _matrix(xp: Any, v: Coordinates, linear: Array, square: Array) -> Array:

@@ -11,9 +11,9 @@ from math import factorial
 from typing import Any
 
 from rotation.batch import expect_rotations
-from rotation.coordinates import join, split
+from rotation.coordinates import join, polynomial, split
 from rotation.errors import RotationError
-from rotation.interpolation import Slerp, place, taken
+from rotation.interpolation import Slerp, picked, place, taken
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
 from rotation.namespaces import Array, floats, namespace
 from rotation.rotation import Rotation
@@ -73,7 +73,7 @@ class RotationSpline:
         n, s = place(floats(times, "times", namespace(times, self.times)), self.times)
         theta, rate, bend = self._cubic(n, s[..., None])
         if order == 0:
-            return Rotation._of(taken(self.rotations._q, n)) * Rotation.from_rotvec(theta)
+            return picked(self.rotations, n) * Rotation.from_rotvec(theta)
         if order == 1:
             return _turned(theta, rate)
         return _accelerated(theta, rate, bend)
@@ -165,10 +165,10 @@ def _change(theta: Array, rate: Array) -> Array:
     small = xp.where(wide, xp.zeros_like(t), t)
     sine, cosine = xp.sin(size), xp.cos(size)
     # B, and the derivatives of A and B by θ² doubled.
-    b = xp.where(wide, (size - sine) / (far * size), _sum(_B, small))
-    da = xp.where(wide, (size * sine - 2.0 * (1.0 - cosine)) / far**2, _sum(_DA, small))
+    b = xp.where(wide, (size - sine) / (far * size), polynomial(_B, small))
+    da = xp.where(wide, (size * sine - 2.0 * (1.0 - cosine)) / far**2, polynomial(_DA, small))
     db = xp.where(
-        wide, (3.0 * sine - size * cosine - 2.0 * size) / (far**2 * size), _sum(_DB, small)
+        wide, (3.0 * sine - size * cosine - 2.0 * size) / (far**2 * size), polynomial(_DB, small)
     )
     along = xp.sum(theta * rate, axis=-1, keepdims=True)
 
@@ -183,13 +183,6 @@ def _series(first: int, derived: bool) -> list[float]:
     """Coefficients of A (first = 2) or B (3) by θ², or of twice their derivatives."""
     values = [(-1.0) ** k / factorial(2 * k + first) for k in range(12)]
     return [2.0 * (k + 1) * v for k, v in enumerate(values[1:])] if derived else values
-
-
-def _sum(coefficients: list[float], t: Array) -> Array:
-    total: Array = 0.0 * t
-    for c in reversed(coefficients):
-        total = total * t + c
-    return total
 
 
 _B, _DA, _DB = _series(3, False), _series(2, True), _series(3, True)
