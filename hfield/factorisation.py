@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
-from math import gcd
+from math import gcd, isqrt
 
 import flint
 
@@ -23,6 +23,9 @@ SIEVED_BITS = 190
 
 NORM_BITS = 210
 """The same for norms from number fields, which are longer than what was typed by the degree: ten seconds."""
+
+RELATED = 64
+"""The bound of both parts of the fractions ``(p − 1)/(q − 1)`` that are tried."""
 
 PROVED_BITS = 1024
 """The longest numbers whose primality is proved (seconds); longer composite ones are still recognised."""
@@ -307,6 +310,8 @@ def _divisors(m: int, sought: int, sieved: int) -> set[int]:
     if bits <= BASES_PROVE_BITS:
         return {int(d) for d, _ in number.factor()}
     d, passes = _powers(m)
+    if d == 1 and passes:
+        d = _related(m)
     if d > 1:
         return {d, m // d}
     size = next(size for longest, size in _CURVES if bits <= longest)
@@ -315,6 +320,23 @@ def _divisors(m: int, sought: int, sieved: int) -> set[int]:
     if len(parts) > 1 or bits > sieved or passes:
         return parts
     return {int(d) for d, _ in number.factor()}
+
+
+def _related(m: int) -> int:
+    """Return a prime p of ``m = p·q`` with ``(p − 1)/(q − 1)`` a fraction of small numbers, else 1.
+
+    Products of two primes that pass for primes to many bases are of this kind (Arnault 1995). ``p − 1`` and
+    ``q − 1`` are r·t and s·t, where t solves ``r·s·t² + (r + s)·t = m − 1``.
+    """
+    for r in range(2, RELATED):
+        for s in range(1, r):
+            square = (r + s) ** 2 + 4 * r * s * (m - 1)
+            root = isqrt(square)
+            if root * root == square:
+                p = (root - r - s) // (2 * s) + 1
+                if 1 < p < m and m % p == 0:
+                    return p
+    return 1
 
 
 def _powers(m: int) -> tuple[int, bool]:

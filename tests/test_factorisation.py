@@ -3,6 +3,7 @@
 import math
 import pickle
 import random
+from itertools import count
 
 import pytest
 from hypothesis import example, given, settings
@@ -14,6 +15,7 @@ from hfield.factorisation import (
     SIEVED_BITS,
     Unfactored,
     UnfactoredError,
+    _related,
     factor,
     factorise,
     is_prime,
@@ -92,6 +94,25 @@ def test_products_come_apart(numbers, exponent):
     assert math.prod(p**e for p, e in primes.items()) == n
     assert list(primes) == sorted(primes)
     assert all(map(is_prime, primes))
+
+
+# ψ₁₃, the least strong pseudoprime to the first 13 bases (Sorenson and Webster 2017); one of 99 bits; and
+# products (r·t + 1)(s·t + 1) of primes, of 91 to 176 bits.
+@pytest.mark.parametrize(
+    ("p", "q"),
+    [
+        (1287836182261, 2575672364521),
+        (531099297693901, 1062198595387801),
+        *(
+            (r * t + 1, s * t + 1)
+            for r, s, t in ((2, 1, 10**13 + 6300), (3, 2, 10**15), (63, 1, 10**14), (7, 4, 10**25))
+            for t in [next(n for n in count(t, 2) if is_prime(r * n + 1) and is_prime(s * n + 1))]
+        ),
+    ],
+)
+def test_what_passes_for_a_prime_to_many_bases_comes_apart(p, q):
+    assert _related(p * q) in (p, q)
+    assert factorise(p * q) == {p: 1, q: 1}
 
 
 def test_a_prime_that_flint_lists_twice_is_counted_once():
