@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 HELP = (
     "Print the Brandt matrix of a prime (or any n) for discriminant D and level N, with its characteristic "
-    "polynomial; or the edges of the graph, which networkx reads. For a prime D and level 1 that is the "
-    "supersingular isogeny graph."
+    "polynomial; or the edges of the graph, which networkx.read_weighted_edgelist reads. For a prime D and "
+    "level 1 that is the supersingular isogeny graph."
 )
 DOING = "enumerating classes"
 EXAMPLES = ("hfield brandt 11 --prime 2",)

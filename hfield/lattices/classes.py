@@ -10,11 +10,11 @@ and as all are different none comes twice (Kirschmer and Voight, 2010; Voight, *
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import count
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
@@ -195,11 +195,35 @@ class ClassSet:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
         return [int(c) for c in fmpz_mat(self.brandt_matrix(n)).charpoly().coeffs()]
 
+    def hecke_operator(self, n: int, values: Sequence[Any]) -> list[Any]:
+        """Return T_n(f) for a function f on the classes, given by its values: the Brandt matrix of n times f.
+
+        Raises :class:`LatticeError` unless there is a value for each class.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
+        >>> C.hecke_operator(2, [1, 1]), C.hecke_operator(2, [2, -3])
+        ([3, 3], [-4, 6])
+        """
+        if len(values) != len(self):
+            raise LatticeError(f"{len(values)} values were given for {len(self)} classes")
+        if is_prime(positive(n, "index")):  # a row has few entries that are not 0
+            rows = [list(row.items()) for row in self.neighbours(n)]
+        else:
+            rows = [list(enumerate(row)) for row in self.brandt_matrix(n)]
+        return [sum(values[j] * times for j, times in row) for row in rows]
+
     def theta_series(self, i: int, j: int, n: int) -> list[int]:
         """Return the theta series, up to q^n, of the lattice between two classes.
 
-        Its coefficient m, divided by the units of class j, is entry (i, j) of the Brandt matrix of m.
+        Its coefficient m, divided by the units of class j, is entry (i, j) of the Brandt matrix of m. Raises
+        :class:`LatticeError` where there are fewer classes.
         """
+        h = len(self)
+        if not (-h <= i < h and -h <= j < h):
+            raise LatticeError(
+                f"there are {h} classes, numbered from 0: {i} and {j} are not both of them"
+            )
         between = self._lattices[i]._product(self._lattices[j].conjugate())
         return between.theta_series(n)
 

@@ -100,6 +100,8 @@ def element_of_norm(lattice: Lattice, size: Fraction) -> tuple[Quaternion | None
             tried += 1
             if value == m:
                 return lattice._element(row), ""
+        if not tried:
+            return None, f"no element but 0 has norm at most {size}"
         return None, f"none of the {2 * tried} elements of norm at most {size} has this norm"
     return _indefinite(lattice, m)
 

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 from flint import fmpz_mat
 
@@ -67,6 +67,17 @@ class Order(OrderInvariants):
         """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
         check_ring(lattice)
         return cls(lattice.algebra, lattice._den, lattice._matrix)
+
+    @overload
+    def __and__(self, other: Order) -> Order: ...
+    @overload
+    def __and__(self, other: object) -> Lattice: ...
+    def __and__(self, other: object) -> Lattice:
+        """Return the intersection with a lattice; that with another order is an order."""
+        found = super().__and__(other)
+        if isinstance(other, Order):
+            return Order(found.algebra, found._den, found._matrix)
+        return found
 
     @property
     def certificate(self) -> dict[str, object] | None:

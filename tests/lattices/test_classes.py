@@ -105,6 +105,23 @@ def test_brandt_matrices_by_theta_series(d, n) -> None:
                 assert B[i][j] * v == B[j][i] * u
 
 
+def test_hecke_operators_are_brandt_matrices_and_commute() -> None:
+    C = algebra(37).eichler_order(3).class_set()
+    f = [n**2 - 3 * n + 1 for n in range(len(C))]
+    for n in (1, 2, 3, 4, 6, 37):
+        B = C.brandt_matrix(n)
+        assert C.hecke_operator(n, f) == [
+            sum(x * y for x, y in zip(row, f, strict=True)) for row in B
+        ]
+    assert C.hecke_operator(2, C.hecke_operator(5, f)) == C.hecke_operator(
+        5, C.hecke_operator(2, f)
+    )
+    with pytest.raises(LatticeError, match="1 values were given for"):
+        C.hecke_operator(2, [1])
+    with pytest.raises(LatticeError, match="numbered from 0"):
+        C.theta_series(0, 99, 3)
+
+
 def test_brandt_matrices_by_ideals_at_the_level() -> None:
     """Where classes are many the ideals of norm pᵉ are listed; here they are in any case."""
     for d, n, p, e in ((101, 4, 2, 3), (11, 9, 3, 2), (30, 49, 7, 1), (37, 6, 3, 1)):

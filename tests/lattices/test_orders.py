@@ -262,3 +262,14 @@ def test_orders_that_are_not_isomorphic() -> None:
     assert (S.conductor(), S.is_eichler()) == (1, False)
     with pytest.raises(UndecidedError, match="Eichler"):
         S.isomorphism(x * S * x.inverse())
+
+
+def test_the_intersection_of_orders_is_an_order() -> None:
+    A = QuaternionAlgebra("QQ", -1, -11)
+    O, P = A.lipschitz_order(), A.eichler_order(3)
+    both = O & P
+    assert isinstance(both, type(O))
+    assert both == A.order_from_basis(both.basis)
+    assert all(q in O and q in P for q in both.basis)
+    assert both.discriminant() % P.discriminant() == 0 == both.discriminant() % O.discriminant()
+    assert not isinstance(O & O.left_ideal([2, "1+i"]), type(O))
