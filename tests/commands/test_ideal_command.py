@@ -23,7 +23,10 @@ def run(capsys, *words):
         (["j"], ["norm 11: integral, locally principal, two-sided"]),
         (["3, 1 + j", "--principal"], ["principal yes with 1/2 + 1/2*j"]),
         (["2, 1 + i", "--side", "right", "--principal"], ["right ideal of", "principal yes with"]),
-        (["2, 1/2 + i + 1/2*j", "--with", "1"], ["equivalent no: none of the"]),
+        (
+            ["2, 1/2 + i + 1/2*j", "--with", "1"],
+            ["equivalent no: no element but 0 has norm at most 1/2"],
+        ),
         (["1/3", "--format", "latex"], [r"\mathbb{Z}\left\langle"]),
     ],
 )
