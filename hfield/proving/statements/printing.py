@@ -21,6 +21,13 @@ from hfield.syntax import (
 # How tightly each kind of node binds; a child that binds less tightly gets parentheses.
 IFF, IMPLIES, OR, AND, NOT, COMPARE, SUM, PRODUCT, UNARY, POWER, POSTFIX = range(11)
 _LOGIC = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
+_BINDS: dict[type[Node], int] = {
+    Exists: -1,
+    Not: NOT,
+    Compare: COMPARE,
+    Negate: UNARY,
+    Power: POWER,
+}
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 UNICODE_SIGNS = {
     "<=>": " ⇔ ",
@@ -65,24 +72,11 @@ def to_latex(node: Node) -> str:
 
 
 def _precedence(node: Node) -> int:
-    match node:
-        case Logic(op, _, _):
-            return _LOGIC[op]
-        case Exists():
-            return -1
-        case Not():
-            return NOT
-        case Compare():
-            return COMPARE
-        case Binary("+" | "-", _, _):
-            return SUM
-        case Binary():
-            return PRODUCT
-        case Negate():
-            return UNARY
-        case Power():
-            return POWER
-    return POSTFIX
+    if isinstance(node, Logic):
+        return _LOGIC[node.op]
+    if isinstance(node, Binary):
+        return SUM if node.op in "+-" else PRODUCT
+    return _BINDS.get(type(node), POSTFIX)
 
 
 def _is_product(node: Node) -> bool:
