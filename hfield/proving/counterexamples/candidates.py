@@ -25,9 +25,7 @@ if TYPE_CHECKING:
     from hfield.product import Coordinates
 
 
-Shape = tuple[
-    tuple[int, bool], ...
-]  # of each unknown: its number of coordinates, if it is a letter
+Shape = tuple[tuple[int, bool], ...]  # number of coordinates of each unknown, and if it is a letter
 
 HEAVIEST = 12  # the weight of a place
 KEPT = (150, 400)  # so many places are tried for many statements, and made once for all of them
