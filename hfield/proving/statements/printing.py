@@ -1,8 +1,9 @@
 """Statements as text (which reads back to the same tree), as unicode and as LaTeX."""
 
 from fractions import Fraction
+from typing import TypeGuard
 
-from hfield.proving.statements.trees import walk
+from hfield.proving.statements.trees import walk_once
 from hfield.syntax import (
     Binary,
     Call,
@@ -79,7 +80,7 @@ def _precedence(node: Node) -> int:
     return _BINDS.get(type(node), POSTFIX)
 
 
-def _is_product(node: Node) -> bool:
+def _is_product(node: Node) -> TypeGuard[Binary]:
     return isinstance(node, Binary) and node.op == "*"
 
 
@@ -91,14 +92,14 @@ class Writer:
     """
 
     def __init__(self, node: Node) -> None:
-        self.nested = any(
-            isinstance(n, Binary) and n.op == "*" and _is_product(n.right) for n in walk(node)
-        )
+        self.nested = any(_is_product(n) and _is_product(n.right) for n in walk_once(node))
+        self.written: dict[int, tuple[Node, str]] = {}  # trees share nodes: each is written once
 
     def write(self, node: Node, floor: int = -1) -> str:
         """Write a node, in parentheses where it binds less tightly than ``floor``."""
-        text = self.bare(node)
-        return self.group(text) if self.precedence(node) < floor else text
+        known = self.written.get(id(node)) or (node, self.bare(node))
+        self.written[id(node)] = known
+        return self.group(known[1]) if self.precedence(node) < floor else known[1]
 
     def precedence(self, node: Node) -> int:
         """Say how tightly a node binds."""
