@@ -86,10 +86,11 @@ class Closed:
     def __rtruediv__(self, other: object) -> Surd | Closed:
         return self.inverse() * other
 
-    def __pow__(self, n: int) -> Any:
+    def __pow__(self, n: int) -> Surd | Closed:
         from hfield.rings.base import power
 
-        return power(ONE, self if n >= 0 else self.inverse(), abs(n))
+        # a power of a closed form may be a surd
+        return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[type-var]
 
     def inverse(self) -> Surd | Closed:
         """Return 1/self; the caller has seen that it is not 0."""

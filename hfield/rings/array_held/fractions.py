@@ -105,7 +105,7 @@ class FractionArrays(WordArrays):
         """Return the elements at a numpy index."""
         return super().part(p, index) if is_words(p) else object_parts(p, index)
 
-    def from_array(self, values: np.ndarray) -> Rows:
+    def from_array(self, values: object) -> Rows:
         """Hold an array of shape (5, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
         rows = self.checked_block(values, 5)
         if not rows[4].all():

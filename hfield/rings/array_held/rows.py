@@ -105,7 +105,7 @@ class RowArrays(Batch):
         out.flags.writeable = False
         return out
 
-    def from_array(self, values: Any) -> Rows:
+    def from_array(self, values: object) -> Rows:
         """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
         return self.checked_block(values, 4)
 
