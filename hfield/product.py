@@ -14,35 +14,39 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, Self
 Coordinates = tuple[Any, Any, Any, Any]
 
 
-class Scalar(Protocol):
-    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with what its library takes."""
+class Arithmetic(Protocol):
+    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with its like."""
 
     def __add__(self, other: Any, /) -> Self:
         """Return self + other."""
 
-    def __radd__(self, other: Any, /) -> Self:
-        """Return other + self."""
-
     def __sub__(self, other: Any, /) -> Self:
         """Return self − other."""
 
-    def __rsub__(self, other: Any, /) -> Self:
-        """Return other − self."""
-
     def __mul__(self, other: Any, /) -> Self:
         """Return self·other."""
-
-    def __rmul__(self, other: Any, /) -> Self:
-        """Return other·self."""
 
     def __neg__(self) -> Self:
         """Return −self."""
 
 
+class Scalar(Arithmetic, Protocol):
+    """An element of a ring: what its library takes beside, such as numbers, may stand to its left too."""
+
+    def __radd__(self, other: Any, /) -> Self:
+        """Return other + self."""
+
+    def __rsub__(self, other: Any, /) -> Self:
+        """Return other − self."""
+
+    def __rmul__(self, other: Any, /) -> Self:
+        """Return other·self."""
+
+
 if TYPE_CHECKING:
     from typing_extensions import TypeVar
 
-    S = TypeVar("S", bound=Scalar)
+    S = TypeVar("S", bound=Arithmetic)
     C = TypeVar("C", default=Any)  # scalars, or what stands for them: a text, a number of a row
 else:
     from typing import TypeVar

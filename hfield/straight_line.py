@@ -14,8 +14,9 @@ from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 from hfield import product
-from hfield.product import Constants, Scalar
+from hfield.product import Arithmetic, Constants, Scalar
 
+S = TypeVar("S", bound=Arithmetic)
 T = TypeVar("T")
 
 ZERO, ONE, MINUS_ONE = "0", "1", "-1"
@@ -44,7 +45,7 @@ class Program:
     steps: tuple[Step, ...]
     outputs: tuple[str, ...]
 
-    def evaluate(self, values: dict[str, Any], zero: Any) -> tuple[Any, ...]:
+    def evaluate(self, values: dict[str, S], zero: S) -> tuple[S, ...]:
         """Run the program on values with ``+ − ×``: the plainest emitter, which checks all others."""
         known = {ZERO: zero, **values}
         for name, operation, operands in self.steps:

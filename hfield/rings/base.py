@@ -13,7 +13,7 @@ from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
-from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, SupportsIndex
+from typing import TYPE_CHECKING, Any, Generic, SupportsIndex
 
 from hfield import syntax
 from hfield.errors import (
@@ -24,7 +24,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.product import Constants, Scalar
+from hfield.product import Arithmetic, Constants, Scalar
 from hfield.rings.growth import FEW, bits, check_growth, is_quick
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
@@ -36,10 +36,12 @@ if TYPE_CHECKING:
 
     from hfield.rings.flint_types import AnyPolynomial
 
+    M = TypeVar("M", bound=Arithmetic)
     E = TypeVar("E", bound=Scalar, default=Any)  # ``Ring`` alone: of elements that nobody checks
 else:
     from typing import TypeVar
 
+    M = TypeVar("M")
     E = TypeVar("E")  # an element of a ring
 
 INFINITY = float("inf")
@@ -56,16 +58,6 @@ class Known:
     def __str__(self) -> str:
         shown = {None: "not known", INFINITY: "∞"}.get(self.value, self.value)
         return f"{shown}, because {self.reason}" if self.reason else str(shown)
-
-
-class Multiplied(Protocol):
-    """What a power asks of its base: a product with its like."""
-
-    def __mul__(self, other: Any, /) -> Self:
-        """Return self·other."""
-
-
-M = TypeVar("M", bound=Multiplied)
 
 
 class Ring(ABC, Generic[E]):

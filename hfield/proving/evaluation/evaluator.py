@@ -279,14 +279,14 @@ class Evaluator:
 
     def _noted(self, of: Callable[[Any], Value], f: Function) -> Function:
         """Return ``of`` after ``f``, and note the condition under which it is defined."""
-        always, both = self.scalars.always, self.scalars.both
+        always, together = self.scalars.always, self.scalars.together
 
         def value(v: Values) -> Any:
             x, condition = of(f(v))
             if condition is False:
                 raise _UndefinedError
             if condition is not always:
-                self.defined = both(self.defined, condition)
+                self.defined = together(self.defined, condition)
             return x
 
         return value
