@@ -182,7 +182,7 @@ class Ring(ABC, Generic[E]):
         """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
         return self.text(x)
 
-    def array(self, values: Any) -> Any:
+    def array(self, values: object) -> Any:
         """Turn an element, a sequence or an array into an array that computes elementwise."""
         from hfield.rings.arrays import objects
 

@@ -1,7 +1,6 @@
 """Which finite field a text means: the order and the modulus, read, checked and refused in words."""
 
 from fractions import Fraction
-from typing import Any
 
 import flint
 
@@ -149,7 +148,7 @@ def _constant(p: int, c: int | Fraction) -> flint.nmod_poly:
     return _polynomial(p, [c])
 
 
-def _quotient(x: flint.nmod_poly, y: flint.nmod_poly) -> Any:
+def _quotient(x: flint.nmod_poly, y: flint.nmod_poly) -> flint.nmod_poly:
     raise NotationError("its coefficients must be integers, without a division")
 
 

@@ -37,7 +37,7 @@ _CONTEXTS: dict[Ring, Any] = {}
 atexit.register(gc.freeze)
 
 
-class FunctionField(Overfield):
+class FunctionField(Overfield[Quotient]):
     """F(t), the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
 
     >>> from hfield.rings import ring
@@ -97,7 +97,7 @@ class FunctionField(Overfield):
         """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
         return self.constant(self.base(x))
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: Quotient) -> bool:
         """Tell whether x is 0."""
         return bool(x.num == 0)
 

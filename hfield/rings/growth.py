@@ -59,12 +59,12 @@ def _symbolic_bits(expr: Any) -> int:
     return SLOW * len(parts) + sum(bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational)
 
 
-def is_quick(x: Any, n: int) -> bool:
+def is_quick(x: object, n: int) -> bool:
     """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
     return n <= FEW or bits(x) * n <= QUICK
 
 
-def check_growth(start: int, power: Any) -> None:
+def check_growth(start: int, power: object) -> None:
     """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
     reached = bits(power)
     if reached > MOST_BITS and reached > TIMES * start:

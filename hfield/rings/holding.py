@@ -15,8 +15,10 @@ from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates, Scalar
 
 if TYPE_CHECKING:
+    import numpy as np
     from typing_extensions import TypeVar
 
+    from hfield.rings.arrays import Index
     from hfield.rings.base import Ring
 
     H = TypeVar("H", default=Any)  # ``Holding`` alone: of values that nobody checks
@@ -116,11 +118,11 @@ class Holding(Generic[H]):
 
     # --- what is equal -------------------------------------------------------------------------
 
-    def equal(self, p: H, q: H) -> Any:
+    def equal(self, p: H, q: H) -> bool | np.ndarray:
         """Tell whether p = q."""
         return all(map(self.ring.equal, self.coordinates(p), self.coordinates(q)))
 
-    def is_zero(self, p: H) -> Any:
+    def is_zero(self, p: H) -> bool | np.ndarray:
         """Tell whether p = 0."""
         return all(map(self.ring.is_zero, self.coordinates(p)))
 
@@ -165,7 +167,7 @@ class Batch(Holding[H]):
         shape: tuple[int, ...] = getattr(self.coordinates(p)[0], "shape", ())
         return shape
 
-    def part(self, p: H, index: object) -> H:
+    def part(self, p: H, index: Index) -> H:
         """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
         w, x, y, z = (c[index] for c in self.coordinates(p))
         return self.hold((w, x, y, z))
@@ -208,7 +210,7 @@ class Batch(Holding[H]):
         self._check(p, q, "subtract")
         return super().difference(p, q)
 
-    def units(self, p: H) -> Any:
+    def units(self, p: H) -> np.ndarray:
         """Return a bool array: which elements have an inverse."""
         return self.ring.array_units(self.norm(p))
 
@@ -221,15 +223,16 @@ class Batch(Holding[H]):
 
     # --- what is equal -------------------------------------------------------------------------
 
-    def equal(self, p: H, q: H) -> Any:
+    def equal(self, p: H, q: H) -> np.ndarray:
         """Tell where p = q: a bool array."""
         import numpy as np
 
         self._check(p, q, "compare")
         pairs = zip(self.coordinates(p), self.coordinates(q), strict=True)
-        return np.logical_and.reduce([np.asarray(x == y, dtype=bool) for x, y in pairs])
+        same: np.ndarray = np.logical_and.reduce([np.asarray(x == y, bool) for x, y in pairs])
+        return same
 
-    def is_zero(self, p: H) -> Any:
+    def is_zero(self, p: H) -> np.ndarray:
         """Tell where p = 0: a bool array."""
         zero = self.ring.zero
         return self.equal(p, self.lift((zero, zero, zero, zero)))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from hfield.rings.flint_types import SparsePolynomial
 
 
-class RationalFunctions(Overfield):
+class RationalFunctions(Overfield[Quotient]):
     """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`Quotient`.
 
     Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
