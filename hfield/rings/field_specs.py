@@ -6,7 +6,8 @@ import flint
 
 from hfield import syntax
 from hfield.errors import HFieldError, NotationError, RingError, TooLargeError, shorten
-from hfield.factorisation import factorise, prime_power
+from hfield.factorisation import factorise
+from hfield.primality import prime_power
 from hfield.rings.finite import NAME, ExtensionField, FiniteField, PrimeField, modulus_text
 from hfield.rings.modular import WORD
 from hfield.rings.printing import from_unicode

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import factorise, is_prime
+from hfield.factorisation import factorise
+from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.holding import Holding

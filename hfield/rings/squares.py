@@ -6,7 +6,7 @@ from typing import TypeVar
 
 import flint
 
-from hfield.factorisation import is_probable_prime
+from hfield.primality import is_probable_prime
 from hfield.product import Scalar
 
 S = TypeVar("S", bound=Scalar)
