@@ -11,7 +11,13 @@ from typing import Any
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Constants, Coordinates, Scalar, multiply
 from hfield.rings.base import Ring
-from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
+from hfield.structure.forms import (
+    discriminant,
+    from_pairings,
+    normal_form,
+    pairing_matrix,
+    root_if_known,
+)
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 from hfield.structure.norm_forms.zero_norms import zero_norm
@@ -103,10 +109,7 @@ def _from_square_root(ring: Ring, c: Constants) -> Splitting | None:
         return None
     o, e = ring.zero, ring.one
     for swapped, (a, b) in enumerate((form.constants, form.constants[::-1])):
-        try:
-            r = ring.sqrt(a)
-        except UndecidedError:
-            continue
+        r = root_if_known(ring, a)
         if r is not None:
             diagonal, other = ((r, o), (o, o - r)), ((o, b), (e, o))
             i, j = (other, diagonal) if swapped else (diagonal, other)
