@@ -118,7 +118,10 @@ def eichler_suborder(order: Order, level: int) -> Order:
 def left_multiples(
     order: Order, primes: Mapping[int, int], choose: Callable[[Order, int, int], list[int]]
 ) -> list[list[int]]:
-    """Return the basis times an x that is ``choose(order, p, e)`` modulo each pᵉ, over the order's denominator."""
+    """Return the rows of the basis times an x that is ``choose(order, p, e)`` modulo each pᵉ.
+
+    They are over the denominator of the order.
+    """
     x, modulus = [0, 0, 0, 0], 1
     for p, e in sorted(primes.items()):
         q = p**e
