@@ -3,7 +3,8 @@
 from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.over_rings import Over
+from hfield.ledger.propositions import Statement
 from hfield.ledger.real import Angles
 from hfield.syntax import Node, both, names, negation, number
 from hfield.syntax import equal as same

@@ -13,7 +13,8 @@ from hfield.certificates.glossary import CIRCLE, NO_MEANING
 from hfield.ledger.claim import Proposition
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Only, Statement
+from hfield.ledger.over_rings import Only
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import REAL
 from hfield.proving.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring

@@ -8,8 +8,9 @@ from hfield.coq.theorem import Theorem, theorem
 from hfield.errors import HFieldError
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
+from hfield.ledger.over_rings import Only, Over
 from hfield.ledger.presented import Presented
-from hfield.ledger.propositions import Equivalence, Every, Implication, Only, Over, Statement
+from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
 from hfield.ledger.real import Analysis, Angles
 from hfield.ledger.registry import claims
 from hfield.proving.decision import PROVED, REFUTED

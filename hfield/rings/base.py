@@ -24,24 +24,20 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.product import Arithmetic, Constants, Scalar
-from hfield.rings.growth import FEW, bits, check_growth, is_quick
+from hfield.product import Constants, Scalar
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
+from hfield.rings.powers import power
 from hfield.rings.printing import from_unicode, number_text
 
 if TYPE_CHECKING:
     import numpy as np
     from typing_extensions import TypeVar
 
-    from hfield.rings.flint_types import AnyPolynomial
-
-    M = TypeVar("M", bound=Arithmetic)
     E = TypeVar("E", bound=Scalar, default=Any)  # ``Ring`` alone: of elements that nobody checks
 else:
     from typing import TypeVar
 
-    M = TypeVar("M")
     E = TypeVar("E")  # an element of a ring
 
 INFINITY = float("inf")
@@ -371,27 +367,3 @@ class Ring(ABC, Generic[E]):
         except RingError:
             known = False
         return (ring, (self.name,)) if known else super().__reduce_ex__(protocol)
-
-
-def polynomial_power(one: AnyPolynomial, x: AnyPolynomial, n: int) -> AnyPolynomial:
-    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
-    return x**n if is_quick(x, n) else power(one, x, n)
-
-
-def power(one: M, x: M, n: int) -> M:
-    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
-
-    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
-    unity, has powers of any size.
-    """
-    result = one
-    start = bits(x) if n > FEW else None
-    while n:
-        if n & 1:
-            result = result * x
-        n >>= 1
-        if n:
-            if start is not None:
-                check_growth(start, x)
-            x = x * x
-    return result

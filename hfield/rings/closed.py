@@ -91,7 +91,7 @@ class Closed:
         return self.inverse() * other
 
     def __pow__(self, n: int) -> Surd | Closed:
-        from hfield.rings.base import power
+        from hfield.rings.powers import power
 
         # a power of a closed form may be a surd
         return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[type-var]

@@ -6,9 +6,9 @@ from abc import abstractmethod
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotInvertibleError
-from hfield.rings.base import polynomial_power
 from hfield.rings.operators import Element
 from hfield.rings.overfield import Overfield
+from hfield.rings.powers import polynomial_power
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import AnyPolynomial

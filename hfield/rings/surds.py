@@ -104,7 +104,7 @@ class Surd:
         return NotImplemented if o is None else o * self.inverse()
 
     def __pow__(self, n: int) -> Surd:
-        from hfield.rings.base import power
+        from hfield.rings.powers import power
 
         return power(ONE, self if n >= 0 else self.inverse(), abs(n))
 

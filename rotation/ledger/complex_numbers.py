@@ -6,7 +6,8 @@ thesis, and everything has its core over every commutative ring.
 
 from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Only, Statement
+from hfield.ledger.over_rings import Only
+from hfield.ledger.propositions import Statement
 from hfield.ledger.real import REAL, Angles
 from rotation.ledger.plane import ARCTG, ON_CIRCLE
 

@@ -7,7 +7,8 @@ from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined
-from hfield.ledger.propositions import Every, Only, Statement
+from hfield.ledger.over_rings import Only
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import REAL, Angles
 from hfield.syntax import Node, both, implies, names, parse
 from hfield.syntax import equal as same

@@ -7,7 +7,8 @@ points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where
 
 from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Only, Statement
+from hfield.ledger.over_rings import Only
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import REAL, Angles
 from hfield.syntax import Node, both, implies
 from hfield.syntax import equal as same

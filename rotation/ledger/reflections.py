@@ -3,7 +3,8 @@
 from itertools import pairwise
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.over_rings import Over
+from hfield.ledger.propositions import Statement
 from hfield.ledger.real import Angles
 from hfield.syntax import Node, both, either, implies, parse, unequal
 from hfield.syntax import equal as same

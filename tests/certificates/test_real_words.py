@@ -10,7 +10,8 @@ from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME
 from hfield.certificates.rejection import Rejected
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
-from hfield.ledger.propositions import Every, Over, Statement
+from hfield.ledger.over_rings import Over
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import Analysis, Angles
 from hfield.rings import ring
 
