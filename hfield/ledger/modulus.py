@@ -27,8 +27,8 @@ from hfield.certificates.glossary import (
 )
 from hfield.errors import UndecidedError
 from hfield.ledger.facts import hamilton, texts
-from hfield.ledger.over_rings import search_panel
 from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import search_panel
 from hfield.product import Coordinates, Scalar, multiply, norm
 from hfield.proving.decision import Decision
 from hfield.rings.base import INFINITY, Ring

@@ -15,7 +15,7 @@ from hfield.certificates.glossary import (
 from hfield.errors import NotationError
 from hfield.ledger.carried import carried
 from hfield.ledger.claim import Proposition
-from hfield.ledger.over_rings import TRUE, by_lemmas, search_panel
+from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_text
