@@ -13,9 +13,9 @@ from hfield.certificates.glossary import (
     VACUOUS,
 )
 from hfield.errors import NotationError
-from hfield.ledger.carried import carried
 from hfield.ledger.claim import Proposition
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
+from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_text
