@@ -58,6 +58,10 @@ class LocalField(Completion):
         """Return the valuation of a nonzero element of the global field."""
         return int(self.residues.valuation(x))
 
+    def pole(self, x: LocalElement) -> int:
+        """Return the greatest order of a pole that x may have, 0 for none."""
+        return max(0, -(x.least_valuation() or 0))
+
     def truncated(self, x: Scalar, n: int) -> Any:
         """Return the standard element of the global field that is x up to πⁿ."""
         if self.global_field.is_zero(x):
