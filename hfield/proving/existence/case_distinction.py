@@ -67,7 +67,9 @@ def by_zero_or_not(problem: Problem) -> Decision | None:
         for op in ("==", "!="):
             when = Compare(op, Name(name), Number(0))
             hypotheses = (when, *statement.hypotheses)
-            proof = by_terms(problem.stating(replace(statement, hypotheses=hypotheses)).share(1 / 3))
+            proof = by_terms(
+                problem.stating(replace(statement, hypotheses=hypotheses)).share(1 / 3)
+            )
             if proof is None or proof.evidence is None:
                 break
             terms = tuple(proof.evidence["terms"].items())

@@ -13,7 +13,11 @@ from hfield.proving.decision import (
     Decision,
     has_evidence,
 )
-from hfield.proving.existence.case_distinction import by_isolating, by_linear_algebra, by_zero_or_not
+from hfield.proving.existence.case_distinction import (
+    by_isolating,
+    by_linear_algebra,
+    by_zero_or_not,
+)
 from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots
 from hfield.proving.existence.real_roots import by_roots
