@@ -40,9 +40,9 @@ def integral(g: flint.fmpq_poly) -> flint.fmpz_poly:
 def near_root(f: flint.fmpz_poly, p: int, digits: int = 0) -> int | None:
     """Return an r near a root in ℚ_p of a monic irreducible polynomial over ℤ; None where it has no root.
 
-    So many ``digits`` are those of the root. Near means v(f(r)) > 2·v(f′(r)), whence Newton's steps lead to a root (Hensel's lemma). With v the order
-    of the discriminant, a root modulo p^(2v + 1) is near one, for v(f′(r)) ≤ v wherever v(f(r)) > v.
-    Raises :class:`UndecidedError` where there are too many.
+    So many ``digits`` are those of the root. Near means v(f(r)) > 2·v(f′(r)), whence Newton's steps lead to a
+    root (Hensel's lemma). With v the order of the discriminant, a root modulo p^(2v + 1) is near one, for
+    v(f′(r)) ≤ v wherever v(f(r)) > v. Raises :class:`UndecidedError` where there are too many.
     """
     v, _ = remove(int(f.discriminant()), p)
     roots = residue_roots([int(c) for c in f.coeffs()], p ** (2 * v + 1 + digits))

@@ -1,8 +1,8 @@
 """Over ℚ_p: elements of a number field, whose generator Hensel's lemma finds in ℚ_p.
 
 Where v(f(r)) > 2·v(f′(r)) and p divides no denominator of r and f, which is monic, Newton's steps from r lead
-to a root of f in ℚ_p, so that ℚ[s]/(f) lies in ℚ_p, as ℚ(√d) does for f = X² − d. A term has the same value in
-both. So what is false for elements of that field is false over ℚ_p, and what they show to exist exists there.
+to a root of f in ℚ_p, so that ℚ[s]/(f) lies in ℚ_p, as ℚ(√d) does for f = X² − d. A term has the same value
+in both. So what is false for elements of that field is false over ℚ_p, and what they show to exist exists.
 """
 
 from dataclasses import replace
