@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Self
 
 from hfield.errors import CoercionError
 from hfield.product import Scalar
-from hfield.rings.growth import FEW, bits, check_growth
 from hfield.rings.holding import Batch
+from hfield.rings.powers import FEW, bits, check_growth
 
 if TYPE_CHECKING:
     import numpy as np

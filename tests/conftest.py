@@ -1,8 +1,10 @@
 """What tests of several rooms share."""
 
 import doctest
+import signal
 import sys
 import types
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,13 @@ import pytest
 # Files whose tests take most of the time, as `--durations` shows; `-m "not slow"` leaves them out.
 SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_text().split())
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
+
+
+def pytest_configure() -> None:
+    """Let commands that tests start hear Ctrl-C: under a shell's `&` it is ignored, by children too."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        with suppress(ValueError):  # not in the main thread
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

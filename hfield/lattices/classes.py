@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.hints import CLASSES, Hinted
 from hfield.lattices.answers import rows_json
 from hfield.lattices.canonical import Key, canonical
 from hfield.lattices.class_number import mass
@@ -35,7 +36,7 @@ MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
-class ClassSet:
+class ClassSet(Hinted):
     """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -45,6 +46,8 @@ class ClassSet:
     >>> C.brandt_matrix(2)
     [[1, 2], [3, 0]]
     """
+
+    elsewhere = CLASSES
 
     def __init__(self, order: Order) -> None:
         order._definite("class_set()")

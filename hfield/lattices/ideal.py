@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError, shorten
+from hfield.hints import IDEAL
 from hfield.lattices import compatible_products, hermite
 from hfield.lattices.answers import Answer, rows_json
 from hfield.lattices.given import prime as checked_prime
@@ -33,6 +34,8 @@ class Ideal(OneSidedIdeal):
     >>> I * I.inverse() == O
     True
     """
+
+    elsewhere = IDEAL
 
     # --- arithmetic ------------------------------------------------------------------------------
 

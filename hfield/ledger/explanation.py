@@ -10,7 +10,7 @@ from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.ledger.columns import split_columns
 from hfield.ledger.decision_lines import decision_lines, wrapped
 from hfield.ledger.matrix import Style
-from hfield.ledger.registry import find
+from hfield.ledger.registry import find_all
 from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import over, pretty, witness_text
@@ -20,60 +20,37 @@ from hfield.proving.statements.trees import conjuncts
 from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
+SCHEMA = "hfield-explain/1"
+
 
 @dataclass(frozen=True)
 class Explanation:
-    """A row of the ledger, told in full; prints itself, and shows as LaTeX in a notebook."""
+    """Rows of the ledger, told in full: one of a claim, or one of each claim of a section.
 
-    row: Row
+    It prints itself, and shows as LaTeX in a notebook. ``row`` is the first row, the only one of a claim.
+    """
+
+    rows: tuple[Row, ...]
+
+    @property
+    def row(self) -> Row:
+        """The first row."""
+        return self.rows[0]
 
     def text(self, style: Style | None = None) -> str:
         """Write statement, reading, verdict, steps and witness, then the same of the correction."""
-        style = style or Style()
-        claim, row = self.row.claim, self.row
-        title = f"{claim.id}  {claim.name}"
-        lines = [
-            style.bold(title),
-            f"thesis {claim.section}, {claim.kind}; {over(row.field)}",
-            "",
-            *wrapped("statement", claim.statement, style),
-            *wrapped("printed", claim.printed, style),
-        ]
-        if claim.as_printed:
-            lines += wrapped("read as", pretty(claim.as_printed.text), style)
-        if claim.note:
-            lines += wrapped("note", claim.note, style)
-        text = claim.as_printed.text if claim.as_printed else ""
-        lines += ["", *decision_lines(text, row.as_printed, row.field, style)]
-        if row.as_corrected is not None and claim.corrected:
-            lines += ["", *wrapped("corrected", pretty(claim.corrected.text), style)]
-            lines += ["", *decision_lines(claim.corrected.text, row.as_corrected, row.field, style)]
-        return "\n".join(lines)
+        return "\n\n".join(_text(row, style or Style()) for row in self.rows)
 
     def latex(self) -> str:
-        """Write statement and verdict as one formula of LaTeX."""
-        claim, row = self.row.claim, self.row
-        text = claim.as_printed.text if claim.as_printed else claim.statement
-        lines = [_formula(text, row.as_printed, row.field)]
-        if row.as_corrected is not None and claim.corrected:
-            lines.append(_formula(claim.corrected.text, row.as_corrected, row.field))
-        body = r" \\ ".join(lines)
+        """Write statements and verdicts as one formula of LaTeX."""
+        body = r" \\ ".join(line for row in self.rows for line in _formulas(row))
         return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
 
     def to_json(self) -> dict[str, object]:
-        """Return all of it as plain data, schema ``hfield-explain/1``."""
-        claim, row, corrected = self.row.claim, self.row, self.row.as_corrected
-        return {
-            "schema": "hfield-explain/1",
-            **{
-                k: getattr(claim, k)
-                for k in ("id", "name", "section", "kind", "statement", "printed")
-            },
-            "note": claim.note,
-            "field": row.field,
-            "as_printed": _json(claim.as_printed, row.as_printed),
-            "as_corrected": None if corrected is None else _json(claim.corrected, corrected),
-        }
+        """Return all of it as plain data, schema ``hfield-explain/1``; of several rows, a list of such."""
+        if len(self.rows) == 1:
+            return _data(self.row)
+        return {"schema": SCHEMA, "results": [_data(row) for row in self.rows]}
 
     def __str__(self) -> str:
         return self.text()
@@ -90,21 +67,68 @@ class Explanation:
 
 
 def explain(claim: str, field: str | None = None) -> Explanation:
-    """Decide a claim, given by its id or name, over one field (a text; QQ by default), and show each step.
+    """Decide a claim over one field (a text; QQ by default), and show each step.
+
+    ``claim`` is its id, its name or its number in the thesis; the number of a section stands for all its
+    claims.
 
     >>> explain("centre", "GF(4)").row.as_printed.verdict
     'proved'
+    >>> [row.claim.id for row in explain("twierdzenie 3").rows], len(explain("1.3.1", "GF(4)").rows)
+    (['C1.3.1-z'], 27)
 
     Raises :class:`hfield.errors.HFieldError` for a claim or field that does not exist.
     """
-    found = find(claim)
     column = split_columns(["QQ" if field is None else field])
     if len(column) > 1:
         raise SelectionError(
             f"one decision is explained at a time; {len(column)} fields were given"
         )
-    ((_, name),) = rows_to_decide([found], column, strict=True)
-    return Explanation(decide_row(found, name))
+    pieces = rows_to_decide(find_all(claim), column, strict=True)
+    return Explanation(tuple(decide_row(found, name) for found, name in pieces))
+
+
+def _text(row: Row, style: Style) -> str:
+    claim = row.claim
+    title = f"{claim.id}  {claim.name}"
+    lines = [
+        style.bold(title),
+        f"thesis {claim.section}, {claim.kind}; {over(row.field)}",
+        "",
+        *wrapped("statement", claim.statement, style),
+        *wrapped("printed", claim.printed, style),
+    ]
+    if claim.as_printed:
+        lines += wrapped("read as", pretty(claim.as_printed.text), style)
+    if claim.note:
+        lines += wrapped("note", claim.note, style)
+    text = claim.as_printed.text if claim.as_printed else ""
+    lines += ["", *decision_lines(text, row.as_printed, row.field, style)]
+    if row.as_corrected is not None and claim.corrected:
+        lines += ["", *wrapped("corrected", pretty(claim.corrected.text), style)]
+        lines += ["", *decision_lines(claim.corrected.text, row.as_corrected, row.field, style)]
+    return "\n".join(lines)
+
+
+def _formulas(row: Row) -> list[str]:
+    claim = row.claim
+    text = claim.as_printed.text if claim.as_printed else claim.statement
+    lines = [_formula(text, row.as_printed, row.field)]
+    if row.as_corrected is not None and claim.corrected:
+        lines.append(_formula(claim.corrected.text, row.as_corrected, row.field))
+    return lines
+
+
+def _data(row: Row) -> dict[str, object]:
+    claim, corrected = row.claim, row.as_corrected
+    return {
+        "schema": SCHEMA,
+        **{k: getattr(claim, k) for k in ("id", "name", "section", "kind", "statement", "printed")},
+        "note": claim.note,
+        "field": row.field,
+        "as_printed": _json(claim.as_printed, row.as_printed),
+        "as_corrected": None if corrected is None else _json(claim.corrected, corrected),
+    }
 
 
 def _formula(text: str, decision: Decision, field: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from functools import cached_property
 from random import Random
 from typing import TYPE_CHECKING
@@ -17,6 +17,7 @@ from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
 from hfield.rings.printing import blackboard, number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
+from hfield.rings.roots import irreducible_factors
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -145,6 +146,16 @@ class NumberField(ValueRing[FieldElement]):
         """Return the square root whose value at the principal embedding is principal, or None."""
         y = square_root(self, x)
         return None if y is None else y if self._is_principal(y) else -y
+
+    def roots(self, coefficients: Sequence[FieldElement]) -> list[FieldElement]:
+        """Return all roots of a polynomial with rational coefficients. Raises :class:`UndecidedError`."""
+        from hfield.rings.number_sums import roots_in
+
+        if any(x.poly.degree() > 0 for x in coefficients):
+            return super().roots(coefficients)
+        factors = irreducible_factors([x.poly[0] for x in coefficients])
+        # a root of degree n is in no field whose degree n does not divide
+        return [x for g in factors if self.degree % int(g.degree()) == 0 for x in roots_in(self, g)]
 
     def _is_principal(self, y: FieldElement) -> bool:
         """Tell whether y has positive real part at the principal embedding, or real part 0 and lies above."""

@@ -1,16 +1,85 @@
-"""Powers by repeated squaring, which end before they fill the memory."""
+"""Powers by repeated squaring, which end before they fill the memory: how many bits a value takes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from hfield.errors import TooLargeError
 from hfield.product import Arithmetic
-from hfield.rings.growth import FEW, bits, check_growth, is_quick
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import AnyPolynomial
 
 M = TypeVar("M", bound=Arithmetic)
+
+FEW = 16  # a power up to this is computed whatever comes of it
+MOST_BITS = 1 << 20
+QUICK = 1 << 16
+TIMES = 8  # as much as this a value may grow in any case
+COEFFICIENT = 4  # bits that one counts for at least, even a 0
+SLOW = 1_000  # bits that a node of a symbolic expression counts for
+
+# What our own elements are made of; their rings are no part of their size.
+_INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_held")
+
+
+def bits(x: Any) -> int:
+    """Return about how many bits ``x`` takes: a number, a polynomial, an element, or many of them.
+
+    >>> bits((2**100, 7))
+    104
+    """
+    if isinstance(x, int):
+        return x.bit_length()
+    if isinstance(x, Fraction):
+        return x.numerator.bit_length() + x.denominator.bit_length()
+    if isinstance(x, (tuple, list)):
+        return sum(map(bits, x))
+    if isinstance(x, Mapping):
+        return sum(map(bits, x.values()))
+    if hasattr(x, "nbytes"):
+        return sum(map(bits, x.flat)) if x.dtype == object else 8 * int(x.nbytes)
+    if type(x).__module__.startswith("flint"):
+        return _flint_bits(x)
+    inside = [getattr(x, name) for name in _INSIDE if hasattr(x, name)]
+    if inside:
+        return sum(map(bits, inside))
+    return _symbolic_bits(x.expr) if hasattr(x, "expr") else 1
+
+
+def _flint_bits(x: Any) -> int:
+    if hasattr(x, "monoms"):
+        return sum(map(bits, x.coeffs())) + sum(bits(tuple(map(int, m))) for m in x.monoms())
+    if hasattr(x, "coeffs"):
+        coefficients = x.coeffs()
+        return sum(map(bits, coefficients)) + COEFFICIENT * len(coefficients)
+    if hasattr(x, "height_bits"):
+        return int(x.height_bits())
+    return int(x.p.height_bits()) + int(x.q.height_bits()) if hasattr(x, "q") else 1
+
+
+def _symbolic_bits(expr: Any) -> int:
+    from sympy import preorder_traversal
+
+    parts = list(preorder_traversal(expr))
+    return SLOW * len(parts) + sum(bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational)
+
+
+def is_quick(x: object, n: int) -> bool:
+    """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
+    return n <= FEW or bits(x) * n <= QUICK
+
+
+def check_growth(start: int, power: object) -> None:
+    """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
+    reached = bits(power)
+    if reached > MOST_BITS and reached > TIMES * start:
+        raise TooLargeError(
+            f"the power is too large: a square on the way to it has {reached} bits, and none with more "
+            f"than {MOST_BITS} is squared again; use a smaller exponent, or a finite ring such as ZZ/n"
+        )
 
 
 def polynomial_power(one: AnyPolynomial, x: AnyPolynomial, n: int) -> AnyPolynomial:

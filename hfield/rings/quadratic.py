@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from random import Random
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import irreducible_factors
 from hfield.rings.squares import minus_one
 from hfield.rings.surds import Surd, from_rational
 from hfield.rings.values import ValueRing
@@ -111,6 +112,21 @@ class QuadraticField(ValueRing[Surd]):
     def sqrt(self, x: Surd) -> Surd | None:
         """Return the principal root, or None when it is not in the field."""
         return x.sqrt(within=self.d)
+
+    def roots(self, coefficients: Sequence[Surd]) -> list[Surd]:
+        """Return all roots of a polynomial with rational coefficients. Raises :class:`UndecidedError`."""
+        rationals = [rational(x.terms.get(1, 0)) for x in coefficients if set(x.terms) <= {1}]
+        if len(rationals) < len(coefficients):
+            return super().roots(coefficients)
+        out: list[Surd] = []
+        for g in irreducible_factors(rationals):
+            if g.degree() == 1:
+                out.append(self(-g[0]))
+            elif g.degree() == 2:
+                root = self.sqrt(self(g[1] * g[1] - 4 * g[0]))
+                if root is not None:
+                    out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
+        return out
 
     @property
     def level(self) -> Known:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Scalar
 from hfield.rings.base import Known, Ring
+from hfield.rings.integers import QQ
 from hfield.rings.local.completion import Completion
 from hfield.rings.local.element import LocalElement
 from hfield.rings.local.roots import minus_one, square_root
 from hfield.rings.printing import is_sum, parentheses, power_text
+from hfield.rings.roots import integral, irreducible_factors, near_root
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
@@ -61,6 +63,10 @@ class LocalField(Completion[LocalElement]):
     def order_of(self, x: Scalar) -> int:
         """Return the valuation of a nonzero element of the global field."""
         return int(self.residues.valuation(x))
+
+    def pole(self, x: LocalElement) -> int:
+        """Return the greatest order of a pole that x may have, 0 for none."""
+        return max(0, -(x.least_valuation() or 0))
 
     def truncated(self, x: Scalar, n: int) -> Scalar:
         """Return the standard element of the global field that is x up to πⁿ."""
@@ -127,6 +133,19 @@ class LocalField(Completion[LocalElement]):
         None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
         """
         return square_root(self, x, DIGITS)
+
+    def roots(self, coefficients: Sequence[LocalElement]) -> list[LocalElement]:
+        """Return all roots of a polynomial over ℚ in ℚ_p, if these are rational.
+
+        Raises :class:`UndecidedError` where there are others, and over other fields.
+        """
+        if self.global_field != QQ or not all(x.is_exact for x in coefficients):
+            return super().roots(coefficients)
+        factors = irreducible_factors([x.value for x in coefficients])
+        for g in factors:
+            if g.degree() > 1 and near_root(integral(g), self.residues.below) is not None:
+                raise UndecidedError(f"{g} has roots in {self} that are no rational numbers")
+        return [self(-g[0]) for g in factors if g.degree() == 1]
 
     def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
         """Raise :class:`UndecidedError`, naming the digits, where fewer than ``needed`` are known of x."""

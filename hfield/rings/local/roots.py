@@ -39,14 +39,14 @@ def square_root(F: LocalField, x: LocalElement, digits: int) -> LocalElement | N
     n = x.valuation()
     if n % 2:
         return None
-    F.check_digits(x, F.square_digits, f"whether {x} is a square")
     known = x.digits()
     wanted = digits if known is None else min(digits, known - F.doubling)
     scale = F.global_field.power(F.pi, n // 2)
     unit = F.global_field.divide(x.value, scale * scale)
-    start = _near_root(F, F.truncated(unit, wanted + 2 * F.doubling + 1))
+    start = _near_root(F, F.truncated(unit, max(wanted, 0) + 2 * F.doubling + 1), known)
     if start is None:
         return None
+    F.check_digits(x, F.square_digits, f"whether {x} is a square")
     root = hensel(F, (-unit, F.global_field.zero, F.global_field.one), start, wanted)
     return LocalElement(F, root * scale, wanted + n // 2)
 
@@ -71,8 +71,11 @@ def _derivative(x: Quotient) -> Quotient:
     return slope
 
 
-def _near_root(F: LocalField, unit: Scalar) -> Scalar | None:
-    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square."""
+def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
+    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square.
+
+    Where only ``known`` digits of u count, y² has them, too; None says that no unit with them is a square.
+    """
     K: Ring[Scalar] = F.global_field
     k, e = F.residues, F.doubling
     if not e:
@@ -82,7 +85,7 @@ def _near_root(F: LocalField, unit: Scalar) -> Scalar | None:
     while True:
         rest = K.divide(unit, y * y) - K.one
         n = digits if K.is_zero(rest) else F.order_of(rest)
-        if n > 2 * e:
+        if n > 2 * e or (known is not None and n >= known):
             return y
         if n % 2:
             return None

@@ -31,6 +31,10 @@ class PrimePlace:
         self.even = p == 2
         self.uniformiser, self.inverse_uniformiser = number(p), number(1, p)
 
+    def over_prime_field(self) -> list[int]:
+        """Return a basis of the residue field over that with p elements."""
+        return [self.one]
+
     def lift(self, x: int) -> Scalar:
         """Return a residue as a rational number."""
         return self._number(x)

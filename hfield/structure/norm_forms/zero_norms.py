@@ -36,12 +36,18 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
         )
     if not ring.is_field:
         return zeros_over_rings.zero_norm_integral(ring, c, zero_norm)
-    if ring.is_zero(discriminant(c)):
+    degenerate = _is_degenerate(ring, c)
+    if degenerate:
         return _degenerate(ring, c)
     if ring.order is not None:
         reason = "over a finite field the norm form of every quaternion algebra is isotropic"
         return found(ring, c, _scaled(ring, zero_norm_finite(ring, c)), "finite field", reason)
     form = normal_form(ring, c)
+    if degenerate is None:
+        answer = _squares(ring, c, form)
+        if answer is not None:
+            return answer
+        ring.is_zero(discriminant(c))  # says what is missing
     tried = ["elements with coordinates 0, 1, −1"]
     for name, procedure in _PROCEDURES:
         answer = procedure(ring, c, form)
@@ -66,7 +72,7 @@ def is_division(ring: Ring, c: Constants) -> bool:
         )
     if not ring.is_field:
         return False
-    if ring.order is None and not ring.is_zero(discriminant(c)):
+    if ring.order is None and _is_degenerate(ring, c) is False:
         field = global_field(ring)
         try:
             places = None if field is None else field.ramified(normal_form(ring, c))
@@ -107,6 +113,14 @@ def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
     scale = ring.inverse(next(u for u in q if not ring.is_zero(u)))
     w, x, y, z = (scale * u for u in q)
     return w, x, y, z
+
+
+def _is_degenerate(ring: Ring, c: Constants) -> bool | None:
+    """Tell whether ``(t² + 4a)·b = 0`` in a field; None where too few digits of the constants are known."""
+    try:
+        return ring.is_zero(discriminant(c))
+    except UndecidedError:
+        return None
 
 
 def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
