@@ -62,7 +62,7 @@ class Splitting:
         )
         return (a, b), (c, d)
 
-    def from_matrix(self, matrix: Sequence[Sequence[Any]]) -> Coordinates:
+    def from_matrix(self, matrix: Sequence[Sequence[object]]) -> Coordinates:
         """Return the coordinates of the element whose matrix is given, two rows of two entries.
 
         Raises :class:`CoercionError` for another shape or for entries that are not in the field.
@@ -191,7 +191,7 @@ def product(m: Matrix, n: Matrix) -> Matrix:
 def _relations(ring: Ring, c: Constants, one: Matrix, i: Matrix, j: Matrix, k: Matrix) -> bool:
     """Tell whether the matrices satisfy ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``."""
 
-    def combine(*terms: tuple[Any, Matrix]) -> Matrix:
+    def combine(*terms: tuple[Scalar, Matrix]) -> Matrix:
         (a, b), (d, e) = (
             [
                 sum((x * m[r][s] for x, m in terms[1:]), terms[0][0] * terms[0][1][r][s])

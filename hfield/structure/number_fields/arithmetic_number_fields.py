@@ -77,7 +77,7 @@ class NumberFieldArithmetic(GlobalField):
         """Return the prime ideal with its residue field."""
         return local_place(place) if isinstance(place, PrimeIdeal) else None
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+    def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
         """Yield the evidence; where ℤ[s] is not maximal at a place, in other generators as well."""
         for place in places:
             for data in super().evidence(c, [place]):
