@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from typing import Any, Self
 
+from rotation import hints
 from rotation import rigid_motions as motions
 from rotation.alignment import align_points
 from rotation.arrays import common_batch
@@ -34,6 +35,7 @@ class RigidTransform(Forms):
     """
 
     __slots__ = ()
+    elsewhere = hints.TRANSFORM
 
     def __new__(cls, matrix: Any) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""
@@ -43,17 +45,10 @@ class RigidTransform(Forms):
 
     def __mul__(self, other: object) -> Self:
         if not isinstance(other, RigidTransform):
-            if isinstance(other, Rotation):
-                raise DTypeError(
-                    "a Rotation beside a RigidTransform; write RigidTransform.from_rotation(r)"
-                )
             self._refuse_factor(other)
             return NotImplemented
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
-
-    def __rmul__(self, other: object) -> Any:
-        return self * other if isinstance(other, Rotation) else super().__rmul__(other)
 
     def __pow__(self, exponent: Any) -> Self:
         """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast."""
@@ -96,6 +91,7 @@ class RigidTransform(Forms):
 
     def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Any:
         """Return where the angle (radians) and the distance from one to the other are at most ``atol``."""
+        _expect_transform(other, "other")
         between = self.inv() * other
         xp = namespace(between._t)
         near = xp.sqrt(xp.sum(between._t**2, axis=-1)) <= atol
@@ -115,13 +111,10 @@ class RigidTransform(Forms):
             Something among them is no RigidTransform.
         """
         if not isinstance(transforms, RigidTransform | Iterable):
-            raise DTypeError(f"concatenate takes transforms, not a {type(transforms).__name__}")
+            raise DTypeError(f"concatenate takes transforms, not {hints.described(transforms)}")
         members = [transforms] if isinstance(transforms, RigidTransform) else list(transforms)
         for n, member in enumerate(members):
-            if not isinstance(member, RigidTransform):
-                raise DTypeError(
-                    f"concatenate takes transforms; number {n} is a {type(member).__name__}"
-                )
+            _expect_transform(member, f"number {n}")
         turns = Rotation.concatenate([m.rotation for m in members])
         xp = namespace(turns._q)
         return cls._of(
@@ -173,6 +166,11 @@ class RigidTransform(Forms):
         return type(self)._of, (self._q, self._t)
 
 
+def _expect_transform(value: object, name: str) -> None:
+    if not isinstance(value, RigidTransform):
+        raise DTypeError(hints.refusal(value, name, "RigidTransform"))
+
+
 def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
     """Return the motion at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1), along one screw.
 
@@ -185,8 +183,7 @@ def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
     >>> sclerp(RigidTransform.identity(), move, 0.5).translation
     array([1., 0., 0.])
     """
-    for name, value in (("p", p), ("q", q)):
-        if not isinstance(value, RigidTransform):
-            raise DTypeError(f"{name} is a {type(value).__name__}; expected a RigidTransform")
+    _expect_transform(p, "p")
+    _expect_transform(q, "q")
     path: RigidTransform = p * (p.inv() * q) ** t
     return path

@@ -5,16 +5,18 @@ from typing import Any
 import numpy as np
 
 from rotation import interpolation, spline
+from rotation.compat import checks
 from rotation.compat.rotations import Rotation
-from rotation.errors import DTypeError, RotationError
+from rotation.errors import RotationError
 
 
 class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them."""
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
-        if not isinstance(rotations, Rotation):
-            raise DTypeError("`rotations` must be a `Rotation` instance.")
+        words = "`rotations` must be a `Rotation` instance."
+        q = checks.expected(checks.quaternions(rotations), rotations, words)
+        rotations = Rotation._of(q)
         if rotations.single or len(rotations) < 2:
             raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
         if len(rotations.shape) > 1:
@@ -50,7 +52,10 @@ class RotationSpline:
     """The curve through keyframes with two continuous derivatives."""
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
-        if not isinstance(rotations, Rotation) or rotations.single or len(rotations) < 2:
+        words = "`rotations` must be a sequence of at least 2 rotations."
+        q = checks.expected(checks.quaternions(rotations), rotations, words)
+        rotations = Rotation._of(q)
+        if rotations.single or len(rotations) < 2:
             raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
         if len(rotations.shape) > 1:
             raise RotationError("Rotations with more than 1 leading dimension are not supported.")
