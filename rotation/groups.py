@@ -104,5 +104,5 @@ def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
     for start in range(0, len(flat), step):
         piece = slice(start, start + step)
         best[piece] = np.argmax(np.abs(flat[piece] @ rows.T), axis=1)
-    r, n = np.divmod(best, len(left))
-    return n.reshape(p.shape[:-1]), r.reshape(p.shape[:-1])
+    r, n = np.divmod(best.reshape(p.shape[:-1]), len(left))
+    return n, r

@@ -4,7 +4,6 @@ scipy, `rotation.compat` and we all call a class Rotation, so an error has to sa
 their names: nothing is imported to tell.
 """
 
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 OURS, COMPAT = "rotation", "rotation.compat"
@@ -21,13 +20,7 @@ class Kind(NamedTuple):
 
 def kind(value: object) -> Kind | None:
     """Return whose rotations or transforms a value is, or None if it is neither."""
-    own: type[Any] = type(value)
-    return _kind(own)
-
-
-@lru_cache(maxsize=256)
-def _kind(of: type[Any]) -> Kind | None:
-    for ancestor in of.__mro__:
+    for ancestor in type(value).__mro__:
         if ancestor.__name__ in NAMES:
             for home in _HOMES:
                 if f"{ancestor.__module__}.".startswith(f"{home}."):

@@ -8,6 +8,7 @@ from rotation import interpolation, spline
 from rotation.compat import checks
 from rotation.compat.rotations import Rotation
 from rotation.errors import RotationError
+from rotation.namespaces import quiet
 
 
 class Slerp:
@@ -40,7 +41,7 @@ class Slerp:
         t = np.asarray(times, dtype=np.float64)
         if t.ndim > 1:
             raise RotationError("`times` must be at most 1-dimensional.")
-        if np.any((t < self.times[0]) | (t > self.times[-1])):
+        if not np.all((t >= self.times[0]) & (t <= self.times[-1])):
             raise RotationError(
                 f"Interpolation times must be within the range [{self.times[0]}, {self.times[-1]}], "
                 "both inclusive."
@@ -63,6 +64,7 @@ class RotationSpline:
         self.rotations = rotations
         self._curve = spline.RotationSpline(self.times, rotations._ours)
 
+    @quiet
     def __call__(self, times: Any, order: int = 0) -> Any:
         """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
         if order not in (0, 1, 2):

@@ -8,7 +8,7 @@ import numpy as np
 
 from rotation import davenport, quaternions
 from rotation import rotation as ours
-from rotation.compat import checks, groups
+from rotation.compat import answers, checks, groups
 from rotation.errors import RotationError
 from rotation.euler import sequence
 from rotation.matrices import from_matrix
@@ -41,6 +41,8 @@ class Rotation:
     ) -> None:
         q = checks.numbers(quat, "quat", "(..., 4)", (4,))
         q = q if scalar_first else np.roll(q, 1, axis=-1)
+        if normalize and np.isnan(q).any():
+            raise RotationError("Found NaN among the quaternions of `quat`.")
         q = quaternions.normalised(q) if normalize else q
         self._q = np.array(q)
 
@@ -70,6 +72,8 @@ class Rotation:
     def from_matrix(cls, matrix: Any, *, assume_valid: bool = False) -> Self:
         """Make rotations from matrices; what is not orthogonal is replaced by the nearest rotation."""
         m = checks.numbers(matrix, "matrix", "(..., 3, 3)", (3, 3))
+        if assume_valid:
+            return cls._of(answers.unchecked(m))
         if np.any(np.linalg.det(m) <= 0.0):
             raise RotationError("Non-positive determinant (left-handed or null coordinate frame)")
         try:
@@ -261,7 +265,7 @@ class Rotation:
         if not self._q.size:
             raise RotationError("Mean of an empty rotation set is undefined.")
         axes = checks.averaged(axis, len(self.shape))
-        return self._of(self._ours.mean(checks.weighted(weights, self.shape), axes)._q)
+        return self._of(answers.averaged(self._q, checks.weighted(weights, self.shape), axes))
 
     def reduce(
         self,

@@ -7,9 +7,10 @@ import numpy as np
 
 from rotation import rigid
 from rotation import rotation as ours
-from rotation.compat import checks
+from rotation.compat import answers, checks
 from rotation.compat.rotations import Rotation
 from rotation.errors import RotationError
+from rotation.namespaces import quiet
 
 Array = Any
 
@@ -162,6 +163,7 @@ class RigidTransform:
         back[..., :3, 3] = -np.matmul(turn, self._matrix[..., :3, 3, None])[..., 0]
         return self._of(back)
 
+    @quiet
     def apply(self, vector: Any, inverse: bool = False) -> Array:
         """Move vectors."""
         v = np.asarray(vector, dtype=np.float64)
@@ -181,7 +183,11 @@ class RigidTransform:
             raise RotationError(
                 f"Expected `weights` to have shape {self.shape}, got {np.shape(weights)}."
             )
-        return self._from_ours(self._ours.mean(w, axes))
+        turn = answers.averaged(self.rotation._q, w, axes)
+        share = np.ones(self.shape) if w is None else np.broadcast_to(w, self.shape)
+        shift = np.sum(share[..., None] * self._matrix[..., :3, 3], axis=axes)
+        shift /= np.sum(share, axis=axes)[..., None]
+        return self._from_ours(rigid.RigidTransform._of(turn, shift))
 
     # As an array
 
