@@ -15,9 +15,8 @@ from rotation.namespaces import Array, namespace
 from rotation.vectors import cross
 
 GAUSS = (0.5 - math.sqrt(3.0) / 6.0, 0.5 + math.sqrt(3.0) / 6.0)
-_NEAR = (
-    2.0**-20
-)  # of an interval: Simpson's ends, moved into it, for a jump there belongs to no interval
+# Simpson's ends are moved into the interval, by this part of it: a jump there belongs to no interval.
+_NEAR = 2.0**-30
 _SIMPSON = (_NEAR, 0.5, 1.0 - _NEAR)
 _AT_LEAST, _AT_MOST = 16, 16_384  # pieces of all intervals; of each, taken together
 # Where the velocity jumps the first rule is wrong by no more than 1.27 times the difference from the other,
