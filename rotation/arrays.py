@@ -54,6 +54,10 @@ def real(value: object, name: str) -> Array:
         return array.astype(array.dtype.newbyteorder("="), copy=False)
     if array.dtype.name == "quaternion":  # numpy-quaternion's: four floats, scalar first
         return array.reshape(-1).view(np.float64).reshape(*array.shape, 4)
+    if array.dtype.kind == "O":
+        expect_numbers(value, name)
+        if not isinstance(value, _NUMBERS):
+            raise DTypeError(f"{name} is {hints.described(value)}; expected an array of numbers")
     if isinstance(value, str) and value.lower() in _AXES:
         raise DTypeError(f"{name} is {value!r}; write {_AXES[value.lower()]} for that axis")
     if isinstance(value, str):

@@ -35,9 +35,15 @@ def is_scipys(value: object, name: str) -> bool:
 
 
 def described(value: object) -> str:
-    """Return what a value is, with where its class comes from if that is in doubt."""
-    found = kind(value)
-    return f"a {'.'.join(found) if found else type(value).__name__}"
+    """Return what a value is, or a list begins with, and where its class comes from if that is in doubt."""
+    inside = _first(value)
+    found = kind(inside)
+    of = "" if inside is value or not found else f"{type(value).__name__} of "
+    return f"a {of}{'.'.join(found)}" if found else f"a {type(value).__name__}"
+
+
+def _first(value: object) -> object:
+    return value[0] if isinstance(value, list | tuple) and value else value
 
 
 def refusal(value: Any, name: str, wanted: str) -> str:
@@ -51,11 +57,15 @@ def refusal(value: Any, name: str, wanted: str) -> str:
     >>> refusal(Rotation.identity(), "q", "Rotation")
     'q is a rotation.compat.Rotation; expected a rotation.Rotation: write Rotation.from_scipy(q)'
     """
+    joined = _first(value) is not value and kind(_first(value)) == (OURS, wanted)
     found = kind(value)
     whose = "rotation." if found and found.name == wanted else ""
     usual_name = "t" if found and found.name == "RigidTransform" else "r"
     code = name if name.isidentifier() else usual_name
-    way = _conversion(found, code, wanted) if found else _constructor(value, code, wanted)
+    if joined:
+        way = f"{wanted}.concatenate({code})"
+    else:
+        way = _conversion(found, code, wanted) if found else _constructor(value, code, wanted)
     usual = "from_quat" if wanted == "Rotation" else "from_components"
     advice = f": write {way}" if way else f", such as {usual} makes"
     return f"{name} is {described(value)}; expected a {whose}{wanted}{advice}"
@@ -63,7 +73,7 @@ def refusal(value: Any, name: str, wanted: str) -> str:
 
 def numbers_expected(value: object, name: str) -> str | None:
     """Return the words of an error where an array was expected, if the value is a rotation or a transform."""
-    found = kind(value)
+    found = kind(_first(value))
     if found is None:
         return None
     advice = ""

@@ -60,9 +60,9 @@ def finfo(xp: Any, number: Array) -> Any:
 
 def expect_numpy(what: str, *values: Any) -> None:
     """Raise `ForeignArrayError` unless all ``values`` are numpy arrays or plain numbers and lists."""
-    xp = namespace(*values)
-    if not is_numpy(xp):
-        raise ForeignArrayError(f"{what} takes numpy arrays only, not those of {xp.__name__}")
+    for xp in map(namespace, values):
+        if not is_numpy(xp):
+            raise ForeignArrayError(f"{what} takes numpy arrays only, not those of {xp.__name__}")
 
 
 def _own_namespace(value: Any) -> Any:

@@ -7,6 +7,7 @@ import numpy as np
 
 from rotation import hints
 from rotation.errors import DTypeError, RotationError
+from rotation.namespaces import expect_numpy
 from rotation.rotation import Rotation
 
 Array = Any
@@ -19,7 +20,9 @@ def quaternions(value: Any) -> Array | None:
         return None
     if found.home == hints.COMPAT:
         return value._q
-    return np.array(value._q if found.home == hints.OURS else Rotation.from_scipy(value)._q)
+    q = value._q if found.home == hints.OURS else Rotation.from_scipy(value)._q
+    expect_numpy("rotation.compat", q)
+    return np.array(q)
 
 
 def matrices(value: Any) -> Array | None:
@@ -27,7 +30,11 @@ def matrices(value: Any) -> Array | None:
     found = hints.kind(value)
     if found is None or found.name != "RigidTransform":
         return None
-    return value._matrix if found.home == hints.COMPAT else np.array(value.as_matrix())
+    if found.home == hints.COMPAT:
+        return value._matrix
+    m = value.as_matrix()
+    expect_numpy("rotation.compat", m)
+    return np.array(m)
 
 
 def expected(array: Array | None, value: object, words: str) -> Array:

@@ -8,6 +8,7 @@ import pytest
 
 from rotation import (
     DTypeError,
+    ForeignArrayError,
     RigidTransform,
     Rotation,
     RotationError,
@@ -113,6 +114,23 @@ def test_who_takes_numbers_names_the_class(home: str, name: str) -> None:
             NUMBERS[name](value)
 
 
+def test_lists_of_rotations_are_to_be_joined() -> None:
+    for call in (lambda: Slerp([0, 1], [R[0], R[1]]), lambda: slerp(R, (R[0],), 0.5)):  # type: ignore[arg-type]
+        with pytest.raises(
+            DTypeError, match=r"of rotation\.Rotation; .* write Rotation\.concatenate"
+        ):
+            call()
+    with pytest.raises(DTypeError, match=r"RigidTransform\.concatenate"):
+        sclerp(T, [T[0], T[1]], 0.5)  # type: ignore[arg-type]
+    with pytest.raises(
+        DTypeError, match=r"a list of scipy\.spatial\.transform\.Rotation; expected"
+    ):
+        R.apply(list(FOREIGN["scipy.spatial.transform"][0]))
+    for value, name in ((None, "NoneType"), ({}, "dict"), ((x for x in "ab"), "generator")):
+        with pytest.raises(DTypeError, match=f"points is a {name}; expected an array of numbers"):
+            R.apply(value)
+
+
 def test_what_is_said_works() -> None:
     for turn, move in FOREIGN.values():
         assert R.approx_equal(Rotation.from_scipy(turn), 1e-14).all()
@@ -183,6 +201,19 @@ def test_compat_takes_all_three_kinds() -> None:
         lambda: CT.from_rotation(T),
     ):
         with pytest.raises(DTypeError, match="this is a"):
+            call()
+
+
+def test_arrays_of_other_libraries_stay_where_they_are() -> None:
+    strict = pytest.importorskip("array_api_strict")
+    other = Rotation(strict.asarray(Q))
+    moves = RigidTransform.from_rotation(other)
+    turn, move = FOREIGN["rotation.compat"]
+    for call in (lambda: turn * other, lambda: other * turn, lambda: move * moves):
+        with pytest.raises(ForeignArrayError, match="compat takes numpy arrays only"):
+            call()
+    for call in (other.reduce, lambda: other.reduce(R), lambda: R.reduce(other)):
+        with pytest.raises(ForeignArrayError, match="reduce takes numpy arrays only"):
             call()
 
 
