@@ -196,7 +196,7 @@ def _dask(address: str) -> Iterator[Executor]:
     except ImportError:
         raise ExecutorError(
             "--dask needs the package distributed, which is not installed; "
-            "run `pip install distributed`, or use --jobs N"
+            "run `pip install 'hfield[dask]'`, or use --jobs N"
         ) from None
     try:
         client = distributed.Client(address, timeout="10s")

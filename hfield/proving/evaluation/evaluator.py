@@ -287,7 +287,7 @@ class Evaluator:
 
     def _noted(self, of: Callable[[Any], Value], f: Function) -> Function:
         """Return ``of`` after ``f``, and note the condition under which it is defined."""
-        always, both = self.scalars.always, self.scalars.both
+        always, together = self.scalars.always, self.scalars.together
         self.partial += 1
 
         def value(v: Values) -> Any:
@@ -295,7 +295,7 @@ class Evaluator:
             if condition is False:
                 raise _UndefinedError
             if condition is not always:
-                self.defined = both(self.defined, condition)
+                self.defined = together(self.defined, condition)
             return x
 
         return value

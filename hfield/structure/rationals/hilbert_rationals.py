@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz
 
 from hfield.errors import RingError
-from hfield.factorisation import WORD, Factors, factorise, is_prime, known_primes, remove
+from hfield.factorisation import Factors, factorise, known_primes, remove
+from hfield.primality import WORD, is_prime
 from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.structure.rationals.whole_numbers import crt, square_class
 
