@@ -2,7 +2,8 @@
 
 Beside a ledger ``sheet.toml`` lies ``sheet.pl.toml`` with a table for each claim and a table of phrases,
 ``"over {F} it is false" = "nad {F} jest to fałsz"``. What stands in braces is a formula, which stays, or is
-a phrase itself. A text that no phrase fits stays untranslated; nothing is guessed.
+a phrase itself. A text that no phrase fits stays untranslated; nothing is guessed. ``names`` lists words that
+formulas have in them.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ from typing import Any
 
 from hfield.errors import NotationError
 from hfield.ledger.claim import Claim
+from hfield.ledger.document import LedgerError
+from hfield.proving.statements.printing import to_unicode
 from hfield.syntax import parse
 
 Source = tuple[str, str]
@@ -28,7 +31,9 @@ SIGNS = frozenset(
     | {"det", "dim", "cos", "sin", "arctg", "tan", "diag", "max", "min"}
 )
 _WORD = re.compile(r"\b(?:is|it|in|of|to|so|as|by|if|on|or|at|an|no|be)\b|[A-Za-z]{3,}")
-_NAME = re.compile("[eijk]+|[a-z]+[A-Z][A-Za-z]*")  # products of the basis, names as programs have them
+_NAME = re.compile(
+    "[eijk]+|[a-z]+[A-Z][A-Za-z]*"
+)  # products of the basis, names as programs have them
 _SLOT = re.compile(r"\{(\w+)\}")
 _DEEPEST = 6  # phrases within phrases
 
@@ -45,7 +50,10 @@ class Told:
 
 
 class Translation:
-    """Texts of claims by their ids, whole texts by what they say in English, and phrases with slots."""
+    """Texts of claims by their ids, whole texts by what they say in English, and phrases with slots.
+
+    Raises :class:`LedgerError` for a document of texts that cannot be read.
+    """
 
     def __init__(self, claims: Iterable[Claim], language: str, more: Sequence[Source] = ()) -> None:
         listed = list(claims)
@@ -68,6 +76,10 @@ class Translation:
     def told(self, claim: Claim) -> Told | None:
         """Return what a claim says, or None."""
         return self._told.get(claim.id)
+
+    def printed(self, claim: Claim) -> str:
+        """Return what is printed, in the ledger's words where it is not quoted."""
+        return self._whole.get(claim.printed, claim.printed)
 
     def _pairs(self, claim: Claim) -> Iterator[tuple[str, str]]:
         told = self.told(claim)
@@ -94,7 +106,7 @@ class Translation:
         if text in self._whole:
             return self._whole[text]
         if is_formula(text, self._names):
-            return text
+            return _in_signs(text)
         for pattern, said in self._phrases if depth else ():
             if found := pattern.fullmatch(text):
                 parts = {key: self.say(part, depth - 1) for key, part in found.groupdict().items()}
@@ -120,6 +132,16 @@ def is_formula(text: str, names: frozenset[str] = SIGNS) -> bool:
     return True
 
 
+def _in_signs(text: str) -> str:
+    """Write a statement of the language without its English words; leave every other formula."""
+    if not re.search(r"\b(and|or|not|exists)\b", text):
+        return text
+    text = to_unicode(parse(text))
+    for word, sign in (("and", "∧"), ("or", "∨"), ("not", "¬"), ("exists", "∃")):
+        text = re.sub(rf"\b{word}\b", sign, text)
+    return text
+
+
 def _pattern(text: str) -> re.Pattern[str]:
     """Return a pattern whose slots take as little as they can; a slot that comes twice takes the same."""
     seen: set[str] = set()
@@ -136,12 +158,42 @@ def _pattern(text: str) -> re.Pattern[str]:
 @cache
 def _document(source: Source, language: str) -> Mapping[str, Any]:
     """Read the texts beside a ledger; nothing where there are none."""
-    package, name = source
-    path = files(package) / _beside(name, language) if package else Path(_beside(name, language))
-    if not name or not path.is_file():
+    package, ledger = source
+    name = f"{ledger.removesuffix('.toml')}.{language}.toml"
+    path = files(package) / name if package else Path(name)
+    if not ledger or not path.is_file():
         return {}
-    return tomllib.loads(path.read_text(encoding="utf-8"))
+    try:
+        found = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError, OSError) as error:
+        raise LedgerError(f"{name} cannot be read: {error}") from None
+    _check(found, name)
+    return found
 
 
-def _beside(name: str, language: str) -> str:
-    return f"{name.removesuffix('.toml')}.{language}.toml"
+def _check(document: Mapping[str, Any], name: str) -> None:
+    """Raise :class:`LedgerError` unless a document has claims, phrases and names as they have to be."""
+    kinds: dict[str, type] = {"claims": dict, "phrases": dict, "names": list}
+    for key, value in document.items():
+        if not isinstance(value, kinds.get(key, ())):
+            raise LedgerError(
+                f"{name}: {key!r} is no table of claims or phrases, nor a list of names"
+            )
+    for key, texts in document.get("claims", {}).items():
+        keys = set(texts) if isinstance(texts, dict) else {"?"}
+        if not {"name", "statement"} <= keys <= set(Told.__dataclass_fields__):
+            known = ", ".join(Told.__dataclass_fields__)
+            raise LedgerError(
+                f"{name}, claim {key!r}: expected name and statement; there are {known}"
+            )
+        _check_texts(texts, f"{name}, claim {key!r}")
+    _check_texts(document.get("phrases", {}), f"{name}, phrases")
+    for text, said in document.get("phrases", {}).items():
+        if not set(_SLOT.findall(said)) <= set(_SLOT.findall(text)):
+            raise LedgerError(f"{name}, phrase {text!r}: {said!r} has another slot")
+
+
+def _check_texts(texts: Mapping[str, object], where: str) -> None:
+    for key, value in texts.items():
+        if not isinstance(value, str):
+            raise LedgerError(f"{where}, key {key!r}: expected a text in quotes")

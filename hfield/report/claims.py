@@ -12,7 +12,7 @@ from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.report.certified import Certificates
 from hfield.report.language import Language
-from hfield.report.markup import anchor, field_html, field_text, prose, verdict_html
+from hfield.report.markup import anchor, field_html, field_text, verdict_html
 from hfield.report.terms import term
 
 MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
@@ -39,7 +39,7 @@ def _article(rows: Sequence[Row], certificates: Certificates, words: Language) -
     refuted = any(row.as_printed.verdict == REFUTED for row in rows)
     facts = [(words["statement"], words.html(claim.statement, "p"))]
     if claim.printed not in ("", "—", claim.statement):
-        facts.append((words["printed"], f'<p lang="pl">{prose(claim.printed)}</p>'))
+        facts.append((words["printed"], words.printed(claim)))
     if claim.as_printed is not None:
         facts.append((words["read_as"], words.statement(claim.as_printed.text)))
     if claim.note:

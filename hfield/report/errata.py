@@ -10,7 +10,7 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.proving.decision import REFUTED
 from hfield.report.claims import description
 from hfield.report.language import Language
-from hfield.report.markup import anchor, field_html, prose, verdict_html
+from hfield.report.markup import anchor, field_html, verdict_html
 from hfield.report.terms import term
 
 
@@ -26,7 +26,7 @@ def _erratum(erratum: Erratum, words: Language) -> str:
     claim = erratum.claim
     facts = []
     if claim.printed not in ("", "—"):
-        facts.append((words["printed"], f'<p lang="pl">{prose(claim.printed)}</p>'))
+        facts.append((words["printed"], words.printed(claim)))
     else:
         facts.append((words["statement"], words.html(claim.statement, "p")))
     facts.append((words["refuted_over"], _fields(erratum.refuted)))

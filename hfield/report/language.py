@@ -10,7 +10,9 @@ from hfield.ledger.translated import Told, Translation
 from hfield.report.markup import formula, prose
 from hfield.report.words import LANGUAGES
 
-OURS = (("hfield.report", "steps.toml"),)  # what the prover says, and the claims that Python decides
+OURS = (
+    ("hfield.report", "steps.toml"),
+)  # what the prover says, and the claims that Python decides
 
 
 class Language(dict[str, str]):
@@ -26,6 +28,11 @@ class Language(dict[str, str]):
         if self._translation is None:
             return Told(claim.name, claim.statement, claim.note)
         return self._translation.told(claim)
+
+    def printed(self, claim: Claim) -> str:
+        """Set what the thesis prints, in Polish, which is its language."""
+        text = self._translation.printed(claim) if self._translation else claim.printed
+        return f'<p lang="pl">{prose(text)}</p>'
 
     def say(self, text: str) -> str | None:
         """Return a text in this language, or None where it is known in English only."""

@@ -120,7 +120,7 @@ def matrix_html(rows: Sequence[Row], words: Language) -> str:
 def _line(claim: Claim, words: Language) -> str:
     return (
         f'<tr data-id="{anchor(claim.id)}"><th scope="row"><a href="#{anchor(claim.id)}">'
-        f'{escape(claim.id)} <span>{words.name(claim)}</span></a></th>'
+        f"{escape(claim.id)} <span>{words.name(claim)}</span></a></th>"
     )
 
 
