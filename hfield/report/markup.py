@@ -13,7 +13,7 @@ from hfield.proving.statements.trees import conjuncts
 from hfield.syntax import parse
 
 _LETTERS = {"QQ": "ℚ", "ZZ": "ℤ", "RR": "ℝ", "CC": "ℂ"}
-_INDEX = re.compile(r"(?<![^\W_])([^\W\d_])_([^\W_]{1,3})(?![^\W_])")  # e_i, R_zyx
+_INDEX = re.compile(r"(?<![^\W_])([^\W\d_])_([a-zA-Z0-9Δπ]{1,3})(?![a-zA-Z0-9_])")  # e_i, R_zyx
 _INDICES = re.compile(r"(?<=[\w}])_\{([^{}]*)\}")  # a_{n+1}
 _POWER = re.compile(r"\^\{?((?<=\{)[^{}]*(?=\})|(?<=\^)(?:-?\d+|[^\W\d_]|⊥))\}?")
 Words = dict[str, str]

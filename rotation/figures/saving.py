@@ -48,8 +48,8 @@ def picture(
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         draw(figure)
-        for text in figure.findobj(Text) if words else ():
-            text.set_text(words.get(text.get_text(), text.get_text()))
+        for text in figure.findobj(Text):
+            text.set_text((words or {}).get(text.get_text(), text.get_text()))
         figure.savefig(out, format=suffix, dpi=dpi, metadata=_DATELESS[suffix])
     return out.getvalue()
 
