@@ -13,13 +13,11 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.factorisation import is_prime
 from hfield.hints import CLASSES, Hinted
 from hfield.lattices.answers import rows_json
 from hfield.lattices.canonical import Key, canonical
@@ -29,6 +27,7 @@ from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order import Order
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
+from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
     from hfield.lattices.certified import Claim
@@ -70,10 +69,10 @@ class ClassSet(Hinted):
         left = self.mass
         left -= self._add(*canonical(self.order))
         discriminant = self.order._discriminant
-        for p in count(2):
+        for p in primes():
             if not left:
                 return
-            if not is_prime(p) or discriminant % p == 0:
+            if discriminant % p == 0:
                 continue
             # where local units do not have all norms, neighbours at one prime reach a part of the classes
             done, rows = 0, []

@@ -233,7 +233,7 @@ class Order(OrderInvariants):
         Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
         quadratic orders.
         """
-        from hfield.lattices.represent import represent_integer
+        from hfield.lattices.norm_equations import represent_integer
 
         return represent_integer(self, positive(n, "norm"), seed)
 
