@@ -86,14 +86,18 @@ def _never_false(problem: Problem) -> Decision | None:
 
 def chosen(problem: Problem) -> Callable[[Problem], Decision]:
     """Return the method for a problem: by whether something is said to exist, and what is assumed."""
-    if problem.statement.exists:
-        return quantifiers.decide
-    return _with_hypotheses if problem.statement.hypotheses else universal.decide
+    if problem.statement.hypotheses:
+        return _with_hypotheses
+    return _plainly(problem)
+
+
+def _plainly(problem: Problem) -> Callable[[Problem], Decision]:
+    return quantifiers.decide if problem.statement.exists else universal.decide
 
 
 def _with_hypotheses(problem: Problem) -> Decision:
-    """Decide a statement without quantifier; what nothing satisfies is vacuous."""
-    decision = universal.decide(problem)
+    """Decide what assumes something; what nothing satisfies is vacuous."""
+    decision = _plainly(problem)(problem)
     if decision.verdict != PROVED:
         return decision
     vacuous = quantifiers.vacuous(problem)

@@ -21,6 +21,8 @@ TIMES = 8  # as much as this a value may grow in any case
 COEFFICIENT = 4  # bits that one counts for at least, even a 0
 SLOW = 1_000  # bits that a node of a symbolic expression counts for
 
+# Polynomials over finite rings: nobody need look at their coefficients.
+_OVER_FINITE = ("nmod_poly", "fmpz_mod_poly", "fq_default_poly")
 # What our own elements are made of; their rings are no part of their size.
 _INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_held")
 
@@ -51,13 +53,25 @@ def bits(x: Any) -> int:
 
 def _flint_bits(x: Any) -> int:
     if hasattr(x, "monoms"):
-        return sum(map(bits, x.coeffs())) + sum(bits(tuple(map(int, m))) for m in x.monoms())
+        exponents = sum(int(n).bit_length() for exponents in x.monoms() for n in exponents)
+        return exponents + _bits_of_alike(x.coeffs())
+    if type(x).__name__ in _OVER_FINITE:
+        return (1 + COEFFICIENT) * len(x)
     if hasattr(x, "coeffs"):
         coefficients = x.coeffs()
-        return sum(map(bits, coefficients)) + COEFFICIENT * len(coefficients)
-    if hasattr(x, "height_bits"):
-        return int(x.height_bits())
-    return int(x.p.height_bits()) + int(x.q.height_bits()) if hasattr(x, "q") else 1
+        return _bits_of_alike(coefficients) + COEFFICIENT * len(coefficients)
+    return _bits_of_alike([x])
+
+
+def _bits_of_alike(numbers: list[Any]) -> int:
+    """Return the bits of numbers of one type of flint's; elements of a finite ring count 1 each."""
+    if numbers and isinstance(numbers[0], int):
+        return sum(map(int.bit_length, numbers))
+    if numbers and hasattr(numbers[0], "height_bits"):
+        return sum(int(x.height_bits()) for x in numbers)
+    if numbers and hasattr(numbers[0], "q"):
+        return sum(int(x.p.height_bits()) + int(x.q.height_bits()) for x in numbers)
+    return len(numbers)
 
 
 def _symbolic_bits(expr: Any) -> int:

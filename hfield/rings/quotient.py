@@ -34,7 +34,15 @@ class Quotient(Element):
             if self.field.is_one(self.den):
                 return Quotient(self.field, self.num + other.num, self.den)
             return self.quotient(self.num + other.num, self.den)
-        return self.quotient(self.num * other.den + other.num * self.den, self.den * other.den)
+        # What can cancel divides what the denominators have in common (Henrici, J. ACM 3, 1956).
+        common = self.den.gcd(other.den)
+        if self.field.is_one(common):
+            num = self.num * other.den + other.num * self.den
+            return Quotient(self.field, num, self.den * other.den)
+        rest = self.den // common
+        num = self.num * (other.den // common) + other.num * rest
+        num, den = self._cancelled(num, common)
+        return Quotient(self.field, num, rest * (other.den // common) * den)
 
     def __neg__(self) -> Quotient:
         return Quotient(self.field, -self.num, self.den)
@@ -43,7 +51,16 @@ class Quotient(Element):
         """Return the product."""
         if self.field.is_one(self.den) and self.field.is_one(other.den):
             return Quotient(self.field, self.num * other.num, self.den)
-        return self.quotient(self.num * other.num, self.den * other.den)
+        first, below = self._cancelled(self.num, other.den)
+        second, den = self._cancelled(other.num, self.den)
+        return Quotient(self.field, first * second, below * den)
+
+    def _cancelled(self, num: Any, den: Any) -> tuple[Any, Any]:
+        """Return num and den, which is monic, without what they have in common."""
+        if self.field.is_one(den):
+            return num, den
+        common = num.gcd(den)
+        return (num, den) if self.field.is_one(common) else (num // common, den // common)
 
     def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
         """Return num/den in lowest terms."""

@@ -113,8 +113,10 @@ class Surd:
         if not self.terms:
             raise NotInvertibleError("cannot divide by 0")
         top, bottom = ONE, self
-        base = independent(frozenset(self.terms))
         while not bottom.is_rational():
+            base = independent(
+                frozenset(bottom.terms)
+            )  # anew: products may show squares in radicands
             n = next(n for n in bottom.terms if n != 1)
             conjugate = bottom.conjugate_at(-1 if n < 0 else next(b for b in base if odd(n, b)))
             top, bottom = top * conjugate, bottom * conjugate

@@ -212,3 +212,19 @@ def test_a_place_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
     found = prove("exists q: q**2 == s", "QQ")
     assert (found.verdict, len(refuted)) == ("refuted", 2)
     assert found.certificate is not None
+
+
+@pytest.mark.parametrize(
+    ("statement", "algebra", "verdict"),
+    [
+        ("a*a == 1", "(1/a,-1|ZZ)", "proved"),
+        ("a*b*a*b == 1", "(1/(a*b**3),1|ZZ)", "proved"),
+        ("a == 1", "(1/a,-1|ZZ)", "refuted"),
+        ("a*a == 1", "(2/(a+1),-1|ZZ)", "refuted"),
+        ("a*a == 1", "(a,-1|ZZ)", "refuted"),
+        ("a*a == 1", "(1/a,-1|QQ)", "refuted"),
+        ("a*a*b == b", "(1/a,b|ZZ)", "proved"),
+    ],
+)
+def test_letters_that_the_constants_divide_by_are_units(statement, algebra, verdict):
+    assert decide(statement, algebra=algebra, timeout=5).verdict == verdict
