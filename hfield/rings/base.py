@@ -110,7 +110,7 @@ class Ring(ABC):
         """Refuse the number of an ordering that the ring does not have."""
         known = self.orderings.value
         if ordering < 0 or (known is not None and ordering >= known):
-            raise UndecidedError(
+            raise RingError(
                 f"{self.name} has no ordering number {ordering}; there are {known}"
             )
 
