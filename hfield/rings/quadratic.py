@@ -1,13 +1,16 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import factorise, is_prime
+from hfield.factorisation import factorise
+from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.holding import Holding
@@ -20,10 +23,11 @@ from hfield.rings.surds import Surd, from_rational
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
+    from hfield.rings.closed import Closed
     from hfield.rings.quadratic_places import QuadraticPlace
 
 
-class QuadraticField(ValueRing):
+class QuadraticField(ValueRing[Surd]):
     """ℚ(√d) for a squarefree integer d ≠ 1; ``gen`` is √d, or I for d = −1.
 
     >>> from hfield.rings import ring
@@ -55,11 +59,11 @@ class QuadraticField(ValueRing):
         """The imaginary unit I, in QQ(I)."""
         return {"I": self.gen} if self.d == -1 else {}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., Surd]]:
         """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
         return {"sqrt": self._sqrt_here}
 
-    def _sqrt_here(self, x: Surd) -> Surd | None:
+    def _sqrt_here(self, x: Surd) -> Surd:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(
@@ -68,7 +72,7 @@ class QuadraticField(ValueRing):
             )
         return y
 
-    def __call__(self, x: object) -> Any:
+    def __call__(self, x: object) -> Surd:
         """Turn a rational number or a surd in ℚ(√d) into an element, read a text.
 
         Raises :class:`CoercionError`.
@@ -138,7 +142,7 @@ class QuadraticField(ValueRing):
         }[len(squares)]
         return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[Surd, ...]:
         """Return as few elements as possible whose squares add up to −1."""
         if self.d > 0:
             return ()
@@ -186,7 +190,7 @@ class QuadraticField(ValueRing):
 
         return integers_basis(self.d)
 
-    def primes_above(self, p: object) -> "tuple[QuadraticPlace, ...]":
+    def primes_above(self, p: object) -> tuple[QuadraticPlace, ...]:
         """Return the one or two prime ideals above a prime number. Raises :class:`RingError`.
 
         >>> from hfield import ring
@@ -200,7 +204,7 @@ class QuadraticField(ValueRing):
             raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
         return places_above(self.d, number)
 
-    def real_places(self) -> "tuple[QuadraticPlace, ...]":
+    def real_places(self) -> tuple[QuadraticPlace, ...]:
         """Return the real places, √d negative first; each has ``index`` and ``sign(x)``."""
         from hfield.rings.quadratic_places import places_above
 
@@ -242,7 +246,7 @@ def build(text: str) -> QuadraticField:
     return QuadraticField(free)
 
 
-def _from_sympy(x: object) -> Any:
+def _from_sympy(x: object) -> Surd | Closed | None:
     """Return a number of sympy as a surd, where it is one; else None."""
     if type(x).__module__.partition(".")[0] != "sympy":
         return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Scalar
@@ -16,10 +16,14 @@ from hfield.rings.local.roots import minus_one, square_root
 from hfield.rings.printing import is_sum, parentheses, power_text
 from hfield.rings.roots import integral, irreducible_factors, near_root
 
+if TYPE_CHECKING:
+    from collections.abc import Hashable
+
+
 DIGITS = 20  # to so many digits roots are found that no element of the global field is
 
 
-class LocalField(Completion):
+class LocalField(Completion[LocalElement]):
     """The completion of a global field at a finite place, such as ℚ₅ or GF(9)((t)).
 
     ``global_field`` and ``place`` say of what and where, ``residues`` is the place with its residue field
@@ -36,7 +40,7 @@ class LocalField(Completion):
     arithmetic = "local_fields.arithmetic_local.LocalArithmetic"
 
     def __init__(
-        self, name: str, words: str, global_field: Ring, place: Any, residues: Any
+        self, name: str, words: str, global_field: Ring, place: Hashable, residues: Any
     ) -> None:
         super().__init__(name, words, global_field, place)
         self.residues = residues
@@ -64,11 +68,12 @@ class LocalField(Completion):
         """Return the greatest order of a pole that x may have, 0 for none."""
         return max(0, -(x.least_valuation() or 0))
 
-    def truncated(self, x: Scalar, n: int) -> Any:
+    def truncated(self, x: Scalar, n: int) -> Scalar:
         """Return the standard element of the global field that is x up to πⁿ."""
         if self.global_field.is_zero(x):
             return x
-        return self.global_field(self.residues.truncated(x, n))
+        standard: Scalar = self.global_field(self.residues.truncated(x, n))
+        return standard
 
     @cached_property
     def uniformiser(self) -> LocalElement:
@@ -85,7 +90,7 @@ class LocalField(Completion):
         """Return ``x + O(πⁿ)``."""
         return LocalElement(self, self(x).value, n)
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., LocalElement]]:
         """``O(x)``, everything that x divides; ``sqrt``; and what functions mean in the global field."""
         return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
 
@@ -93,13 +98,13 @@ class LocalField(Completion):
         precision = x.least_valuation()
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
 
-    def _sqrt_here(self, x: LocalElement) -> LocalElement | None:
+    def _sqrt_here(self, x: LocalElement) -> LocalElement:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(f"{self.text(x)} has no square root in {self.name}")
         return y
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: LocalElement) -> bool:
         """Tell whether x is 0. Raises :class:`UndecidedError` for O(πⁿ), which may be 0."""
         if x.has_value:
             return False

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import itertools
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
 from hfield.product import Scalar
-from hfield.rings.base import Known
+from hfield.rings.base import Known, Ring
 from hfield.rings.local.element import LocalElement
 
 if TYPE_CHECKING:
@@ -64,18 +64,20 @@ def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
     )
 
 
-def _derivative(x: Quotient) -> Any:
+def _derivative(x: Quotient) -> Quotient:
     """Return dx/dt for a rational function in characteristic 2."""
     n, d = x.num, x.den
-    return x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
+    slope: Quotient = x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
+    return slope
 
 
-def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Any:
+def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
     """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square.
 
     Where only ``known`` digits of u count, y² has them, too; None says that no unit with them is a square.
     """
-    K, k, e = F.global_field, F.residues, F.doubling
+    K: Ring[Scalar] = F.global_field
+    k, e = F.residues, F.doubling
     if not e:
         root = k.sqrt(k.reduce(unit))
         return None if root is None else K(k.lift(root))
@@ -102,13 +104,13 @@ def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Any:
         y = F.truncated(y * factor, digits)
 
 
-def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Any:
+def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Scalar:
     """Return a root of ``f₀ + f₁·X + f₂·X²`` up to π^digits, from an x with v(f(x)) > 2·v(f′(x)).
 
     All are elements of the global field. Newton's steps double the digits of the root near x, of which there
     is one (Hensel's lemma).
     """
-    K = F.global_field
+    K: Ring[Scalar] = F.global_field
     while True:
         value, slope = f[0] + x * (f[1] + x * f[2]), f[1] + x * (f[2] + f[2])
         n = F.order_of(slope)

@@ -108,7 +108,12 @@ class LocalArithmetic(CompletionArithmetic):
         self._check_classes(normal)
         plane = self.below.hyperbolic_plane(Constants(*(x.value for x in normal)), F.place)
         assert plane is not None, "an algebra that does not ramify splits"
-        q, u = (tuple(F(F.global_field(x)) for x in v) for v in plane)
+
+        def lifted(v: Vector) -> Coordinates:
+            w, x, y, z = (F(F.global_field(s)) for s in v)
+            return w, x, y, z
+
+        q, u = map(lifted, plane)
         x = root_on_plane(F, normal, q, u)
         zero = tuple(r + x * s for r, s in zip(q, u, strict=True))
         first, second = (_written(F, form.back(v)) for v in (q, u))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
-from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.forms import NormalForm, discriminant, normal_form, root_if_known
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms import zeros_infinite_fields, zeros_over_rings
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
@@ -147,10 +147,7 @@ def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
         (b, (zero, one, zero), "b"),
         (zero - a * b, (zero, zero, one), "−ab"),
     ):
-        try:
-            root = ring.sqrt(square)
-        except UndecidedError:
-            continue
+        root = root_if_known(ring, square)
         if root is not None:
             reason = f"{name} = {ring.text(square)} is a square in {ring.name}"
             return found(ring, c, form.back((root, *unit)), "square root", reason)
