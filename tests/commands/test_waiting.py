@@ -10,7 +10,8 @@ import pytest
 pty = pytest.importorskip("pty")
 
 SLOW = """
-import sys, time
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a job in the background ignores
 from hfield.cli import main
 import hfield.proving.prove as proving
 decide = proving.prove
