@@ -4,6 +4,7 @@ from .angular_velocity import integrate as integrate
 from .conventions import change_of_axes as change_of_axes
 from .conventions import convert_points as convert_points
 from .conventions import convert_rotation as convert_rotation
+from .conventions import convert_transform as convert_transform
 from .errors import DTypeError as DTypeError
 from .errors import ForeignArrayError as ForeignArrayError
 from .errors import RotationError as RotationError

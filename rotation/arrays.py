@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from rotation import hints
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 
 Array = npt.NDArray[Any]
@@ -18,6 +19,7 @@ Layout = Literal["aos", "soa"]
 Shape = tuple[int, ...]
 
 _AXES = {"x": "[1, 0, 0]", "y": "[0, 1, 0]", "z": "[0, 0, 1]"}
+_NUMBERS = (np.ndarray, np.generic, list, tuple, int, float)
 _OVERLAP_WORK = 10_000  # candidates tried for an exact answer; a harder question counts as overlap
 
 
@@ -36,6 +38,8 @@ def real(value: object, name: str) -> Array:
             f"{name} is a {kind}, and this call takes numpy arrays only; "
             "Rotation.apply works on arrays of other libraries"
         )
+    if not isinstance(value, _NUMBERS):
+        expect_numbers(value, name)
     if _masked(value):
         raise RotationError(
             f"{name} is a masked array, whose mask would be lost; rotate its .filled(np.nan)"
@@ -48,6 +52,12 @@ def real(value: object, name: str) -> Array:
         return array.astype(np.float64)
     if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8):
         return array.astype(array.dtype.newbyteorder("="), copy=False)
+    if array.dtype.name == "quaternion":  # numpy-quaternion's: four floats, scalar first
+        return array.reshape(-1).view(np.float64).reshape(*array.shape, 4)
+    if array.dtype.kind == "O":
+        expect_numbers(value, name)
+        if not isinstance(value, _NUMBERS):
+            raise DTypeError(f"{name} is {hints.described(value)}; expected an array of numbers")
     if isinstance(value, str) and value.lower() in _AXES:
         raise DTypeError(f"{name} is {value!r}; write {_AXES[value.lower()]} for that axis")
     if isinstance(value, str):
@@ -56,6 +66,13 @@ def real(value: object, name: str) -> Array:
         f"{name} has dtype {array.dtype}; expected float32, float64 or integers: "
         f"convert with .astype(np.float64) where that is what you mean"
     )
+
+
+def expect_numbers(value: object, name: str) -> None:
+    """Raise `DTypeError` for a rotation or a transform where an array is expected."""
+    refusal = hints.numbers_expected(value, name)
+    if refusal is not None:
+        raise DTypeError(refusal)
 
 
 def _masked(value: object) -> bool:

@@ -5,6 +5,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from rotation import hints
 from rotation.errors import DTypeError, MemberError, RotationError
 from rotation.namespaces import Array, is_numpy, namespace
 from rotation.shaped import Shaped
@@ -62,16 +63,15 @@ class Batch(Shaped):
         """
         if not isinstance(rotations, Batch | Iterable):
             raise MemberError(
-                f"concatenate takes rotations, one after the other, not a {type(rotations).__name__}"
+                f"concatenate takes rotations, one after the other, not {hints.described(rotations)}"
             )
         members = [rotations] if isinstance(rotations, Batch) else list(rotations)
         if not members:
             raise RotationError("concatenate takes at least one Rotation")
         for n, r in enumerate(members):
             if not isinstance(r, Batch):
-                raise MemberError(
-                    f"concatenate takes rotations; number {n} is a {type(r).__name__}"
-                )
+                refusal = hints.refusal(r, f"number {n}", "Rotation")
+                raise MemberError(f"concatenate takes rotations; {refusal}")
         xp = namespace(*(r._q for r in members))
         parts = [r._q[None, :] if r.single else r._q for r in members]
         if len({part.shape[1:] for part in parts}) > 1:
@@ -102,9 +102,7 @@ def expect_rotations(**named: Any) -> None:
     """Raise `DTypeError` unless all values are rotations, and not their quaternions or matrices."""
     for name, value in named.items():
         if not isinstance(value, Batch):
-            raise DTypeError(
-                f"{name} is a {type(value).__name__}; expected a Rotation, such as from_quat makes"
-            )
+            raise DTypeError(hints.refusal(value, name, "Rotation"))
 
 
 def _restore(cls: type[Batch], q: Array) -> Batch:

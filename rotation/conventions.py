@@ -1,16 +1,19 @@
 """From the axes of one program to those of another: which way is forward, left and up, and which hand.
 
-A convention is three signed axes. A change between two of opposite hands is no rotation; what it does to a
-rotation R is still one, ``S·R·S⁻¹``. The axes are those that the programs' own manuals state.
+A convention is three signed axes. A change between two of opposite hands is no rotation; what it makes
+of a rotation R still is, ``S·R·S⁻¹``, and of a rigid motion one again. The axes are those that the programs'
+own manuals state.
 """
 
 from typing import Any
 
 import numpy as np
 
+from rotation.arrays import real
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, expect_numpy, floats
+from rotation.namespaces import Array, expect_last, expect_numpy
+from rotation.rigid import RigidTransform, expect_transforms
 from rotation.rotation import Rotation
 
 # The directions forward, left and up in the axes x, y, z.
@@ -29,7 +32,8 @@ def change_of_axes(source: str, target: str) -> Array:
     """Return the matrix (3, 3) that takes coordinates of one convention to those of another.
 
     Conventions: ``ros`` (x forward, y left, z up), ``unity`` and ``unreal`` (left-handed), ``opengl`` and
-    ``opencv`` cameras, ``blender``, ``ned`` (north, east, down, for a body that faces north).
+    ``opencv`` cameras, ``blender``, ``ned`` (north, east, down, for a body that faces north); in letters of
+    either case.
 
     Raises
     ------
@@ -56,9 +60,9 @@ def convert_points(points: Any, source: str, target: str) -> Array:
     array([0., 0., 1.])
     """
     expect_numpy("convert_points", points)
-    v = floats(points, "points")
+    v = real(points, "points")
     expect_last(v, (3,), "points")
-    return np.asarray(v @ change_of_axes(source, target).T)
+    return np.asarray(v @ change_of_axes(source, target).T.astype(v.dtype))
 
 
 def convert_rotation(rotation: Rotation, source: str, target: str) -> Rotation:
@@ -81,11 +85,30 @@ def convert_rotation(rotation: Rotation, source: str, target: str) -> Rotation:
     return Rotation._of(q)
 
 
+def convert_transform(transform: RigidTransform, source: str, target: str) -> RigidTransform:
+    """Return rigid transforms of one convention in another; see `change_of_axes`.
+
+    ``convert_points(t.apply(v)) == convert_transform(t).apply(convert_points(v))``.
+
+    Examples
+    --------
+    >>> ahead = RigidTransform.from_translation([2, 0, 0])  # forward, in ROS
+    >>> convert_transform(ahead, "ros", "unity").translation + 0.0
+    array([0., 0., 2.])
+    """
+    expect_transforms(transform=transform)
+    turn = convert_rotation(transform.rotation, source, target)
+    return RigidTransform.from_components(
+        convert_points(transform.translation, source, target), turn
+    )
+
+
 def _basis(name: str) -> Array:
     """The rows are forward, left and up."""
-    if name not in AXES:
+    axes = AXES.get(name.lower()) if isinstance(name, str) else None
+    if axes is None:
         raise RotationError(f"convention {name!r}: one of {', '.join(AXES)} is expected")
     rows = np.zeros((3, 3))
-    for row, axis in enumerate(AXES[name]):
+    for row, axis in enumerate(axes):
         rows[row, "xyz".index(axis[1])] = 1.0 if axis[0] == "+" else -1.0
     return rows

@@ -2,7 +2,7 @@
 
 from typing import Any, Self
 
-from rotation import davenport, euler, matrices, quaternions, vectors
+from rotation import davenport, euler, hints, matrices, quaternions, vectors
 from rotation.angles import to_degrees
 from rotation.batch import Batch
 from rotation.errors import DTypeError
@@ -156,12 +156,10 @@ class Conversions(Batch):
 
     @classmethod
     def from_scipy(cls, rotation: Any) -> Self:
-        """Make rotations from a `scipy.spatial.transform.Rotation`; anything else is a DTypeError."""
-        from scipy.spatial.transform import Rotation
-
-        if not isinstance(rotation, Rotation):
+        """Make rotations from scipy's, or from those of `rotation.compat`; all else is a DTypeError."""
+        if not hints.is_scipys(rotation, "Rotation"):
             raise DTypeError(
-                f"{type(rotation).__name__}: a scipy.spatial.transform.Rotation is expected"
+                f"{hints.described(rotation)}; expected a scipy.spatial.transform.Rotation"
             )
         return cls.from_quat(rotation.as_quat(), scalar_first=False)
 

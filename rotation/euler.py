@@ -7,7 +7,7 @@ first, then y, then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
 
 import math
 from functools import cache, reduce
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any, NamedTuple
 
 from rotation.angles import radians, to_degrees
@@ -16,6 +16,13 @@ from rotation.errors import RotationError
 from rotation.namespaces import Array, expect_last, floats, namespace
 from rotation.quaternions import multiplied, steadied
 from rotation.rowwise import Formula
+
+SEQUENCES = [
+    "".join(letters)
+    for axes in ("xyz", "XYZ")
+    for letters in product(axes, repeat=3)
+    if letters[0] != letters[1] != letters[2]
+]
 
 
 class Sequence(NamedTuple):
@@ -53,6 +60,15 @@ def _read(seq: str) -> Sequence:
             f"sequence {seq!r} turns about one axis twice in a row; add the two angles instead"
         )
     return Sequence(tuple("xyz".index(c) for c in seq.lower()), seq.isupper())
+
+
+def prepare(seq: str) -> None:
+    """Make the formulas of a sequence, so that they can be compiled."""
+    axes, intrinsic = sequence(seq)
+    for degrees in (False, True):
+        _making(axes, intrinsic, degrees)
+        if len(axes) == 3:
+            _reading(axes, intrinsic, degrees)
 
 
 def from_euler(seq: str, angles: Any, degrees: bool = False) -> Array:

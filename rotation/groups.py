@@ -1,24 +1,22 @@
 """Finite groups of rotations, and the nearest of many equivalent rotations.
 
 The finite groups are the cyclic, the dihedral, and the rotations of the tetrahedron, the octahedron and the
-icosahedron (F. Klein, "Vorlesungen über das Ikosaeder", 1884); the last three are made of their generators.
+icosahedron (F. Klein, "Vorlesungen über das Ikosaeder", 1884).
 """
+
+import itertools
+from collections.abc import Callable
 
 import numpy as np
 
-from rotation.coordinates import Coordinates
 from rotation.errors import RotationError
 from rotation.namespaces import Array
-from rotation.quaternions import multiplied, normalised, product
+from rotation.quaternions import canonical, normalised, product
 
 _AXES = "XYZ"
-_ORDER = {"T": 12, "O": 24, "I": 60}
-_GOLDEN = (1.0 + 5.0**0.5) / 2.0
-_GENERATORS = {
-    "T": ((0.5, 0.5, 0.5, 0.5), (0.0, 1.0, 0.0, 0.0)),
-    "O": ((0.5, 0.5, 0.5, 0.5), (0.5**0.5, 0.5**0.5, 0.0, 0.0)),
-    "I": ((0.5, 0.5, 0.5, 0.5), (0.5 * _GOLDEN, 0.5 / _GOLDEN, 0.5, 0.0)),
-}
+POLYHEDRAL = ("T", "O", "I")
+Row = tuple[float, ...]
+Rows = list[Row]
 _BLOCK = 2**21  # products of quaternions that are held at once
 
 
@@ -31,8 +29,8 @@ def elements(group: str, axis: str = "Z") -> Array:
         raise RotationError(f"group {group!r}: a text is expected, one of I, O, T, Cn and Dn")
     if not isinstance(axis, str) or axis.upper() not in ("X", "Y", "Z"):
         raise RotationError(f"axis {axis!r}: X, Y or Z is expected")
-    if group in _ORDER:
-        return normalised(_generated(_GENERATORS[group], _ORDER[group]))
+    if group in _BEYOND:
+        return normalised(_tetrahedral() + _BEYOND[group]())
     kind, number = group[:1], group[1:]
     if kind not in ("C", "D") or not (number.isascii() and number.isdigit()) or int(number) < 1:
         raise RotationError(
@@ -44,24 +42,53 @@ def elements(group: str, axis: str = "Z") -> Array:
     q[:n, 0], q[:n, 1 + k] = np.cos(half), np.sin(half)
     if kind == "D":  # half turns about axes across
         q[n:, 1 + (k + 1) % 3], q[n:, 1 + (k + 2) % 3] = np.cos(half), np.sin(half)
+        q[:n] = canonical(q[:n])
     return normalised(q)
 
 
-def _generated(generators: tuple[tuple[float, ...], ...], order: int) -> Array:
-    """Multiply by generators until nothing new comes, to within 1e-9."""
-    found: dict[tuple[int, ...], Coordinates] = {}
-    waiting: list[Coordinates] = [(1.0, 0.0, 0.0, 0.0)]
-    while waiting:
-        q = waiting.pop()
-        sign = next((1.0 if c > 0.0 else -1.0 for c in q if abs(c) > 1e-9), 1.0)
-        q = tuple(sign * c + 0.0 for c in q)
-        key = tuple(round(c * 1e9) for c in q)
-        if key not in found:
-            found[key] = q
-            waiting += [tuple(multiplied(g, q)) for g in generators]
-    if len(found) != order:
-        raise AssertionError(f"a group of order {order} was made with {len(found)} elements")
-    return np.array(list(found.values()))
+def _tetrahedral() -> Rows:
+    """The identity, the half turns about the axes, and the turns by a third about the diagonals of a cube."""
+    half = (-0.5, 0.5)
+    return [
+        *(tuple(row) for row in np.eye(4).tolist()),
+        *((w, 0.5, y, z) for w, y, z in itertools.product(half[::-1], half, half)),
+    ]
+
+
+def _octahedral() -> Rows:
+    """Beyond the tetrahedral: quarter turns, and half turns about the diagonals of the faces."""
+    r = 0.5**0.5
+    quarters = [(r, r, 0.0, 0.0), (r, 0.0, r, 0.0), (r, 0.0, 0.0, r)]
+    halves = [(0.0, 0.0, r, r), (0.0, r, 0.0, r), (0.0, r, r, 0.0)]
+    return [
+        *quarters,
+        *((w, -x, -y, -z) for w, x, y, z in quarters[::-1]),
+        *(q for h in halves for q in (h, _with_first_turned(h))),
+    ]
+
+
+def _with_first_turned(q: Row) -> Row:
+    """The same with its first nonzero coordinate negative."""
+    n = next(n for n, c in enumerate(q) if c)
+    return (*q[:n], -q[n], *q[n + 1 :])
+
+
+def _icosahedral() -> Rows:
+    """Beyond the tetrahedral: the even permutations of 0 and half of 1, 1/φ and φ, with all signs but one."""
+    golden = (1.0 + 5.0**0.5) / 2.0
+    numbers = np.array([0.5, 0.5 / golden, golden / 2.0])
+    letters = [*numbers, *-numbers, 0.0]
+    places = []  # of the letters, by which the rows are sorted
+    for order in itertools.permutations((0, 1, 2, 6)):
+        if sum(a > b for a, b in itertools.combinations(order, 2)) % 2 == 0:
+            for minus in itertools.product((0, 3), repeat=2):
+                further = iter((0, *minus))
+                places.append([n if n == 6 else n + next(further) for n in order])
+    return [tuple(letters[n] for n in (w, x, y, z)) for x, y, z, w in sorted(places)]
+
+
+# In the order that scipy has, but for the identity, which is fourth there.
+_BEYOND: dict[str, Callable[[], Rows]] = {"T": list, "O": _octahedral, "I": _icosahedral}
 
 
 def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
@@ -77,5 +104,5 @@ def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
     for start in range(0, len(flat), step):
         piece = slice(start, start + step)
         best[piece] = np.argmax(np.abs(flat[piece] @ rows.T), axis=1)
-    r, n = np.divmod(best, len(left))
-    return n.reshape(p.shape[:-1]), r.reshape(p.shape[:-1])
+    r, n = np.divmod(best.reshape(p.shape[:-1]), len(left))
+    return n, r

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rotation.arrays import real
+from rotation.arrays import expect_numbers, real
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 from rotation.native import tracing
 from rotation.native.symbols import Condition, Lanes, Rows
@@ -60,9 +60,9 @@ def finfo(xp: Any, number: Array) -> Any:
 
 def expect_numpy(what: str, *values: Any) -> None:
     """Raise `ForeignArrayError` unless all ``values`` are numpy arrays or plain numbers and lists."""
-    xp = namespace(*values)
-    if not is_numpy(xp):
-        raise ForeignArrayError(f"{what} takes numpy arrays only, not those of {xp.__name__}")
+    for xp in map(namespace, values):
+        if not is_numpy(xp):
+            raise ForeignArrayError(f"{what} takes numpy arrays only, not those of {xp.__name__}")
 
 
 def _own_namespace(value: Any) -> Any:
@@ -110,7 +110,7 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     xp = namespace(value) if xp is None else xp
     if is_numpy(xp):
         return real(value, what).astype(np.float64, copy=False)
-    array = xp.asarray(value) if _own_namespace(value) is None else value
+    array = _as_array(xp, value, what) if _own_namespace(value) is None else value
     if xp.isdtype(array.dtype, "real floating"):
         if xp.finfo(array.dtype).bits < 32:
             raise DTypeError(
@@ -120,6 +120,16 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     if xp.isdtype(array.dtype, "integral"):
         return xp.astype(array, xp.zeros(()).dtype)  # the library's default precision
     raise DTypeError(f"{what} has dtype {array.dtype}; expected integers or real floats")
+
+
+def _as_array(xp: Any, value: Any, what: str) -> Array:
+    """Return numbers or nested lists as an array of a library, whose own errors say less than ours."""
+    expect_numbers(value, what)
+    try:
+        return xp.asarray(value)
+    except (TypeError, ValueError, RuntimeError) as error:
+        real(value, what)
+        raise RotationError(f"{what} is no array of numbers: {error}") from error
 
 
 def copied(array: Array) -> Array:

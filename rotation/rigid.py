@@ -3,11 +3,12 @@
 from collections.abc import Iterable
 from typing import Any, Self
 
+from rotation import hints
 from rotation import rigid_motions as motions
 from rotation.alignment import align_points
-from rotation.arrays import common_batch
+from rotation.arrays import common_batch, real
 from rotation.errors import DTypeError
-from rotation.namespaces import Array, expect_last, floats, namespace, spread
+from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, spread
 from rotation.rigid_forms import Forms
 from rotation.rotation import Rotation
 
@@ -34,6 +35,7 @@ class RigidTransform(Forms):
     """
 
     __slots__ = ()
+    elsewhere = hints.TRANSFORM
 
     def __new__(cls, matrix: Any) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""
@@ -43,17 +45,10 @@ class RigidTransform(Forms):
 
     def __mul__(self, other: object) -> Self:
         if not isinstance(other, RigidTransform):
-            if isinstance(other, Rotation):
-                raise DTypeError(
-                    "a Rotation beside a RigidTransform; write RigidTransform.from_rotation(r)"
-                )
             self._refuse_factor(other)
             return NotImplemented
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
-
-    def __rmul__(self, other: object) -> Any:
-        return self * other if isinstance(other, Rotation) else super().__rmul__(other)
 
     def __pow__(self, exponent: Any) -> Self:
         """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast."""
@@ -72,15 +67,20 @@ class RigidTransform(Forms):
     def apply(self, points: Any, inverse: bool = False) -> Array:
         """Move points (…, 3): ``R·v + t``, or back again; the batch shapes broadcast.
 
+        float32 and float64 are kept, integers become float64. All is computed in double.
+
         Raises
         ------
         RotationError
             Shapes that do not fit.
         """
-        v = floats(points, "points", namespace(self._q, points))
-        expect_last(v, (3,), "points")
-        common_batch(points=tuple(v.shape[:-1]), transforms=self.shape)
-        return (motions.MOVED_BACK if inverse else motions.MOVED)(self._q, self._t, v)
+        xp = namespace(self._q, points)
+        given = real(points, "points") if is_numpy(xp) else floats(points, "points", xp)
+        expect_last(given, (3,), "points")
+        common_batch(points=tuple(given.shape[:-1]), transforms=self.shape)
+        v = floats(given, "points", xp)
+        moved = (motions.MOVED_BACK if inverse else motions.MOVED)(self._q, self._t, v)
+        return moved if moved.dtype == given.dtype else xp.astype(moved, given.dtype)
 
     def __eq__(self, other: object) -> Any:
         """Compare entry by entry, exactly: q and −q are the same rotation."""
@@ -96,6 +96,7 @@ class RigidTransform(Forms):
 
     def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Any:
         """Return where the angle (radians) and the distance from one to the other are at most ``atol``."""
+        expect_transforms(other=other)
         between = self.inv() * other
         xp = namespace(between._t)
         near = xp.sqrt(xp.sum(between._t**2, axis=-1)) <= atol
@@ -115,13 +116,10 @@ class RigidTransform(Forms):
             Something among them is no RigidTransform.
         """
         if not isinstance(transforms, RigidTransform | Iterable):
-            raise DTypeError(f"concatenate takes transforms, not a {type(transforms).__name__}")
+            raise DTypeError(f"concatenate takes transforms, not {hints.described(transforms)}")
         members = [transforms] if isinstance(transforms, RigidTransform) else list(transforms)
         for n, member in enumerate(members):
-            if not isinstance(member, RigidTransform):
-                raise DTypeError(
-                    f"concatenate takes transforms; number {n} is a {type(member).__name__}"
-                )
+            expect_transforms(**{f"number {n}": member})
         turns = Rotation.concatenate([m.rotation for m in members])
         xp = namespace(turns._q)
         return cls._of(
@@ -173,6 +171,13 @@ class RigidTransform(Forms):
         return type(self)._of, (self._q, self._t)
 
 
+def expect_transforms(**named: object) -> None:
+    """Raise `DTypeError` unless all values are rigid transforms, and not their matrices."""
+    for name, value in named.items():
+        if not isinstance(value, RigidTransform):
+            raise DTypeError(hints.refusal(value, name, "RigidTransform"))
+
+
 def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
     """Return the motion at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1), along one screw.
 
@@ -185,8 +190,6 @@ def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
     >>> sclerp(RigidTransform.identity(), move, 0.5).translation
     array([1., 0., 0.])
     """
-    for name, value in (("p", p), ("q", q)):
-        if not isinstance(value, RigidTransform):
-            raise DTypeError(f"{name} is a {type(value).__name__}; expected a RigidTransform")
+    expect_transforms(p=p, q=q)
     path: RigidTransform = p * (p.inv() * q) ** t
     return path

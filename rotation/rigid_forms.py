@@ -16,16 +16,17 @@ from rotation.rotation import Rotation
 from rotation.screws import Screw, from_screw, to_screw
 from rotation.shaped import Shaped
 
-HELD = 16_384  # transforms whose matrices, once computed, are held: 2 MB
+HELD = 16_384  # transforms whose matrices, computed a second time, are held: 2 MB
+_ASKED = np.empty(0)  # stands for matrices that were asked for once
 
 
 class Forms(Shaped):
-    """Holds unit quaternions (…, 4) and translations (…, 3), and matrices once they were asked for."""
+    """Holds unit quaternions (…, 4) and translations (…, 3), and matrices that were asked for again."""
 
     __slots__ = ("_matrix", "_t")
 
     _t: Array
-    _matrix: Array | None  # when it was asked for, of not too many
+    _matrix: Array | None  # when it was asked for twice, of not too many
     _called = "transform"
 
     @classmethod
@@ -151,10 +152,14 @@ class Forms(Shaped):
 
     def as_matrix(self) -> Array:
         """Return the homogeneous matrices, shape (…, 4, 4)."""
-        if self._matrix is not None:
-            return self._matrix.copy()
+        held = self._matrix
+        if held is not None and held is not _ASKED:
+            return held.copy()
         m = motions.MATRIX(self._q, self._t)
         if type(m) is np.ndarray and m.size <= 16 * HELD:
+            if held is None:  # most are asked but once, and get what was made
+                object.__setattr__(self, "_matrix", _ASKED)
+                return m
             object.__setattr__(self, "_matrix", m)
             return m.copy()
         return m

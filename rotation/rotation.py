@@ -5,7 +5,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation import quaternions, sampling
+from rotation import hints, quaternions, sampling
 from rotation.acting import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, real
 from rotation.batch import expect_rotations
@@ -38,6 +38,7 @@ class Rotation(Gathering):
     """
 
     __slots__ = ()
+    elsewhere = hints.ROTATION
 
     def __new__(cls, quat: Any, *, scalar_first: bool = True) -> Self:
         """Make rotations from quaternions, as `from_quat` does."""

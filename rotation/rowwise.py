@@ -22,6 +22,12 @@ _FLOAT64 = np.dtype(np.float64)
 _lock = Lock()
 
 
+def compile_all() -> None:
+    """Compile every formula that has been made."""
+    for formula in _made:
+        formula._compiled()
+
+
 class Formula:
     """A function of rows of numbers, ``formula(*arrays, *parameters)``, each of its rows on its own.
 
@@ -50,6 +56,7 @@ class Formula:
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._function: Callable[..., int] | None = None
         self._row: tuple[int, ...] = ()
+        _made.append(self)
 
     def __call__(self, *arrays: Array) -> Array:
         """Return the values, of the batch shape that all arrays broadcast to."""
@@ -154,6 +161,9 @@ class Formula:
             )
         result = np.concatenate(parts)
         return result.reshape(*batch, *result.shape[1:])
+
+
+_made: list[Formula] = []
 
 
 def rarely(

@@ -2,15 +2,17 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, NoReturn, Self
 
 import numpy as np
 
+from hfield.hints import Hinted
+from rotation import hints
 from rotation.errors import DTypeError
 from rotation.namespaces import Array
 
 
-class Shaped:
+class Shaped(Hinted):
     """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
 
     __slots__ = ("__weakref__", "_q")
@@ -62,34 +64,60 @@ class Shaped:
         return (self[n] for n in range(len(self)))
 
     def _refuse_factor(self, other: object) -> None:
-        """Raise `DTypeError` for points beside ``*``, and for scipy's classes of the same names."""
-        if type(other).__module__.startswith("scipy."):
-            way = (
-                "Rotation.from_scipy(r) or r.to_scipy()"
-                if hasattr(self, "from_scipy")
-                else f"{type(self).__name__}.from_matrix(t.as_matrix())"
-            )
-            raise DTypeError(
-                f"one {self._called} is scipy's, the other is ours: convert with {way}"
-            )
+        """Raise `DTypeError`, with advice, unless the other factor's class may know what to do."""
+        found = hints.kind(other)
+        if found is not None:
+            own = "Rotation" if self._called == "rotation" else "RigidTransform"
+            if found in ((hints.COMPAT, own), (hints.OURS, "RigidTransform")):
+                return  # its class takes ours, or says what is wrong with ours
+            wanted = max(own, found.name, key=hints.NAMES.index)
+            raise DTypeError(hints.refusal(other, "the other factor", wanted))
         if isinstance(other, list | tuple) or hasattr(other, "__array__"):
             raise DTypeError(f"a {self._called} is not multiplied by points; write r.apply(points)")
+        if isinstance(other, int | float):
+            raise DTypeError(f"a {self._called} is not multiplied by numbers; write r**n")
 
     def __rmul__(self, other: object) -> Any:
         self._refuse_factor(other)
         return NotImplemented
 
     def __matmul__(self, other: object) -> Any:
-        if isinstance(other, Shaped):
-            raise DTypeError(
-                f"p @ q is not defined for {self._called}s; write p * q, which applies q first"
-            )
-        raise DTypeError(f"r @ points is not defined for {self._called}s; write r.apply(points)")
+        if hints.kind(other) is not None:
+            self._undefined("p @ q", "p * q, which applies q first")
+        self._undefined("r @ points", "r.apply(points)")
 
     def __rmatmul__(self, other: object) -> Any:
-        raise DTypeError(
-            f"points @ r is not defined for {self._called}s; write r.apply(points, inverse=True)"
-        )
+        if hints.kind(other) is not None:
+            self._undefined("p @ q", "p * q, which applies q first")
+        self._undefined("points @ r", "r.apply(points, inverse=True)")
+
+    def __truediv__(self, other: object) -> Any:
+        self._undefined("p / q", "p * q.inv()")
+
+    def __rtruediv__(self, other: object) -> Any:
+        self._undefined("1 / r", "r.inv()")
+
+    def __add__(self, other: object) -> Any:
+        self._undefined("p + q", "p * q, which applies q first")
+
+    __radd__ = __add__
+
+    def __sub__(self, other: object) -> Any:
+        self._undefined("q - p", "p.inv() * q, which leads from p to q")
+
+    __rsub__ = __sub__
+
+    def __invert__(self) -> Any:
+        self._undefined("~r", "r.inv()")
+
+    def __neg__(self) -> Any:
+        self._undefined("-r", "r.inv()")
+
+    def __abs__(self) -> Any:
+        self._undefined("abs(r)", "r.magnitude() for the angle")
+
+    def _undefined(self, form: str, advice: str) -> NoReturn:
+        raise DTypeError(f"{form} is not defined for {self._called}s; write {advice}")
 
     def __copy__(self) -> Self:
         return self

@@ -147,7 +147,8 @@ _FROM_AXIS_ANGLE = [
 def to_axis_angle(q: Array, degrees: bool = False) -> tuple[Array, Array]:
     """Return unit axes (…, 3) and angles (…) in [0, π]; the identity has the axis z and the angle 0."""
     both = _TO_AXIS_ANGLE[bool(degrees)](q)
-    return both[..., :3], both[..., 3]
+    angle = both[..., 3]
+    return both[..., :3], angle if angle.ndim else angle[()]
 
 
 def _to_axis_angle(q: Array, degrees: bool) -> Array:

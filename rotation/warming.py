@@ -1,60 +1,74 @@
 """Everything that is compiled on first use, compiled now."""
 
+from collections.abc import Iterable
+from itertools import product
+
 import numpy as np
 
-from rotation import kernels
-from rotation.fused import rotate, rotate_euler, rotate_quat
-from rotation.interpolation import slerp, squad
-from rotation.rotation import Rotation
+from rotation import acting, euler, jacobians, kernels, rigid_motions, rotation, rowwise
+from rotation.arrays import Array
 
-_PRECISIONS = (np.float64, np.float32)
+_PRECISIONS = ((np.float64, np.float64), (np.float32, np.float64), (np.float32, np.float32))
+_ROOMS = (jacobians, rigid_motions, rotation)  # whose formulas are made on import
+# Of the points and of what turns them, whether there are many or one for all.
+_MANY_OR_ONE = ((True, True), (True, False), (False, True))
 
 
-def warm_up() -> None:
-    """Compile everything that would be compiled on first use, and keep it on disk where that can be done.
+def warm_up(sequences: str | Iterable[str] = ("ZYX", "xyz")) -> None:
+    """Compile what would be compiled on first use, and keep it on disk where that can be done.
 
-    Each formula and each loop takes some hundredths of a second, once on a machine. Nothing of this is
+    That is each formula, and each loop over points (…, 3) and (3, …) in one piece, of both precisions. Each
+    takes some hundredths of a second, all of them some seconds, once on a machine. Nothing of this is
     needed: calls compile what they miss, such as a loop for arrays with other strides.
+
+    Parameters
+    ----------
+    sequences : str or iterable of str
+        Those of Euler angles that will be used; each takes most of a second, and "all" stands for the 24 of
+        three letters.
+
+    Raises
+    ------
+    RotationError
+        No such sequence.
 
     Examples
     --------
     >>> import rotation
-    >>> rotation.warm_up()  # doctest: +SKIP
+    >>> rotation.warm_up("XYZ")  # doctest: +SKIP
     """
-    q = np.tile([1.0, 2.0, 3.0, 4.0], (3, 1))
-    points, angles = q[:, 1:], q[:, 0]
-    r = Rotation(q)
-    (r * r, r**0.5, r.inv(), r.magnitude(), r.apply(points), r.apply(points, inverse=True))
-    (
-        r.as_matrix(),
-        r.as_mrp(),
-        r.as_quat(canonical=True),
-        r[0].apply(points),
-        slerp(r, r, 0.5),
-        squad(r, r, r, r, 0.5),
-    )
-    for kind in _PRECISIONS:  # each with its own tolerance
-        Rotation.from_matrix(r.as_matrix().astype(kind))
-    Rotation.from_matrix(r.as_matrix(), orthonormalize=True)
-    Rotation.from_mrp(r.as_mrp())
-    for degrees in (False, True):
-        Rotation.from_rotvec(r.as_rotvec(degrees), degrees)
-        Rotation.from_axis_angle(*r.as_axis_angle(degrees), degrees)
-        Rotation.from_euler("ZYX", r.as_euler("ZYX", degrees), degrees)
-    rotate(points, points, angles)
-    rotate_quat(points, q)
-    rotate_euler(points, points)
-    for points_kind in _PRECISIONS:
-        for turn in (np.ascontiguousarray, np.asfortranarray):
-            v = turn(points.astype(points_kind))
-            out = np.empty_like(v)
-            kernels.one(v, np.eye(3), out)
-            for kind in _PRECISIONS if points_kind is np.float32 else (np.float64,):
-                p, t, n = turn(points.astype(kind)), angles.astype(kind), turn(q.astype(kind))
-                kernels.axis_angle(v, p, t, out)
-                kernels.quaternions(v, n, out)
-                kernels.euler(v, p, (2, 1, 0), True, out)
-    for kind in _PRECISIONS:
-        kernels.contains_zero(q.astype(kind))
-        kernels.contains_zero(points.astype(kind))
-    kernels.cumulative(q)
+    if isinstance(sequences, str):
+        sequences = euler.SEQUENCES if sequences == "all" else (sequences,)
+    turns = []
+    for seq in sequences:
+        euler.prepare(seq)
+        axes, intrinsic = euler.sequence(seq)
+        turns.append((axes[::-1] if intrinsic else axes, intrinsic))
+        acting.by_euler(*turns[-1])
+    rowwise.compile_all()
+    for (kind, finer), columns in product(_PRECISIONS, (False, True)):
+        _loops(np.dtype(kind), np.dtype(finer), columns, turns)
+    kernels.cumulative(np.eye(4))
+
+
+def _loops(
+    kind: np.dtype, finer: np.dtype, columns: bool, turns: list[tuple[tuple[int, ...], bool]]
+) -> None:
+    """Compile the loops for points of one precision, and what turns them of another."""
+
+    def rows(width: int, many: bool, of: np.dtype) -> Array:
+        a = np.ones((3 if many else 1, width), of, order="F" if columns and many else "C")
+        return np.broadcast_to(a, (3, width)) if not many else a
+
+    out = rows(3, True, kind)
+    for several, each in _MANY_OR_ONE:
+        v = rows(3, several, kind)
+        kernels.quaternions(v, rows(4, each, finer), out)
+        for axes, backward in turns:
+            kernels.euler(v, rows(len(axes), each, finer), axes, backward, out)
+        for other in (True, False):
+            if each or other:
+                kernels.axis_angle(v, rows(3, each, finer), rows(1, other, finer)[:, 0], out)
+    kernels.one(rows(3, True, kind), np.eye(3), out)
+    for width in (3, 4):
+        kernels.contains_zero(rows(width, True, kind))

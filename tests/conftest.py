@@ -3,8 +3,10 @@
 import doctest
 import gc
 import os
+import signal
 import sys
 import types
+from contextlib import suppress
 from pathlib import Path
 
 import hypothesis
@@ -18,6 +20,13 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are starte
 # Files whose tests take most of the time, as `--durations` shows; `-m "not slow"` leaves them out.
 SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_text().split())
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
+
+
+def pytest_configure() -> None:
+    """Let commands that tests start hear Ctrl-C: under a shell's `&` it is ignored, by children too."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        with suppress(ValueError):  # not in the main thread
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -22,9 +22,9 @@ NAMES = {
     "rotation": """
         DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError
         RotationSpline Screw Slerp Squad T_q ZeroRotationError align align_points change_of_axes
-        convert_points convert_rotation integrate inverse_left_jacobian left_jacobian reflect2
-        reflection rotate rotate2 rotate_euler rotate_quat sclerp slerp squad swing_twist
-        threads warm_up
+        convert_points convert_rotation convert_transform integrate inverse_left_jacobian
+        left_jacobian reflect2 reflection rotate rotate2 rotate_euler rotate_quat sclerp slerp
+        squad swing_twist threads warm_up
     """,
     "anim": """
         AnimationError Body Camera Clip Launch Look Model Motion PIPELINES Timeline Top

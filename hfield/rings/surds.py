@@ -104,9 +104,9 @@ class Surd:
         return NotImplemented if o is None else o * self.inverse()
 
     def __pow__(self, n: int) -> Surd:
-        from hfield.rings.base import power
+        from hfield.rings.powers import power
 
-        return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[no-any-return]
+        return power(ONE, self if n >= 0 else self.inverse(), abs(n))
 
     def inverse(self) -> Surd:
         """Return 1/self: times the conjugates, one independent root after the other."""

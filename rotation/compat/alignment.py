@@ -1,13 +1,17 @@
 """Wahba's problem as scipy asks it: one set of vectors, its words for what does not fit."""
 
+import contextlib
+import warnings
 from typing import Any
 
 import numpy as np
 
 from rotation.errors import RotationError
+from rotation.matrices import from_matrix as to_quaternion
 from rotation.wahba import checked, fitted, sensitivity
 
 Array = Any
+_POORLY = "Optimal rotation is not uniquely or poorly defined for the given sets of vectors."
 
 
 def aligned(
@@ -40,7 +44,7 @@ def aligned(
         )
     if np.any(w < 0.0):
         raise RotationError("`weights` may not contain negative values")
-    certain = np.isinf(w) if number > 1 else np.array([True])
+    certain = np.array([True]) if number == 1 else np.isinf(w)
     if certain.sum() > 1:
         raise RotationError("Only one infinite weight is allowed")
     if certain.any() and with_sensitivity:
@@ -49,7 +53,21 @@ def aligned(
         )
     if certain.any() and not (u[certain].any() and v[certain].any()):
         raise RotationError("Cannot align zero length primary vectors")
-    if number == 1:
-        w = np.array([np.inf])
-    q, rssd = fitted(*checked(u, v, w))
+    q, rssd = _best(u, v, np.ones(1) if number == 1 else w)
     return q, rssd, sensitivity(q, u, v, w) if with_sensitivity else None
+
+
+def _best(u: Array, v: Array, w: Array) -> tuple[Array, Array]:
+    """The best rotation, or with a warning one of many that are equally good: that of scipy."""
+    if len(w) == 1 or not (np.isfinite(w).all() and np.isfinite(u * v).all()):
+        return fitted(*checked(u, v, w))
+    left, values, right = np.linalg.svd(np.einsum("ji,jk->ik", w[:, None] * u, v))
+    if np.linalg.det(left @ right) < 0.0:
+        values[2], left[:, 2] = -values[2], -left[:, 2]
+    if values[1] + values[2] < 1e-16 * values[0]:
+        warnings.warn(_POORLY, UserWarning, stacklevel=4)
+    else:
+        with contextlib.suppress(RotationError):
+            return fitted(*checked(u, v, w))
+    rest = np.sum(w * np.sum(u**2 + v**2, axis=1)) - 2.0 * np.sum(values)
+    return to_quaternion(left @ right), np.sqrt(max(rest, 0.0))

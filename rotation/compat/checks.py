@@ -5,9 +5,52 @@ from typing import Any
 
 import numpy as np
 
-from rotation.errors import RotationError
+from rotation import hints
+from rotation.errors import DTypeError, RotationError
+from rotation.namespaces import expect_numpy
+from rotation.rotation import Rotation
 
 Array = Any
+
+
+def quaternions(value: Any) -> Array | None:
+    """Return the quaternions, scalar first, of rotations of this package, ours or scipy's; else None."""
+    found = hints.kind(value)
+    if found is None or found.name != "Rotation":
+        return None
+    if found.home == hints.COMPAT:
+        return value._q
+    q = value._q if found.home == hints.OURS else Rotation.from_scipy(value)._q
+    expect_numpy("rotation.compat", q)
+    return np.array(q)
+
+
+def matrices(value: Any) -> Array | None:
+    """Return the matrices (…, 4, 4) of transforms of this package, ours or scipy's; else None."""
+    found = hints.kind(value)
+    if found is None or found.name != "RigidTransform":
+        return None
+    if found.home == hints.COMPAT:
+        return value._matrix
+    m = value.as_matrix()
+    expect_numpy("rotation.compat", m)
+    return np.array(m)
+
+
+def expected(array: Array | None, value: object, words: str) -> Array:
+    """Return what `quaternions` or `matrices` found; raise DTypeError, with ``words``, if it is nothing."""
+    if array is None:
+        raise DTypeError(f"{words}; this is {hints.described(value)}")
+    return array
+
+
+def refuse_factor(value: object, other: object) -> None:
+    """Raise DTypeError, with advice, where a rotation meets a transform."""
+    found = {getattr(hints.kind(x), "name", None) for x in (value, other)}
+    if found == set(hints.NAMES):
+        raise DTypeError(
+            "a Rotation beside a RigidTransform: write RigidTransform.from_rotation(r)"
+        )
 
 
 def numbers(value: Any, name: str, shape: str, last: tuple[int, ...]) -> Array:

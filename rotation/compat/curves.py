@@ -5,16 +5,19 @@ from typing import Any
 import numpy as np
 
 from rotation import interpolation, spline
+from rotation.compat import checks
 from rotation.compat.rotations import Rotation
-from rotation.errors import DTypeError, RotationError
+from rotation.errors import RotationError
+from rotation.namespaces import quiet
 
 
 class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them."""
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
-        if not isinstance(rotations, Rotation):
-            raise DTypeError("`rotations` must be a `Rotation` instance.")
+        words = "`rotations` must be a `Rotation` instance."
+        q = checks.expected(checks.quaternions(rotations), rotations, words)
+        rotations = Rotation._of(q)
         if rotations.single or len(rotations) < 2:
             raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
         if len(rotations.shape) > 1:
@@ -38,7 +41,7 @@ class Slerp:
         t = np.asarray(times, dtype=np.float64)
         if t.ndim > 1:
             raise RotationError("`times` must be at most 1-dimensional.")
-        if np.any((t < self.times[0]) | (t > self.times[-1])):
+        if not np.all((t >= self.times[0]) & (t <= self.times[-1])):
             raise RotationError(
                 f"Interpolation times must be within the range [{self.times[0]}, {self.times[-1]}], "
                 "both inclusive."
@@ -50,7 +53,10 @@ class RotationSpline:
     """The curve through keyframes with two continuous derivatives."""
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
-        if not isinstance(rotations, Rotation) or rotations.single or len(rotations) < 2:
+        words = "`rotations` must be a sequence of at least 2 rotations."
+        q = checks.expected(checks.quaternions(rotations), rotations, words)
+        rotations = Rotation._of(q)
+        if rotations.single or len(rotations) < 2:
             raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
         if len(rotations.shape) > 1:
             raise RotationError("Rotations with more than 1 leading dimension are not supported.")
@@ -58,6 +64,7 @@ class RotationSpline:
         self.rotations = rotations
         self._curve = spline.RotationSpline(self.times, rotations._ours)
 
+    @quiet
     def __call__(self, times: Any, order: int = 0) -> Any:
         """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
         if order not in (0, 1, 2):

@@ -6,10 +6,10 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation import davenport, groups, quaternions
+from rotation import davenport, quaternions
 from rotation import rotation as ours
-from rotation.compat import checks
-from rotation.errors import DTypeError, RotationError
+from rotation.compat import answers, checks, groups
+from rotation.errors import RotationError
 from rotation.euler import sequence
 from rotation.matrices import from_matrix
 from rotation.namespaces import quiet
@@ -41,6 +41,8 @@ class Rotation:
     ) -> None:
         q = checks.numbers(quat, "quat", "(..., 4)", (4,))
         q = q if scalar_first else np.roll(q, 1, axis=-1)
+        if normalize and np.isnan(q).any():
+            raise RotationError("Found NaN among the quaternions of `quat`.")
         q = quaternions.normalised(q) if normalize else q
         self._q = np.array(q)
 
@@ -70,6 +72,8 @@ class Rotation:
     def from_matrix(cls, matrix: Any, *, assume_valid: bool = False) -> Self:
         """Make rotations from matrices; what is not orthogonal is replaced by the nearest rotation."""
         m = checks.numbers(matrix, "matrix", "(..., 3, 3)", (3, 3))
+        if assume_valid:
+            return cls._of(answers.unchecked(m))
         if np.any(np.linalg.det(m) <= 0.0):
             raise RotationError("Non-positive determinant (left-handed or null coordinate frame)")
         try:
@@ -205,10 +209,19 @@ class Rotation:
     # The group
 
     def __mul__(self, other: object) -> Self:
-        if not isinstance(other, Rotation):
+        q = checks.quaternions(other)
+        if q is None:
+            checks.refuse_factor(self, other)
             return NotImplemented
-        checks.common(self.shape, other.shape)
-        return self._of(quaternions.product(self._q, other._q))
+        checks.common(self.shape, q.shape[:-1])
+        return self._of(quaternions.product(self._q, q))
+
+    def __rmul__(self, other: object) -> Self:
+        p = checks.quaternions(other)  # of ours or scipy's
+        if p is None:
+            checks.refuse_factor(self, other)
+            return NotImplemented
+        return self._of(p) * self
 
     def __pow__(self, n: Any, modulus: Any = None) -> Self:
         e = checks.exponent(n, modulus)
@@ -232,7 +245,8 @@ class Rotation:
         self, other: "Rotation", atol: float | None = None, degrees: bool = False
     ) -> Any:
         """Return where the angle from one rotation to the other is less than ``atol``."""
-        checks.common(self.shape, other.shape, "Expected broadcastable shapes")
+        q = checks.expected(checks.quaternions(other), other, "other must be a Rotation")
+        checks.common(self.shape, q.shape[:-1], "Expected broadcastable shapes")
         if atol is None:
             if degrees:
                 warnings.warn(
@@ -242,7 +256,7 @@ class Rotation:
             atol = 1e-8
         elif degrees:
             atol = np.deg2rad(atol)
-        return (other * self.inv()).magnitude() < atol
+        return (self._of(q) * self.inv()).magnitude() < atol
 
     # Many into one
 
@@ -251,7 +265,7 @@ class Rotation:
         if not self._q.size:
             raise RotationError("Mean of an empty rotation set is undefined.")
         axes = checks.averaged(axis, len(self.shape))
-        return self._of(self._ours.mean(checks.weighted(weights, self.shape), axes)._q)
+        return self._of(answers.averaged(self._q, checks.weighted(weights, self.shape), axes))
 
     def reduce(
         self,
@@ -263,11 +277,14 @@ class Rotation:
         if left is None and right is None:
             reduced = self._of(self._q.copy())
             return (reduced, None, None) if return_indices else reduced
-        ls, rs = (None if s is None else ours.Rotation(s._q.reshape(-1, 4)) for s in (left, right))
-        found, m, n = self._ours.reduce(ls, rs, return_indices=True)
+        sides = (self.identity() if side is None else side for side in (left, right))
+        words = "left and right must be Rotations"
+        p, q = (checks.expected(checks.quaternions(s), s, words).reshape(-1, 4) for s in sides)
+        m, n = groups.nearest(self._q, p, q)
+        reduced = self._of(quaternions.product(quaternions.product(p[m], self._q), q[n]))
         if not return_indices:
-            return self._of(found._q)
-        return self._of(found._q), None if left is None else m, None if right is None else n
+            return reduced
+        return reduced, None if left is None else m, None if right is None else n
 
     @classmethod
     def align_vectors(
@@ -282,10 +299,10 @@ class Rotation:
     @staticmethod
     def concatenate(rotations: Any) -> "Rotation":
         """Join rotations along their first axis."""
-        members = [rotations] if isinstance(rotations, Rotation) else list(rotations)
-        if not all(isinstance(r, Rotation) for r in members):
-            raise DTypeError("input must contain Rotation objects only")
-        return Rotation._of(np.concatenate([np.atleast_2d(r._q) for r in members]))
+        members = [rotations] if checks.quaternions(rotations) is not None else list(rotations)
+        words = "input must contain Rotation objects only"
+        found = [checks.expected(checks.quaternions(r), r, words) for r in members]
+        return Rotation._of(np.concatenate([np.atleast_2d(q) for q in found]))
 
     # As an array
 
@@ -318,9 +335,8 @@ class Rotation:
     def __setitem__(self, index: Any, value: Any) -> None:
         if self.single:
             raise TypeError("Single rotation is not subscriptable.")
-        if not isinstance(value, Rotation):
-            raise DTypeError("value must be a Rotation object")
-        self._q[index] = value._q
+        words = "value must be a Rotation object"
+        self._q[index] = checks.expected(checks.quaternions(value), value, words)
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))

@@ -6,9 +6,11 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import rigid
-from rotation.compat import checks
+from rotation import rotation as ours
+from rotation.compat import answers, checks
 from rotation.compat.rotations import Rotation
-from rotation.errors import DTypeError, RotationError
+from rotation.errors import RotationError
+from rotation.namespaces import quiet
 
 Array = Any
 
@@ -55,7 +57,9 @@ class RigidTransform:
     @classmethod
     def from_rotation(cls, rotation: Rotation) -> Self:
         """Make transforms that turn and do not shift."""
-        return cls._from_ours(rigid.RigidTransform.from_rotation(_checked(rotation)._ours))
+        words = "Expected `rotation` to be a `Rotation` instance"
+        q = checks.expected(checks.quaternions(rotation), rotation, words)
+        return cls._from_ours(rigid.RigidTransform.from_rotation(ours.Rotation._of(q.copy())))
 
     @classmethod
     def from_translation(cls, translation: Any) -> Self:
@@ -93,12 +97,10 @@ class RigidTransform:
     @staticmethod
     def concatenate(transforms: Any) -> "RigidTransform":
         """Join transforms along their first axis."""
-        members = [transforms] if isinstance(transforms, RigidTransform) else list(transforms)
-        if not all(isinstance(m, RigidTransform) for m in members):
-            raise DTypeError("input must contain RigidTransform objects only")
-        return RigidTransform._of(
-            np.concatenate([m._matrix[None] if m.single else m._matrix for m in members])
-        )
+        members = [transforms] if checks.matrices(transforms) is not None else list(transforms)
+        words = "input must contain RigidTransform objects only"
+        found = [checks.expected(checks.matrices(t), t, words) for t in members]
+        return RigidTransform._of(np.concatenate([m[None] if m.ndim == 2 else m for m in found]))
 
     # Reading
 
@@ -131,12 +133,21 @@ class RigidTransform:
     # The group
 
     def __mul__(self, other: object) -> Self:
-        if not isinstance(other, RigidTransform):
+        m = checks.matrices(other)
+        if m is None:
+            checks.refuse_factor(self, other)
             return NotImplemented
-        checks.common(self.shape, other.shape)
-        product = np.matmul(self._matrix, other._matrix)
+        checks.common(self.shape, m.shape[:-2])
+        product = np.matmul(self._matrix, m)
         product[..., 3, :] = [0.0, 0.0, 0.0, 1.0]
         return self._of(product)
+
+    def __rmul__(self, other: object) -> Self:
+        m = checks.matrices(other)  # of ours or scipy's
+        if m is None:
+            checks.refuse_factor(self, other)
+            return NotImplemented
+        return self._of(m) * self
 
     def __pow__(self, n: Any, modulus: Any = None) -> Self:
         e = checks.exponent(n, modulus)
@@ -152,6 +163,7 @@ class RigidTransform:
         back[..., :3, 3] = -np.matmul(turn, self._matrix[..., :3, 3, None])[..., 0]
         return self._of(back)
 
+    @quiet
     def apply(self, vector: Any, inverse: bool = False) -> Array:
         """Move vectors."""
         v = np.asarray(vector, dtype=np.float64)
@@ -171,7 +183,11 @@ class RigidTransform:
             raise RotationError(
                 f"Expected `weights` to have shape {self.shape}, got {np.shape(weights)}."
             )
-        return self._from_ours(self._ours.mean(w, axes))
+        turn = answers.averaged(self.rotation._q, w, axes)
+        share = np.ones(self.shape) if w is None else np.broadcast_to(w, self.shape)
+        shift = np.sum(share[..., None] * self._matrix[..., :3, 3], axis=axes)
+        shift /= np.sum(share, axis=axes)[..., None]
+        return self._from_ours(rigid.RigidTransform._of(turn, shift))
 
     # As an array
 
@@ -201,9 +217,8 @@ class RigidTransform:
     def __setitem__(self, index: Any, value: Any) -> None:
         if self.single:
             raise TypeError("Single transform is not subscriptable.")
-        if not isinstance(value, RigidTransform):
-            raise DTypeError("value must be a RigidTransform object")
-        self._matrix[index] = value._matrix
+        words = "value must be a RigidTransform object"
+        self._matrix[index] = checks.expected(checks.matrices(value), value, words)
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))
@@ -218,9 +233,3 @@ class RigidTransform:
 
 def _restored(kind: type[RigidTransform], m: Array) -> RigidTransform:
     return kind._of(m)
-
-
-def _checked(rotation: Any) -> Rotation:
-    if not isinstance(rotation, Rotation):
-        raise DTypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
-    return rotation

@@ -10,8 +10,7 @@ import pytest
 pty = pytest.importorskip("pty")
 
 SLOW = """
-import signal, sys, time
-signal.signal(signal.SIGINT, signal.default_int_handler)  # which a job in the background ignores
+import sys, time
 from hfield.cli import main
 import hfield.proving.prove as proving
 decide = proving.prove

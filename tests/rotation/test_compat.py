@@ -49,3 +49,35 @@ def test_errors_are_value_errors_of_ours() -> None:
         Rotation.from_quat([1, 2, 3])
     with pytest.raises(RotationError, match="Non-positive determinant"):
         Rotation.from_matrix(-np.eye(3))
+
+
+def test_what_has_no_one_answer_has_scipys() -> None:
+    scipys = pytest.importorskip("scipy.spatial.transform")
+    S, ST = scipys.Rotation, scipys.RigidTransform
+    rng = np.random.default_rng(2)
+    for q in (np.eye(4), [[1, 0, 0, 0], [0, 1, 0, 0]], [[0, 0, 0, 1], [1, 0, 0, 0]]):
+        for weights in (None, np.zeros(len(q))):
+            means = [kind.from_quat(q).mean(weights).as_quat(True) for kind in (S, Rotation)]
+            np.testing.assert_allclose(means[1], means[0], atol=1e-12)
+        moves = [kind.from_rotation(S.from_quat(q)).mean() for kind in (ST, RigidTransform)]
+        np.testing.assert_allclose(moves[1].as_matrix(), moves[0].as_matrix(), atol=1e-12)
+    a = rng.standard_normal((5, 3))
+    line = np.outer([1, 2, -0.5], [0, 0, 1.0])
+    for u, v in ((np.eye(3), -np.eye(3)), (a, np.outer(a[:, 0], a[0])), (line, line[:, ::-1])):
+        found = []
+        for kind in (S, Rotation):
+            with pytest.warns(UserWarning, match="Optimal rotation is not uniquely or poorly"):
+                found.append(kind.align_vectors(u, v))
+        assert found[1][1] == pytest.approx(found[0][1], abs=1e-7)
+        assert Rotation.approx_equal(found[1][0], found[0][0], atol=1e-7)
+    for u, v in ((a[0], 2 * a[1]), (a[:1], a[:1])):
+        found = [kind.align_vectors(u, v) for kind in (S, Rotation)]
+        assert found[1][1] == pytest.approx(found[0][1], abs=1e-12)
+    shear = np.eye(3) + 0.3 * rng.standard_normal((20, 3, 3))
+    matrices = np.concatenate([shear, -shear, S.random(20, rng=3).as_matrix()])
+    taken = [kind.from_matrix(matrices, assume_valid=True).as_matrix() for kind in (S, Rotation)]
+    np.testing.assert_allclose(taken[1], taken[0], atol=1e-14)
+    with pytest.raises(RotationError, match="NaN"):
+        Rotation.from_quat([[0, 0, 0, 1], [0, np.nan, 0, 1]])
+    with pytest.raises(RotationError, match="within the range"):
+        Slerp([0, 1], Rotation.identity(2))(np.nan)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotation import Rotation, matrices, vectors
+from rotation import RigidTransform, Rotation, align, align_points, matrices, vectors
 from rotation.namespaces import quiet
 from rotation.native import assembling
 
@@ -135,3 +135,22 @@ def test_matrices_are_right_entry_by_entry_compiled_or_not() -> None:
 def test_formulas_are_compiled_here() -> None:
     """Else the tests above would compare numpy with itself."""
     assert assembling.available()
+
+
+def test_what_is_one_number_is_a_number_of_numpy() -> None:
+    r, t = Rotation.random(seed=1), RigidTransform.from_rotation(Rotation.random(seed=2))
+    cube = Rotation.create_group("O")
+    numbers = [
+        r.magnitude(),
+        r.as_axis_angle()[1],
+        r.approx_equal(r),
+        r == r,
+        *r.reduce(cube, cube, return_indices=True)[1:],
+        *t.as_screw()[2:],
+        *t.as_screw(degrees=True)[2:],
+        t.approx_equal(t),
+        align(np.eye(3), np.eye(3))[1],
+        align_points(np.eye(3), np.eye(3))[2],
+    ]
+    for number in numbers:
+        assert isinstance(number, np.generic), number

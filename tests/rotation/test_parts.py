@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 
 from rotation import (
+    DTypeError,
+    RigidTransform,
     Rotation,
     RotationError,
     change_of_axes,
     convert_points,
     convert_rotation,
+    convert_transform,
     integrate,
     swing_twist,
 )
@@ -90,3 +93,39 @@ def test_integration_to_a_tolerance(frame: str) -> None:
         integrate(
             lambda t: [1e6 * np.sin(1e6 * t * t), 1e5 * np.cos(t), 0], [0.0, 1.0], tolerance=1e-15
         )
+
+
+@pytest.mark.parametrize(("source", "target"), [("ROS", "unity"), ("opencv", "Blender")])
+def test_conventions_of_motions(source: str, target: str) -> None:
+    t = RigidTransform.from_components(RNG.standard_normal((10, 3)), Rotation.random(10, seed=4))
+    v = RNG.standard_normal((10, 3))
+    moved = convert_transform(t, source, target).apply(convert_points(v, source, target))
+    np.testing.assert_allclose(moved, convert_points(t.apply(v), source, target), atol=1e-14)
+    assert convert_points(v.astype(np.float32), source, target).dtype == np.float32
+    with pytest.raises(DTypeError, match="from_rotation"):
+        convert_transform(t.rotation, source, target)  # type: ignore[arg-type]
+    with pytest.raises(RotationError, match="one of ros"):
+        change_of_axes(3, target)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("frame", ["body", "world"])
+@pytest.mark.parametrize("place", [0.5123, 0.5, 0.211, 1 / 3, 0.999, 1e-3])
+def test_integration_finds_a_jump(frame: str, place: float) -> None:
+    before, after = np.array([1.0, 2, -1]), np.array([-2.0, 1, 4])
+
+    def omega(t: float) -> np.ndarray:
+        return before if t < place else after
+
+    turns = [Rotation.from_rotvec(v) for v in (place * before, (1 - place) * after, 0.5 * after)]
+    ways = turns if frame == "body" else turns[::-1]
+    wanted = ways[0] * ways[1] * ways[2]
+    for tolerance in (1e-3, 1e-6, 1e-9):
+        found = integrate(omega, [0, 1, 1.5], frame=frame, tolerance=tolerance)
+        assert (found[-1].inv() * wanted).magnitude() <= tolerance
+    calls = []
+    integrate(lambda t: calls.append(t) or omega(t), [0, 1, 1.5], tolerance=1e-9)
+    assert len(calls) < 1000
+    there = integrate(
+        omega, [0, place, 1.5], frame=frame, tolerance=1e-13
+    )  # a piece on either side
+    assert (there[1].inv() * turns[0]).magnitude() <= 1e-13

@@ -258,10 +258,30 @@ def test_other_array_libraries() -> None:
 
 def test_the_matrix_that_is_held_is_nobodys_to_change() -> None:
     move = RigidTransform.from_components(np.ones((3, 3)), Rotation.random(3, seed=1))
-    first = move.as_matrix()
-    kept = first.copy()
-    first[...] = 0.0
+    kept = RigidTransform.from_components(np.ones((3, 3)), Rotation.random(3, seed=1)).as_matrix()
+    for _ in range(3):
+        asked = move.as_matrix()
+        np.testing.assert_array_equal(asked, kept)
+        asked[...] = 0.0
     second = move.as_matrix()
     np.testing.assert_array_equal(second, kept)
     second[...] = 0.0
     np.testing.assert_array_equal(move.as_matrix(), kept)
+
+
+def test_points_keep_their_precision() -> None:
+    t, v = some(5), RNG.standard_normal((5, 3))
+    for inverse in (False, True):
+        near = t.apply(v.astype(np.float32), inverse)
+        assert near.dtype == np.float32
+        exact = t.apply(v.astype(np.float32).astype(np.float64), inverse)
+        np.testing.assert_array_equal(near, exact.astype(np.float32))
+    assert t.apply(np.ones((5, 3), np.int32)).dtype == np.float64
+    assert t.apply([1, 2, 3]).dtype == np.float64
+    strict = pytest.importorskip("array_api_strict")
+    other = RigidTransform.from_dual_quat(strict.asarray(t.as_dual_quat()))
+    moved = other.apply(strict.asarray(v, dtype=strict.float32))
+    assert moved.dtype == strict.float32
+    np.testing.assert_allclose(np.asarray(moved), t.apply(v), rtol=1e-5, atol=1e-6)
+    with pytest.raises(DTypeError, match="complex"):
+        t.apply(1j * v)

@@ -58,6 +58,48 @@ def test_warm_up_asks_for_every_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
     assert asked == set(kernels.__all__) - {"threads"}
 
 
+def test_after_warm_up_nothing_is_compiled() -> None:
+    code = """
+import numpy as np
+from hfield.native import compiling
+from rotation import RigidTransform, Rotation, left_jacobian, rotate, rotate_euler, rotate_quat, warm_up
+from rotation import inverse_left_jacobian, swing_twist
+warm_up("XYZ")
+compiling.compiled = lambda text, *_, **__: print("compiled", flush=True)
+rng = np.random.default_rng(1)
+for n in (1, 50, 60_000):
+    q, a, b = rng.normal(size=(n, 4)), rng.normal(size=(n, 3)), rng.normal(size=n)
+    r = Rotation(q)
+    for kind in (np.float64, np.float32):
+        for finer in {np.float64, kind}:
+            v, e, t = a.astype(kind), a[::-1].astype(finer), b.astype(finer)
+            for axes, angles in ((e, t), (e[0], t), (e, t[0]), (e[0], t[0])):
+                rotate(v, axes, angles), rotate(v, axes, angles, out=v.copy())
+                rotate(np.ascontiguousarray(v.T), axes.T.copy(), angles, layout="soa")
+            rotate(v[0], e, t), rotate_quat(v[0], q.astype(finer)), rotate_euler(v[0], e, "XYZ")
+            for angles, p in ((e, q.astype(finer)), (e[0], q[0])):
+                rotate_euler(v, angles, "XYZ"), rotate_quat(v, p), rotate_quat(v, p, out=v.copy())
+        r.apply(v), r.apply(v, inverse=True), r[0].apply(v), r[0].apply(v, inverse=True)
+        Rotation.from_matrix(r.as_matrix().astype(kind))
+    for degrees in (False, True):
+        Rotation.from_euler("XYZ", r.as_euler("XYZ", degrees), degrees)
+        Rotation.from_rotvec(r.as_rotvec(degrees), degrees)
+        Rotation.from_axis_angle(*r.as_axis_angle(degrees), degrees)
+    Rotation.from_matrix(1.1 * r.as_matrix(), orthonormalize=True)
+    Rotation.from_mrp(r.as_mrp()), r.as_quat(canonical=True), r.mean(), r.cumprod(), r * r, r**b, r.inv()
+    left_jacobian(a), inverse_left_jacobian(a), swing_twist(r, a)
+    t = RigidTransform.from_components(a, r)
+    t * t, t**0.5, t.inv(), t.apply(a), t.apply(a, inverse=True), t.mean(), t.as_screw()
+    RigidTransform.from_matrix(t.as_matrix()), RigidTransform.from_exp_coords(t.as_exp_coords())
+    RigidTransform.from_dual_quat(t.as_dual_quat())
+"""
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True
+    )
+    assert done.stdout == ""
+
+
 def test_warm_up_makes_the_formulas_of_rotations() -> None:
     code = """
 from rotation import acting, kernels, matrices, quaternions, vectors, warm_up

@@ -1,10 +1,18 @@
-"""How many bits a value takes, so that a power ends before it fills the memory."""
+"""Powers by repeated squaring, which end before they fill the memory: how many bits a value takes."""
+
+from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from hfield.errors import TooLargeError
+from hfield.product import Arithmetic
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import AnyPolynomial
+
+M = TypeVar("M", bound=Arithmetic)
 
 FEW = 16  # a power up to this is computed whatever comes of it
 MOST_BITS = 1 << 20
@@ -73,12 +81,12 @@ def _symbolic_bits(expr: Any) -> int:
     return SLOW * len(parts) + sum(bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational)
 
 
-def is_quick(x: Any, n: int) -> bool:
+def is_quick(x: object, n: int) -> bool:
     """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
     return n <= FEW or bits(x) * n <= QUICK
 
 
-def check_growth(start: int, power: Any) -> None:
+def check_growth(start: int, power: object) -> None:
     """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
     reached = bits(power)
     if reached > MOST_BITS and reached > TIMES * start:
@@ -86,3 +94,27 @@ def check_growth(start: int, power: Any) -> None:
             f"the power is too large: a square on the way to it has {reached} bits, and none with more "
             f"than {MOST_BITS} is squared again; use a smaller exponent, or a finite ring such as ZZ/n"
         )
+
+
+def polynomial_power(one: AnyPolynomial, x: AnyPolynomial, n: int) -> AnyPolynomial:
+    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
+    return x**n if is_quick(x, n) else power(one, x, n)
+
+
+def power(one: M, x: M, n: int) -> M:
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
+
+    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
+    unity, has powers of any size.
+    """
+    result = one
+    start = bits(x) if n > FEW else None
+    while n:
+        if n & 1:
+            result = result * x
+        n >>= 1
+        if n:
+            if start is not None:
+                check_growth(start, x)
+            x = x * x
+    return result

@@ -1,0 +1,162 @@
+"""What somebody gave in place of what was expected, and what to write; names that other libraries use.
+
+scipy, `rotation.compat` and we all call a class Rotation, so an error has to say whose. Classes are known by
+their names: nothing is imported to tell.
+"""
+
+from typing import Any, NamedTuple
+
+OURS, COMPAT = "rotation", "rotation.compat"
+NAMES = ("Rotation", "RigidTransform")  # where both meet, the second is wanted
+_HOMES = ("scipy.spatial.transform", COMPAT, OURS)  # the last holds the one before
+
+
+class Kind(NamedTuple):
+    """A class of rotations or of rigid transforms: where it is imported from, and its name."""
+
+    home: str
+    name: str
+
+
+def kind(value: object) -> Kind | None:
+    """Return whose rotations or transforms a value is, or None if it is neither."""
+    for ancestor in type(value).__mro__:
+        if ancestor.__name__ in NAMES:
+            for home in _HOMES:
+                if f"{ancestor.__module__}.".startswith(f"{home}."):
+                    return Kind(home, ancestor.__name__)
+    return None
+
+
+def is_scipys(value: object, name: str) -> bool:
+    """Tell whether a value is scipy's class of that name, or its drop-in of `rotation.compat`."""
+    found = kind(value)
+    return found is not None and found.home != OURS and found.name == name
+
+
+def described(value: object) -> str:
+    """Return what a value is, or a list begins with, and where its class comes from if that is in doubt."""
+    inside = _first(value)
+    found = kind(inside)
+    of = "" if inside is value or not found else f"{type(value).__name__} of "
+    return f"a {of}{'.'.join(found)}" if found else f"a {type(value).__name__}"
+
+
+def _first(value: object) -> object:
+    return value[0] if isinstance(value, list | tuple) and value else value
+
+
+def refusal(value: Any, name: str, wanted: str) -> str:
+    """Return the words of an error: what the value called ``name`` is, what was expected, what to write.
+
+    ``wanted`` is "Rotation" or "RigidTransform", of ours.
+
+    Examples
+    --------
+    >>> from rotation.compat import Rotation
+    >>> refusal(Rotation.identity(), "q", "Rotation")
+    'q is a rotation.compat.Rotation; expected a rotation.Rotation: write Rotation.from_scipy(q)'
+    """
+    joined = _first(value) is not value and kind(_first(value)) == (OURS, wanted)
+    found = kind(value)
+    whose = "rotation." if found and found.name == wanted else ""
+    usual_name = "t" if found and found.name == "RigidTransform" else "r"
+    code = name if name.isidentifier() else usual_name
+    if joined:
+        way = f"{wanted}.concatenate({code})"
+    else:
+        way = _conversion(found, code, wanted) if found else _constructor(value, code, wanted)
+    usual = "from_quat" if wanted == "Rotation" else "from_components"
+    advice = f": write {way}" if way else f", such as {usual} makes"
+    return f"{name} is {described(value)}; expected a {whose}{wanted}{advice}"
+
+
+def numbers_expected(value: object, name: str) -> str | None:
+    """Return the words of an error where an array was expected, if the value is a rotation or a transform."""
+    found = kind(_first(value))
+    if found is None:
+        return None
+    advice = ""
+    if found.name == "Rotation" and name in ("q", "quaternions"):
+        advice = ": write r.as_quat(scalar_first=True)"
+    elif name == "matrices":
+        advice = ": write r.as_matrix()"
+    elif name == "points":
+        advice = ": write p * q to apply q, then p"
+    return f"{name} is {described(value)}; expected an array of numbers{advice}"
+
+
+def _conversion(found: Kind, code: str, wanted: str) -> str:
+    """How to make ours of another's rotation or transform."""
+    foreign = found.home != OURS
+    if wanted == "RigidTransform":
+        if found.name == wanted:
+            return f"RigidTransform.from_matrix({code}.as_matrix())"
+        turn = f"Rotation.from_scipy({code})" if foreign else code
+        return f"RigidTransform.from_rotation({turn})"
+    turn = code if found.name == wanted else f"{code}.rotation"
+    return f"Rotation.from_scipy({turn})" if foreign else turn
+
+
+def _constructor(value: Any, code: str, wanted: str) -> str:
+    """How to make a rotation or a transform of an array, by its shape; nothing if it fits none."""
+    shape = tuple(getattr(value, "shape", ()))
+    ways = {
+        "Rotation": {(4,): "from_quat", (3, 3): "from_matrix", (3,): "from_rotvec"},
+        "RigidTransform": {(4, 4): "from_matrix", (6,): "from_exp_coords", (8,): "from_dual_quat"},
+    }
+    for last, way in ways[wanted].items():
+        if shape[-len(last) :] == last:
+            return f"{wanted}.{way}({code})"
+    return ""
+
+
+ROTATION = {
+    "w": "as_quat()[..., 0]",
+    "x": "as_quat()[..., 1]",
+    "y": "as_quat()[..., 2]",
+    "z": "as_quat()[..., 3]",
+    "real": "as_quat()[..., 0]",
+    "scalar": "as_quat()[..., 0]",
+    "imag": "as_quat()[..., 1:]",
+    "vec": "as_quat()[..., 1:]",
+    "vector": "as_quat()[..., 1:]",
+    "components": "as_quat()",
+    "ndarray": "as_quat()",
+    "angle": "magnitude()",
+    "axis": "as_axis_angle()[0]",
+    "conj": "inv()",
+    "conjugate": "inv()",
+    "conjugated": "inv()",
+    "inverted": "inv()",
+    "reciprocal": "inv()",
+    "T": "inv()",
+    "log": "as_rotvec() / 2",
+    "rotate": "apply(points), or apply_outer(points) for all pairs",
+    "slerp": "slerp(p, q, t), a function of rotation",
+    "rotation_matrix": "as_matrix()",
+    "to_matrix": "as_matrix()",
+    "to_rotation_matrix": "as_matrix()",
+    "to_rotation_vector": "as_rotvec()",
+    "to_axis_angle": "as_axis_angle(), or as_rotvec() for one vector",
+    "to_euler": "as_euler(seq)",
+    "to_euler_angles": 'as_euler("ZYZ")',
+    "as_dcm": "as_matrix()",
+    "from_dcm": "from_matrix(m)",
+    "from_rotation_matrix": "from_matrix(m)",
+    "from_rotation_vector": "from_rotvec(v)",
+    "from_euler_angles": 'from_euler("ZYZ", angles)',
+    "match_vectors": "align_vectors(a, b)",
+}
+"""quaternionic, numpy-quaternion, pyquaternion, mathutils, older scipy."""
+
+TRANSFORM = {
+    "R": "rotation.as_matrix()",
+    "t": "translation",
+    "matrix": "as_matrix()",
+    "T": "as_matrix()",
+    "transform": "apply(points)",
+    "log": "as_exp_coords()",
+    "inverted": "inv()",
+}
+"""spatialmath, open3d, mathutils."""
