@@ -20,7 +20,7 @@ from .functions import trace as trace
 from .lattices.ideal import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
 from .lattices.order import Order as Order
-from .ledger.blackboard import explain as explain
+from .ledger.explanation import explain as explain
 from .ledger.notebook import verify as verify
 from .proving.prove import prove as prove
 from .quaternion import Quaternion as Quaternion

@@ -284,10 +284,10 @@ class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
     def latex(self) -> str:
         """Write the symbol of the algebra, its constants over its field, in LaTeX."""
         F = self.ring
-        a, t, b = (F.text(c, "latex") for c in self.constants)
-        constants = [a, b] if t in ("0", "1") else [a, b, t]
-        symbol = rf"\frac{{{','.join(constants)}}}{{{F.latex_name}}}"
-        return rf"\left({symbol}\right)" if t == "0" else rf"\left[{symbol}\right)"
+        constants = ",".join(notation.constants_text(F, self.constants, "latex"))
+        symbol = rf"\frac{{{constants}}}{{{F.latex_name}}}"
+        bracket = "(" if F.key(self.constants.t) == F.key(F(0)) else "["
+        return rf"\left{bracket}{symbol}\right)"
 
     def _repr_latex_(self) -> str:
         return f"${self.latex()}\\qquad {self.table_text('latex')}$"

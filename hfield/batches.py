@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from hfield.errors import CoercionError
 from hfield.product import Scalar
-from hfield.rings.growth import FEW, bits, check_growth
 from hfield.rings.holding import Batch
+from hfield.rings.powers import FEW, bits, check_growth
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from hfield.rings.arrays import Index
 
 
 class BatchMethods:
@@ -37,7 +42,7 @@ class BatchMethods:
             raise TypeError("a single quaternion has no length; its coordinates are .coordinates")
         return self.shape[0]
 
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: Index) -> Self:
         """Take elements out of an array of quaternions, as numpy indexes arrays."""
         how = self._how
         if not isinstance(how, Batch) or not how.shape(self._held):
@@ -55,7 +60,7 @@ class BatchMethods:
             raise CoercionError(f"a single quaternion has no {what}; arrays of quaternions have")
         return self._how
 
-    def units(self) -> Any:
+    def units(self) -> np.ndarray:
         """Return a bool array: which entries have an inverse."""
         return self._array("entries").units(self._held)
 
@@ -134,7 +139,7 @@ def folded(
     """Combine the elements along an axis, in a tree; neighbours with each other if ``ordered``."""
     n = how.shape(held)[axis]
 
-    def part(x: Scalar, index: Any) -> Any:
+    def part(x: tuple[object, ...], index: slice | int) -> Any:
         return how.part(x, (*(slice(None),) * axis, index))
 
     tail = None  # what comes after the last of those that are left

@@ -15,8 +15,8 @@ from contextlib import nullcontext
 
 from hfield import __version__
 from hfield.commands.catalogue import command, summaries
-from hfield.commands.output import encodable, terminal_width
-from hfield.commands.status import STATUS, Waiting
+from hfield.commands.output import encodable, say, terminal_width
+from hfield.commands.status import Waiting
 from hfield.errors import HFieldError, shorten
 
 TRACEBACK = "HFIELD_TRACEBACK"  # set it to see where an error came from
@@ -66,14 +66,7 @@ def _fail(message: str, status: int) -> int:
         import traceback
 
         traceback.print_exc()
-    STATUS.erase()
-    line = f"hfield: error: {' '.join(message.split())}"
-    if sys.stderr.isatty():
-        from textwrap import fill
-
-        width = terminal_width()
-        line = fill(line, width, subsequent_indent="  ", break_on_hyphens=False)
-    print(encodable(line, sys.stderr), file=sys.stderr)
+    say("error", message)
     return status
 
 

@@ -1,9 +1,7 @@
 """Whole numbers as products of primes: what is proved prime, and apart from it what was not factored.
 
-The one place that factors and tests primality. "Prime" is proved: by deterministic Miller–Rabin below
-2⁸¹ (Sorenson and Webster, Math. Comp. 86, 2017), beyond that by the tests of Pocklington and Morrison or
-by APR-CL, all of FLINT. Small primes, perfect powers, and elliptic curves up to a size that depends on the
-number, take out what can be had cheaply; a composite number of at most :data:`SIEVED_BITS` is sieved. So
+The one place that factors. Small primes, perfect powers, and elliptic curves up to a size that depends on
+the number, take out what can be had cheaply; a composite number of at most :data:`SIEVED_BITS` is sieved. So
 the work is bounded by the length of the number, and what is left over is :class:`Unfactored`, no number.
 """
 
@@ -15,9 +13,16 @@ from math import gcd, isqrt
 
 import flint
 
-from hfield.errors import RingError, TooLargeError, UndecidedError, shorten
+from hfield.errors import RingError, UndecidedError, shorten
+from hfield.primality import (
+    LONGEST_BITS,
+    PROVED_BITS,
+    WORD,
+    is_prime,
+    is_probable_prime,
+    power_root,
+)
 
-WORD = 2**63
 SIEVED_BITS = 190
 """Composite numbers up to this length are always factored (a second or two for the worst of them)."""
 
@@ -27,17 +32,11 @@ NORM_BITS = 210
 RELATED = 64
 """The bound of both parts of the fractions ``(p − 1)/(q − 1)`` that are tried."""
 
-PROVED_BITS = 1024
-"""The longest numbers whose primality is proved (seconds); longer composite ones are still recognised."""
-
 BASES_PROVE_BITS = 81
 """Up to here the test of Miller and Rabin to 13 bases is a proof."""
 
 SMALL_PRIMES = 3_000
 """How many primes are tried as divisors of a long number."""
-
-LONGEST_BITS = 8192
-"""Longer numbers are neither tested for primality nor factored, beyond small primes."""
 
 # (numbers up to so many bits, prime factors up to so many bits are sought with elliptic curves)
 _CURVES = ((512, 48), (1500, 32), (LONGEST_BITS, 24))
@@ -89,62 +88,6 @@ class Factorisation:
         if self.rest is not None:
             raise UnfactoredError(self.rest)
         return dict(self.primes)
-
-
-# --- primality ---------------------------------------------------------------------------------
-
-
-def is_probable_prime(n: int) -> bool:
-    """Tell whether n passes the test of Baillie, Pomerance, Selfridge and Wagstaff: if not, it is composite.
-
-    Nobody knows a composite number that passes, and below 2⁶⁴ there is none.
-    """
-    return n > 1 and bool(flint.fmpz(n).is_probable_prime())
-
-
-def is_prime(n: int) -> bool:
-    """Tell, with proof, whether n is prime. Raises :class:`TooLargeError` for what is too long to tell."""
-    if n < 2:
-        return False
-    return bool(flint.fmpz(n).is_probable_prime()) if n < WORD else _is_long_prime(n)
-
-
-@lru_cache(maxsize=1024)
-def _is_long_prime(n: int) -> bool:
-    bits, number = n.bit_length(), flint.fmpz(n)
-    if bits > LONGEST_BITS:
-        raise TooLargeError(
-            f"whether a number of {bits} bits is prime is not tested; at most {LONGEST_BITS} bits are"
-        )
-    if not number.is_probable_prime():
-        return False
-    if bits > PROVED_BITS:
-        raise TooLargeError(
-            f"{shorten(n)}, of {bits} bits, seems to be prime, but primes are proved up to {PROVED_BITS} bits"
-        )
-    answer = number.is_prime()
-    if answer not in (0, 1):
-        raise UndecidedError(f"whether {shorten(n)} is prime was not decided")
-    return bool(answer)
-
-
-def prime_power(q: int) -> tuple[int, int] | None:
-    """Return (p, n) with q = pⁿ and p prime, or None. Raises as :func:`is_prime`."""
-    if q < 2:
-        return None
-    root, n = power_root(q)
-    return (root, n) if is_prime(root) else None
-
-
-def power_root(n: int) -> tuple[int, int]:
-    """Return (r, k) with ``n = rᵏ``, n > 1 and k as large as possible."""
-    if not flint.fmpz(n).is_perfect_power():
-        return n, 1
-    for k in range(n.bit_length(), 1, -1):
-        r = int(flint.fmpz(n).root(k))
-        if r > 1 and r**k == n:
-            return r, k
-    raise AssertionError("a perfect power has a root")
 
 
 # --- primes that the user knows ----------------------------------------------------------------

@@ -13,8 +13,9 @@ class Elsewhere:
         self.name, self.hint = name, hint
 
     def __get__(self, instance: object, owner: type) -> NoReturn:
+        article = "an" if owner.__name__[0] in "AEIO" else "a"
         raise AttributeError(
-            f"a {owner.__name__} has no {self.name!r}: write {self.hint}",
+            f"{article} {owner.__name__} has no {self.name!r}: write {self.hint}",
             name=self.name,
             obj=instance,
         )
@@ -38,11 +39,13 @@ class Hinted:
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         for name, hint in cls.elsewhere.items():
-            if not any(name in base.__dict__ for base in cls.__mro__):
+            own = next((vars(base)[name] for base in cls.__mro__ if name in vars(base)), None)
+            if own is None or isinstance(own, Elsewhere):
                 setattr(cls, name, Elsewhere(name, hint))
 
     def __dir__(self) -> list[str]:
-        return [name for name in super().__dir__() if name not in self.elsewhere]
+        hidden = {"elsewhere", *self.elsewhere}
+        return [name for name in super().__dir__() if name not in hidden]
 
 
 ELEMENT = {
@@ -86,3 +89,55 @@ ALGEBRA = {
     "random": "random_element()",
 }
 """Sage, Magma, PARI."""
+
+LATTICE = {
+    "gens": "basis",
+    "gen": "basis[n]",
+    "ngens": "len(basis), which is 4",
+    "basis_matrix": "hnf, the denominator and the rows",
+    "quaternion_algebra": "algebra",
+    "base_ring": "algebra.ring",
+    "intersection": "L & M",
+    "minimal_element": "shortest()",
+    "minimal_vectors": "shortest()",
+    "quadratic_form": "gram_matrix()",
+    "scale": "L * x or x * L",
+    "multiply_by_conjugate": "L.conjugate() * M",
+    "quaternion_order": "left_order() or right_order()",
+}
+"""Sage, Magma: lattices."""
+
+IDEAL = LATTICE | {
+    "is_left_equivalent": "is_equivalent(other)",
+    "is_right_equivalent": "is_equivalent(other)",
+    "is_primitive": "primitive_part()",
+    "primitive_decomposition": "primitive_part()",
+    "cyclic_right_subideals": "the order's ideals_of_norm(n)",
+    "quaternion_order": "order",
+}
+"""Sage, Magma: ideals."""
+
+ORDER = LATTICE | {
+    "class_number": "len(class_set()), or algebra.class_number(level)",
+    "right_ideals": "class_set()",
+    "right_ideal_classes": "class_set()",
+    "left_ideal_classes": "class_set().left_ideals()",
+    "brandt_module": "class_set(), which has brandt_matrix(n)",
+    "type_number": "class_set().type_number",
+    "mass_formula": "mass()",
+    "unit_ideal": "left_ideal([1])",
+    "isomorphism_to": "isomorphism(other)",
+    "optimal_embeddings": "embeddings(discriminant)",
+    "is_gorenstein": "conductor() == 1",
+    "one": "algebra.one",
+}
+"""Sage, Magma: orders."""
+
+CLASSES = {
+    "class_number": "len(classes)",
+    "dimension": "len(classes)",
+    "right_ideals": "list(classes)",
+    "hecke_matrix": "brandt_matrix(n)",
+    "brandt_module": "brandt_matrix(n)",
+}
+"""Sage, Magma: sets of classes of ideals, Brandt modules."""

@@ -70,6 +70,8 @@ _FUNCTIONS = {
     "sin",
 }
 _FUNCTIONS |= {"tr", "Sc", "Vec", "det", "dim", "tan", "exp"}
+_INDEX = re.compile(r"(?<![^\W_])([^\W\d_])_([^\W_])(?![^\W_])")  # e_i
+_INDICES = re.compile(r"(?<=[\w}])_\{([^{}]*)\}")  # a_{n+1}
 _FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|GF\(|Qp\()")
 _LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}ⁿᵏᵗₙₖ]+")
 _PUNCTUATION = re.compile(r"^(.*?)([,;:.?!]*)$", re.DOTALL)
@@ -129,9 +131,10 @@ def mathematics(text: str) -> str:
     text = text.replace("<=", "≤").replace(">=", "≥")
     text = _POWER.sub(lambda m: f"⁽{m[1] or m[2] or m[3]}⁾", text)
     text = re.sub(r"(?<![A-Za-z\\])([A-Za-zα-ω])(\d+)", r"\1₍\2₎", text)
+    text = _inside_out(_INDICES, r"₍\1₎", _INDEX.sub(r"\1₍\2₎", text))
     text = "".join(_IN_MATHEMATICS.get(c, c) for c in text)
     text = re.sub("⁽([^⁽⁾]*)⁾", r"^{\1}", text)
-    text = re.sub("₍([^₍₎]*)₎", r"_{\1}", text)
+    text = _inside_out(re.compile("₍([^₍₎]*)₎"), r"_{\1}", text)
     text = _OVERLINED.sub(lambda m: rf"\{_OVER[m[2]]}{{{m[1]}}}", text)
     text = _SCRIPTS.sub(lambda m: f"{'^' if m[1] else '_'}{{{m[0].translate(_LEVEL)}}}", text)
     text = re.sub(r"√(\d+|[^\W\d_])", r"\\sqrt{\1}", text)
@@ -141,6 +144,13 @@ def mathematics(text: str) -> str:
     text = _RUN_OF_SCRIPTS.sub(_separated, text)
     text = "".join(c if c.isascii() else rf"\text{{{_character(c)}}}" for c in text)
     return " ".join(text.split())
+
+
+def _inside_out(pattern: re.Pattern[str], by: str, text: str) -> str:
+    """Replace a pattern that may stand in itself, as in e_{i_1}, until none is left."""
+    while (after := pattern.sub(by, text)) != text:
+        text = after
+    return text
 
 
 def _separated(found: re.Match[str]) -> str:
@@ -175,7 +185,7 @@ def _is_mathematical(token: str) -> bool | None:
         return True
     if len(body) == 1 and body.isascii() and body.isalpha():
         return True
-    return bool(re.search(r"[=*^\[]|\w[+/]\w|\w\(\w", body))
+    return bool(_INDEX.search(body) or re.search(r"[=*^\[]|\w[+/]\w|\w\(\w", body))
 
 
 def _barred(char: str) -> bool:

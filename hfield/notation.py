@@ -49,20 +49,23 @@ def parse_algebra(text: str) -> tuple[Ring, Constants]:
 
 def algebra_text(F: Ring, c: Constants) -> str:
     """Write an algebra so that :func:`parse_algebra` reads it back."""
+    constants = constants_text(F, c)
+    bracket = "(" if F.key(c.t) == F.key(F(0)) else "["
+    return f"{bracket}{','.join(constants)}|{F.name})"
+
+
+def constants_text(F: Ring, c: Constants, style: str = "plain") -> list[str]:
+    """Write the constants of an algebra, as many as its symbol has: a and b, and t unless it is 0 or 1."""
     zero, one, minus_one = (F.key(F(n)) for n in (0, 1, -1))  # keys: with O() little is decided
     # In characteristic 2 −1 is 1, and only Hamilton's algebra is written with it there.
     keys = Constants(*map(F.key, c))
     hamilton = keys == (minus_one, zero, minus_one)
     signed = hamilton or F.characteristic != 2
-    a, b = (
-        "-1" if signed and key == minus_one else F.text(x)
+    found = [
+        "-1" if signed and key == minus_one else F.text(x, style)
         for x, key in ((c.a, keys.a), (c.b, keys.b))
-    )
-    if keys.t == zero:
-        return f"({a},{b}|{F.name})"
-    if keys.t == one:
-        return f"[{a},{b}|{F.name})"
-    return f"[{a},{b},{F.text(c.t)}|{F.name})"
+    ]
+    return found if keys.t in (zero, one) else [*found, F.text(c.t, style)]
 
 
 def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str = "") -> str:

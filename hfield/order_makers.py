@@ -55,7 +55,7 @@ class OrderMakers(Parent):
         >>> O.discriminant(), len(O.basis)
         ((), 8)
         """
-        from hfield.lattices.named import maximal_order
+        from hfield.lattices.named_orders import maximal_order
         from hfield.lattices.over_integers import maximal_order_over_integers
 
         with known_primes(factors):
@@ -68,7 +68,7 @@ class OrderMakers(Parent):
 
         Raises :class:`LatticeError` for a level that is not prime to the discriminant.
         """
-        from hfield.lattices.named import eichler_order
+        from hfield.lattices.named_orders import eichler_order
 
         with known_primes(factors):
             return eichler_order(self, level)
@@ -84,13 +84,13 @@ class OrderMakers(Parent):
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
-        from hfield.lattices.named import lipschitz_order
+        from hfield.lattices.named_orders import lipschitz_order
 
         return lipschitz_order(self)
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
-        from hfield.lattices.named import hurwitz_order
+        from hfield.lattices.named_orders import hurwitz_order
 
         return hurwitz_order(self)
 
@@ -100,6 +100,6 @@ class OrderMakers(Parent):
         In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
         level that is not prime to the discriminant.
         """
-        from hfield.lattices.named import class_number
+        from hfield.lattices.named_orders import class_number
 
         return class_number(self, level)

@@ -9,42 +9,57 @@ thesis (section 1), which nobody has to type in; ``t = 1`` gives the Artin–Sch
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, Self
 
 Coordinates = tuple[Any, Any, Any, Any]
 
 
-class Scalar(Protocol):
-    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with what its library takes."""
+class Arithmetic(Protocol):
+    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with its like."""
 
-    def __add__(self, other: Any, /) -> Scalar:
+    def __add__(self, other: Any, /) -> Self:
         """Return self + other."""
 
-    def __radd__(self, other: Any, /) -> Scalar:
-        """Return other + self."""
-
-    def __sub__(self, other: Any, /) -> Scalar:
+    def __sub__(self, other: Any, /) -> Self:
         """Return self − other."""
 
-    def __rsub__(self, other: Any, /) -> Scalar:
-        """Return other − self."""
-
-    def __mul__(self, other: Any, /) -> Scalar:
+    def __mul__(self, other: Any, /) -> Self:
         """Return self·other."""
 
-    def __rmul__(self, other: Any, /) -> Scalar:
-        """Return other·self."""
-
-    def __neg__(self) -> Scalar:
+    def __neg__(self) -> Self:
         """Return −self."""
 
 
-class Constants(NamedTuple):
+class Scalar(Arithmetic, Protocol):
+    """An element of a ring: what its library takes beside, such as numbers, may stand to its left too."""
+
+    def __radd__(self, other: Any, /) -> Self:
+        """Return other + self."""
+
+    def __rsub__(self, other: Any, /) -> Self:
+        """Return other − self."""
+
+    def __rmul__(self, other: Any, /) -> Self:
+        """Return other·self."""
+
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    S = TypeVar("S", bound=Arithmetic)
+    C = TypeVar("C", default=Any)  # scalars, or what stands for them: a text, a number of a row
+else:
+    from typing import TypeVar
+
+    S, C = TypeVar("S"), TypeVar("C")
+
+
+class Constants(NamedTuple, Generic[C]):
     """The structure constants ``(a, t, b)``, in the order in which ``i² = a + t·i, j² = b`` has them."""
 
-    a: Any
-    t: Any
-    b: Any
+    a: C
+    t: C
+    b: C
 
 
 def multiply(c: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
@@ -66,14 +81,14 @@ def conjugate(c: Constants, q: Coordinates) -> Coordinates:
     return (w + c.t * x, -x, -y, -z)
 
 
-def norm(c: Constants, q: Coordinates) -> Any:
+def norm(c: Constants[S], q: tuple[S, S, S, S]) -> S:
     """Return the reduced norm ``N(q)``, the scalar with ``q·conj(q) = N(q)·e`` (Definition 2)."""
     a, t, b = c
     w, x, y, z = q
     return w * w + t * (w * x) - a * (x * x) - b * (y * y + t * (y * z) - a * (z * z))
 
 
-def trace(c: Constants, q: Coordinates) -> Any:
+def trace(c: Constants[S], q: tuple[S, S, S, S]) -> S:
     """Return the reduced trace, the scalar with ``q + conj(q) = tr(q)·e``."""
     w, x, _, _ = q
     return w + w + c.t * x

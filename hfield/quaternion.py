@@ -9,8 +9,9 @@ from hfield.element_text import ElementText
 from hfield.elements import ElementFacts
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError
 from hfield.product import Constants, Coordinates, Scalar
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
 from hfield.rings.holding import Batch, Holding
+from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import numpy as np

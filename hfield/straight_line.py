@@ -11,10 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from hfield import product
-from hfield.product import Constants, Scalar
+from hfield.product import Arithmetic, Constants, Scalar
+
+S = TypeVar("S", bound=Arithmetic)
+T = TypeVar("T")
 
 ZERO, ONE, MINUS_ONE = "0", "1", "-1"
 FIRST, SECOND = ("w1", "x1", "y1", "z1"), ("w2", "x2", "y2", "z2")
@@ -42,7 +45,7 @@ class Program:
     steps: tuple[Step, ...]
     outputs: tuple[str, ...]
 
-    def evaluate(self, values: dict[str, Any], zero: Any) -> tuple[Any, ...]:
+    def evaluate(self, values: dict[str, S], zero: S) -> tuple[S, ...]:
         """Run the program on values with ``+ − ×``: the plainest emitter, which checks all others."""
         known = {ZERO: zero, **values}
         for name, operation, operands in self.steps:
@@ -165,7 +168,7 @@ class _Extended:
         return parts
 
 
-def _adjoint(c: Constants, q: product.Coordinates) -> tuple[Any, ...]:
+def _adjoint(c: Constants, q: product.Coordinates) -> tuple[Scalar, ...]:
     """Return the conjugate and the norm: the inverse but for the one division."""
     return (*product.conjugate(c, q), product.norm(c, q))
 
@@ -185,7 +188,7 @@ BINARY = {"product", "sum", "difference", "multiple"}
 
 
 @lru_cache(maxsize=1024)
-def specialise(formula: str, constants: Constants, characteristic: int = 0) -> Program:
+def specialise(formula: str, constants: Constants[str], characteristic: int = 0) -> Program:
     """Return the program of one of ``FORMULAS``, such as ``product`` or ``norm``.
 
     Each constant is ``"0"``, ``"1"``, ``"-1"`` or the name of an input. The adjoint is the conjugate and
@@ -257,12 +260,12 @@ def _program(tape: _Tape, outputs: list[str]) -> Program:
     return Program(tuple(inputs), tuple(kept), tuple(outputs))
 
 
-def named(x: Scalar, name: str, is_constant: Callable[[Any, int], bool]) -> str:
+def named(x: T, name: str, is_constant: Callable[[T, int], bool]) -> str:
     """Return x as :func:`specialise` takes it; ``is_constant(x, n)`` tells x = n·1."""
     return next((str(n) for n in (0, 1, -1) if is_constant(x, n)), name)
 
 
-def pattern(constants: Constants, is_constant: Callable[[Any, int], bool]) -> Constants:
+def pattern(constants: Constants[T], is_constant: Callable[[T, int], bool]) -> Constants[str]:
     """Return the constants as :func:`specialise` takes them; ``is_constant(x, n)`` tells x = n·1."""
     pairs = zip(constants, GENERAL, strict=True)
     return Constants(*(named(x, name, is_constant) for x, name in pairs))

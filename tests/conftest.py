@@ -1,15 +1,29 @@
 """What tests of several rooms share."""
 
 import doctest
+import gc
+import signal
 import sys
 import types
+from contextlib import suppress
 from pathlib import Path
 
+import hypothesis
 import pytest
+
+hypothesis.settings.register_profile("any machine", deadline=None)  # a busy one is slow, not wrong
+hypothesis.settings.load_profile("any machine")
 
 # Files whose tests take most of the time, as `--durations` shows; `-m "not slow"` leaves them out.
 SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_text().split())
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
+
+
+def pytest_configure() -> None:
+    """Let commands that tests start hear Ctrl-C: under a shell's `&` it is ignored, by children too."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        with suppress(ValueError):  # not in the main thread
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -17,6 +31,20 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.as_posix().endswith(SLOW):
             item.add_marker(pytest.mark.slow)
+
+
+def pytest_collection_finish() -> None:
+    """Keep what collecting has made out of the sight of the garbage collector, which many tests call."""
+    gc.collect()
+    gc.freeze()
+
+
+@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
+    """Give each worker a run of neighbouring tests, which share caches; who is done takes from others."""
+    from xdist.scheduler import WorkStealingScheduling
+
+    return WorkStealingScheduling(config, log) if config.option.dist == "load" else None
 
 
 @pytest.fixture(scope="module")

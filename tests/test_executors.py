@@ -101,7 +101,7 @@ def test_an_interrupt_ends_the_workers():
 @pytest.mark.skipif(importlib.util.find_spec("distributed") is not None, reason="Dask is here")
 def test_a_missing_dask_is_told():
     with (
-        pytest.raises(ExecutorError, match="pip install distributed"),
+        pytest.raises(ExecutorError, match=r"pip install 'hfield\[dask\]'"),
         open_executor(dask="tcp://127.0.0.1:1"),
     ):
         pass

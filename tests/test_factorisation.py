@@ -11,19 +11,16 @@ from hypothesis import strategies as st
 
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import (
-    PROVED_BITS,
     SIEVED_BITS,
     Unfactored,
     UnfactoredError,
     _related,
     factor,
     factorise,
-    is_prime,
     known_primes,
-    power_root,
-    prime_power,
     remove,
 )
+from hfield.primality import PROVED_BITS, is_prime, power_root, prime_power
 
 # Composite: Carmichael numbers, strong pseudoprimes to the first 12 and 13 primes (Sorenson and Webster),
 # Arnault's to all bases below 307 (Math. Comp. 64, 1995) and Bleichenbacher's to all below 100.

@@ -37,6 +37,8 @@ def test_what_is_public_has_a_formula(thing):
 
 def test_algebras_over_different_fields_look_different():
     assert len({H(F)._repr_latex_() for F in ("QQ", "RR", "GF(9)")}) == 3
+    assert r"\frac{-1,-1}{\mathbb{F}_{9}}" in H(GF(9)).latex()  # as in its name, not 2
+    assert r"\frac{-1,-1}{\mathbb{F}_{4}}" in H(GF(4)).latex()
     assert r"\frac{-1,-3}{\mathbb{Q}}" in QuaternionAlgebra("QQ", -1, -3)._repr_latex_()
 
 

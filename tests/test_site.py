@@ -125,3 +125,38 @@ def test_a_page_keeps_nobody_out(browser, page, width, scheme):
         ".map(v => [v.id, v.nodes.length, v.nodes[0].html.slice(0, 200), v.nodes[0].failureSummary]))"
     )
     assert found == []
+
+
+def test_a_phone_shows_wide_tables_as_cards_and_long_pictures_in_strips(browser):
+    show(browser, "coming-from.html", WIDTHS["phone"], "light")
+    boxes = "[...document.querySelectorAll('.table-wrapper')].every((x) => x.scrollWidth <= x.clientWidth)"
+    assert browser.evaluate(boxes)
+    label = (
+        "getComputedStyle(document.querySelector('.stacks td:nth-child(3)'), '::before').content"
+    )
+    assert browser.evaluate(label) == '"Sage"'
+    show(browser, "coming-from.html", WIDTHS["desk"], "light")
+    assert (
+        browser.evaluate("getComputedStyle(document.querySelector('.stacks')).display") == "table"
+    )
+    show(browser, "gallery.html", WIDTHS["phone"], "light")
+    browser.wait("document.querySelectorAll('.strip.cut').length >= 4")
+    assert browser.evaluate("document.querySelector('.strip a.zoom').href").endswith("top.png")
+    browser.evaluate("document.querySelector('.strip').scrollLeft = 10000")
+    browser.wait("!document.querySelector('.strip').classList.contains('cut')")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_code_that_is_cut_has_a_shade_at_its_edge(browser, scheme):
+    """The pixels of the last column differ from the sheet, until one has scrolled to the end."""
+    show(browser, "tutorial.html", WIDTHS["phone"], scheme)
+    wide = "(x) => x.clientHeight < 500 && x.scrollWidth > x.clientWidth + 40"
+    find = f"[...document.querySelectorAll('pre')].find({wide})"
+    browser.evaluate(f"box = {find}; box.scrollIntoView({{block: 'end', behavior: 'instant'}}); 0")
+    place = browser.evaluate("r = box.getBoundingClientRect(); [r.right, r.top]")
+    x, y = int(place[0]), int(place[1])
+    for at, shaded in ((0, True), (10000, False)):
+        browser.evaluate(f"box.scrollLeft = {at}; new Promise((done) => setTimeout(done, 100))")
+        picture = browser.picture()
+        dark = abs(picture[y + 4, x - 3] - picture[y + 4, x - 60]).max()
+        assert (dark > 15) == shaded, dark

@@ -71,8 +71,7 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.output import Film, check
 
     look = look_of(args, FILM_SIZE)
-    preset = "ultrafast" if args.preview else args.preset
-    film = Film(look.size, clip.frames, clip.fps, args.crf, preset)
+    film = Film(look.size, clip.frames, clip.fps, args.crf, args.preset)
     check(path, film, args.force)
     (motion,) = motions_of(args, model, clip)
     scene = _scene(args, model, motion, look)

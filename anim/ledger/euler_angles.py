@@ -3,8 +3,9 @@
 from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.propositions import Statement
 from hfield.ledger.real import Angles
+from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, names, negation, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal, product, times

@@ -9,8 +9,9 @@ from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Over, Statement, written
+from hfield.ledger.propositions import Every, Statement, written
 from hfield.ledger.real import Angles
+from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, conj, names, norm, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal

@@ -13,8 +13,9 @@ from hfield.certificates.glossary import CIRCLE, NO_MEANING
 from hfield.ledger.claim import Proposition
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Only, Statement
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import REAL
+from hfield.ledger.scopes import Only
 from hfield.proving.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring
 

@@ -10,7 +10,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.ring import MAX_EXPONENT, Ring
+from hfield.certificates.scalars.ring import MAX_EXPONENT, Ring, power
 from hfield.certificates.work import charge
 
 Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined
@@ -202,14 +202,7 @@ class Evaluator(Generic[S, T]):
         return s.mul(x, y)
 
     def _power(self, x: S | Quaternion, n: int) -> S | Quaternion:
-        out: S | Quaternion = self.s.one
-        while n:
-            if n & 1:
-                out = self._times(out, x)
-            n >>= 1
-            if n:
-                x = self._times(x, x)
-        return out
+        return power(self.s.one, x, n, self._times)
 
     def _inverse(self, x: S | Quaternion) -> S | Quaternion:
         if not isinstance(x, Quaternion):

@@ -27,7 +27,12 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("algebra", metavar="D", help="a discriminant such as 11, or an algebra")
     parser.add_argument("level", metavar="N", nargs="?", default="1", help="the level (default: 1)")
-    parser.add_argument("--prime", metavar="P", default="2", help="which matrix (default: 2)")
+    parser.add_argument(
+        "--prime",
+        metavar="N",
+        default="2",
+        help="which matrix: of a prime, or of any N (default: 2)",
+    )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
     add_factors(parser)
     add_format(parser, "plain", "json", "latex", "edges")
@@ -37,7 +42,9 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Compute the matrix, and print it."""
     if not (args.prime.isascii() and args.prime.isdecimal() and int(args.prime) > 0):
-        raise UsageError(f"--prime {shorten(args.prime)!r}: expected a prime such as 2")
+        raise UsageError(
+            f"--prime {shorten(args.prime)!r}: expected a positive number, a prime such as 2 or any other"
+        )
     n = int(args.prime)
     with given_factors(args), open_output(args.output) as out:
         A, level = algebra_of(args.algebra), level_of(args.level)

@@ -10,7 +10,7 @@ from hfield.certificates.check import Established, Pin, check_text
 from hfield.certificates.json_text import MAX_BYTES
 from hfield.certificates.rejection import Rejected, one_line
 from hfield.commands.many import LINES, Lines, add_inputs, check_given, texts
-from hfield.commands.output import open_output
+from hfield.commands.output import gone_on, open_output
 from hfield.commands.parser import UsageError, add_output
 from hfield.commands.second_judge import FLAG_HELP, Verdict, coq_verdicts, exit_status
 from hfield.errors import HFieldError, shorten
@@ -85,10 +85,12 @@ def run(args: Namespace) -> int:
         elif args.format == "json":
             out.write_json({"schema": "hfield-check/1", "results": results})
         else:
+            width = out.style().width
             out.write(
                 "\n".join(
-                    f"{one_line(name)}: {_told(outcome, coq.get(name))}"
+                    gone_on(line, width, "    ")
                     for name, outcome in outcomes
+                    for line in _told(name, outcome, coq.get(name))
                 )
             )
     return exit_status(coq, _exit_status(outcomes, args.allow_assumptions))
@@ -185,12 +187,13 @@ def _pin(args: Namespace) -> Pin | None:
         raise UsageError(f"--statement: {error}") from None
 
 
-def _told(outcome: Outcome, coq: Verdict | None) -> str:
+def _told(name: str, outcome: Outcome, coq: Verdict | None) -> list[str]:
     """Return the lines on a file, those after the first set in."""
     if isinstance(outcome, Established):
-        return "\n  ".join([*outcome.lines(), *([str(coq)] if coq else [])])
+        first, *rest = [*outcome.lines(), *([str(coq)] if coq else [])]
+        return [f"{one_line(name)}: {first}", *(f"  {line}" for line in rest)]
     word = "rejected: " if isinstance(outcome, Rejected) else ""
-    return word + " ".join(str(outcome).split())
+    return [f"{one_line(name)}: {word}{' '.join(str(outcome).split())}"]
 
 
 def _json(name: str, outcome: Outcome, coq: Verdict | None) -> dict[str, object]:

@@ -66,8 +66,10 @@ def run(args: Namespace) -> int:
                 facts[1] = ("class number", f"{number}, by Eichler's formula and by enumeration")
                 facts.append(("type number", str(C.type_number)))
             width = out.style().width
-            lines = _latex(facts, C) if args.format == "latex" else _plain(facts, C, width)
-            out.write("\n".join(lines))
+            if args.format == "latex":
+                out.write_latex("\n".join(_latex(facts, C)), args.standalone)
+            else:
+                out.write("\n".join(_plain(facts, C, width)))
     return 0
 
 
@@ -101,7 +103,9 @@ def _plain(facts: list[tuple[str, str]], C: Any, width: int) -> list[str]:
 
 
 def _latex(facts: list[tuple[str, str]], C: Any) -> list[str]:
-    lines = [f"% {label}: {text}" for label, text in facts]
+    from hfield.latex import descriptions, words
+
+    lines = [descriptions((label, words(text)) for label, text in facts)]
     if C is None:
         return lines
     header, *rows = [row[:5] for row in _table(C)]

@@ -24,7 +24,7 @@ OPTIONAL = {
     "quaternionic": ("pip install 'hfield[bench]'", "quaternionic beside us in `hfield bench`"),
     "numpy-quaternion": ("pip install 'hfield[bench]'", "numpy-quaternion beside us, likewise"),
     "pyarrow": ("pip install 'hfield[survey]'", "Parquet files from `hfield survey`"),
-    "distributed": ("pip install distributed", "`--dask`, work on a cluster"),
+    "distributed": ("pip install 'hfield[dask]'", "`--dask`, work on a cluster"),
 }
 PROGRAMS = {
     "coqc": ("install Coq 8.16 or later", "`hfield check --coq`, a second judge of certificates"),

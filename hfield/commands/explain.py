@@ -41,7 +41,7 @@ def run(args: Namespace) -> int:
 
 
 def _explain(args: Namespace, claim: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
-    from hfield.ledger.blackboard import explain
+    from hfield.ledger.explanation import explain
 
     Waiting.at(f"deciding {claim}")
     explanation = explain(claim, args.field)

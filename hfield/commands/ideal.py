@@ -54,7 +54,7 @@ def run(args: Namespace) -> int:
         if args.format == "json":
             out.write_json(to_json(I, answer))
         elif args.format == "latex":
-            out.write(I.latex())
+            out.write_latex(latex(I, answer), args.standalone)
         else:
             out.write(fitted(page(I, answer), 22, out.style().width))
     return 0
@@ -112,3 +112,14 @@ def page(I: Ideal, answer: Answer | None) -> list[tuple[str, str]]:
     if answer is not None and answer.theorem is not None:
         lines.append(("theorem", answer.theorem))
     return lines
+
+
+def latex(I: Ideal, answer: Answer | None) -> str:
+    """Return the lines of the page as a list of LaTeX."""
+    from hfield.latex import descriptions, words
+
+    formulas = {f"{I.side} ideal of": I.order.latex(), "basis": I.latex()}
+    return descriptions(
+        (label, f"${formulas[label]}$" if label in formulas else words(text))
+        for label, text in page(I, answer)
+    )

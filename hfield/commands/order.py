@@ -48,11 +48,7 @@ def run(args: Namespace) -> int:
         if args.format == "json":
             out.write_json(to_json(O))
         elif args.format == "latex":
-            out.write(
-                r"\mathbb{Z}\left\langle "
-                + ", ".join(q.text("latex") for q in O.basis)
-                + r"\right\rangle"
-            )
+            out.write_latex(latex(O), args.standalone)
         else:
             out.write(fitted(page(O), 22, out.style().width))
     return 0
@@ -85,7 +81,17 @@ def to_json(O: Order) -> dict[str, Any]:
         "units": O.unit_count() if definite else None,
         "unit_group": O.unit_group(),
         "mass": str(O.mass()) if definite else None,
+        **_class_number(O, definite),
     }
+
+
+def _class_number(O: Order, definite: bool) -> dict[str, object]:
+    """Return how many classes of ideals there are, and how that is known; nothing for no Eichler order."""
+    if not O.is_eichler():
+        return {"class_number": None, "class_number_by": None}
+    number = O.algebra.class_number(O.level)  # type: ignore[attr-defined]
+    how = "Eichler's formula" if definite else "strong approximation"
+    return {"class_number": number, "class_number_by": how}
 
 
 def page(O: Order) -> list[tuple[str, str]]:
@@ -112,8 +118,17 @@ def page(O: Order) -> list[tuple[str, str]]:
     ]
     if data["mass"] is not None:
         lines.append(("mass", data["mass"]))
-    if data["eichler"]:
-        number = O.algebra.class_number(O.level)  # type: ignore[attr-defined]
-        how = "Eichler's formula" if data["units"] else "strong approximation"
-        lines.append(("class number", f"{number}, by {how}"))
+    if data["class_number"] is not None:
+        lines.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
     return lines
+
+
+def latex(O: Order) -> str:
+    """Return the lines of the page as a list of LaTeX."""
+    from hfield.latex import descriptions, words
+
+    formulas = {
+        "algebra": f"${O.algebra.latex()}$",
+        "basis": f"${O.latex()}$",
+    }
+    return descriptions((label, formulas.get(label) or words(text)) for label, text in page(O))

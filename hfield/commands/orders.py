@@ -8,7 +8,14 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import Sink, note, open_output
-from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
+from hfield.commands.parser import (
+    UsageError,
+    add_factors,
+    add_format,
+    add_output,
+    add_standalone,
+    given_factors,
+)
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -23,6 +30,7 @@ def add_answers(parser: ArgumentParser) -> None:
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_factors(parser)
     add_format(parser, "plain", "json", "latex")
+    add_standalone(parser)
     add_output(parser)
 
 

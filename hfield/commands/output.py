@@ -76,14 +76,33 @@ class Sink:
 
         terminal = self.stream.isatty()
         colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
-        asked = terminal or os.environ.get("COLUMNS")  # a pipe or a file has a width if it is said
-        width = terminal_width() if asked else WIDEST
+        width = terminal_width() if _has_width(self.stream) else WIDEST
         return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
 
 
 def terminal_width() -> int:
     """Return how wide lines for people may be: as wide as the terminal, as far as that is not too wide."""
     return min(WIDEST, get_terminal_size((WIDEST, 24)).columns)
+
+
+def _has_width(stream: TextIO) -> bool:
+    """Tell whether lines have to fit: on a terminal, and where it is said how wide a pipe or file is."""
+    return stream.isatty() or bool(os.environ.get("COLUMNS"))
+
+
+def gone_on(text: str, width: int, below: str = "  ") -> str:
+    """Return a text as lines of a width, all but the first set in; a long word stays whole, it may be a path.
+
+    >>> print(gone_on("cannot read no/such/file: there is none", 22))
+    cannot read
+      no/such/file: there
+      is none
+    """
+    from textwrap import fill
+
+    return fill(
+        text, width, subsequent_indent=below, break_on_hyphens=False, break_long_words=False
+    )
 
 
 def fitted(facts: Iterable[tuple[str, str]], margin: int, width: int) -> str:
@@ -185,5 +204,13 @@ def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
 
 def note(text: str) -> None:
     """Tell the reader something on stderr that is no error."""
+    say("note", text)
+
+
+def say(what: str, text: str) -> None:
+    """Write one line on stderr, ``hfield: what: text``, or several where lines have to fit."""
     STATUS.erase()
-    print(encodable(f"hfield: note: {text}", sys.stderr), file=sys.stderr)
+    line = f"hfield: {what}: {' '.join(text.split())}"
+    if _has_width(sys.stderr):
+        line = gone_on(line, terminal_width())
+    print(encodable(line, sys.stderr), file=sys.stderr)

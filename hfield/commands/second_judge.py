@@ -6,8 +6,12 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from hfield.commands.status import Waiting
+
+if TYPE_CHECKING:
+    from hfield.coq.coqc import Coqc
 
 ACCEPTED, REJECTED, NOT_COVERED, NOT_JUDGED = "accepted", "rejected", "not covered", "not judged"
 NOT_CONFIRMED = 4  # the exit status where Coq has not seen a certificate that the checker accepts
@@ -46,13 +50,11 @@ def coq_verdicts(files: Sequence[str]) -> dict[str, Verdict]:
         return {file: Verdict(NOT_JUDGED, str(error)) for file in files}
 
 
-def _judged(file: str, coq: object) -> Verdict:
+def _judged(file: str, coq: Coqc) -> Verdict:
     from hfield.coq.cofactors import MismatchError
-    from hfield.coq.coqc import Coqc
     from hfield.coq.theorem import theorem
     from hfield.errors import HFieldError
 
-    assert isinstance(coq, Coqc)
     try:
         one = theorem("certificate", json.loads(Path(file).read_text(encoding="utf-8")))
     except MismatchError as error:

@@ -18,6 +18,7 @@ HELP = (
 )
 EXAMPLES = ("hfield survey 2..100 --levels 1..5 -o rows.jsonl",)
 MOST = 5000
+SUFFIXES = (".jsonl", ".parquet")
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -31,7 +32,10 @@ def configure(parser: ArgumentParser) -> None:
         help=f"enumerate at most H classes (default: {MOST})",
     )
     parser.add_argument(
-        "-o", "--output", metavar="FILE", help="a .jsonl file, or .parquet (needs pyarrow)"
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="FILE.jsonl, an object of JSON a line, or FILE.parquet (needs pyarrow)",
     )
     parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
     parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at ADDRESS")
@@ -58,6 +62,11 @@ def run(args: Namespace) -> int:
         return 0
     path = Path(args.output)
     parquet = path.suffix == ".parquet"
+    if path.suffix not in SUFFIXES:
+        raise UsageError(
+            f"-o {shorten(args.output)!r}: a survey is written as JSON lines or as Parquet; expected a name "
+            "that ends in .jsonl or .parquet"
+        )
     if parquet:
         _pyarrow()
     journal = census.Journal(path.with_name(path.name + ".jsonl") if parquet else path)

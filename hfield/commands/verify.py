@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import gc
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import OutputError, note, open_output
@@ -62,23 +60,12 @@ def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
     from importlib.metadata import entry_points
 
-    from hfield.executors import open_executor
+    from hfield.executors import collecting_rarely, open_executor
 
     ledgers = [point.module for point in entry_points(group="hfield.claims")]
     modules = ["hfield.ledger.run", *ledgers]
-    with _collecting_rarely(), open_executor(args.jobs, args.dask, modules) as executor:
+    with collecting_rarely(), open_executor(args.jobs, args.dask, modules) as executor:
         return _verify(args, executor)
-
-
-@contextmanager
-def _collecting_rarely() -> Iterator[None]:
-    """Let Python look for cycles seldom: nearly all that is made here is kept, and looking takes a tenth."""
-    often = gc.get_threshold()
-    gc.set_threshold(20_000, *often[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*often)
 
 
 def _verify(args: Namespace, executor: Executor) -> int:

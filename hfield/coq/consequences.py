@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 from flint.utils.flint_exceptions import DomainError
 
@@ -12,7 +13,26 @@ from hfield.coq.formulas import Equation, Formula, Junction, equations
 if TYPE_CHECKING:
     import flint
 
-    from hfield.coq.implied import Item
+
+@dataclass
+class Item:
+    """One item as it stands in the certificate, with its polynomials read."""
+
+    raw: Mapping[str, Any]
+    zeros: list[Any]
+    member: Any = None
+    nonzeros: list[Any] = field(default_factory=list)
+    denominators: set[int] = field(default_factory=set)
+
+    @property
+    def is_direct(self) -> bool:
+        """Whether it needs no field."""
+        return self.member is not None
+
+    @property
+    def characteristic(self) -> int:
+        """The characteristic in which it holds, 0 for all."""
+        return int(self.raw["characteristic"])
 
 
 def tops(formulas: Iterable[Formula]) -> list[flint.fmpz_mpoly]:

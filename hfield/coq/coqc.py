@@ -22,7 +22,7 @@ class CoqMissingError(HFieldError, OSError):
 
 
 class Coqc:
-    """``coqc`` in a folder of its own, as a context: the library is compiled on entering."""
+    """``coqc`` in a folder of its own, as a context: the library is compiled when it is first needed."""
 
     def __init__(self) -> None:
         program = shutil.which("coqc")
@@ -36,10 +36,6 @@ class Coqc:
     def __enter__(self) -> Coqc:
         self._folder = TemporaryDirectory(prefix="hfield-coq-")
         self.folder = Path(self._folder.name)
-        done = self._run(LIBRARY, library())
-        if done.returncode:
-            self.__exit__()
-            raise HFieldError(f"coqc does not read its own library: {_message(done.stderr)}")
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -56,11 +52,20 @@ class Coqc:
             check=False,
         )
 
+    def compile_library(self) -> None:
+        """Compile what stands in every file, once. Raises :class:`HFieldError` where Coq rejects it."""
+        if (self.folder / f"{LIBRARY}.vo").exists():
+            return
+        done = self._run(LIBRARY, library())
+        if done.returncode:
+            raise HFieldError(f"coqc does not read its own library: {_message(done.stderr)}")
+
     def reject(self, theorems: Sequence[Theorem]) -> str | None:
         """Compile theorems; return None if Coq accepts them all without an axiom, else why not."""
         if any(t.place for t in theorems):  # they stand in sections, which are not compiled ahead
             done = self._run("Judged", Export(tuple(theorems)).text)
         else:
+            self.compile_library()
             used = "".join(f"  let _ := @{t.name} in\n" for t in theorems)
             ending = f"Definition judged : True :=\n{used}  I.\nPrint Assumptions judged.\n"
             done = self._run("Judged", "\n\n".join([opening(), *map(str, theorems), ending]))

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from hfield.coq.cofactors import MismatchError, Reader, written
-from hfield.coq.consequences import are_products, proportional, quotient, tops, vanishes_as_function
+from hfield.coq.consequences import (
+    Item,
+    are_products,
+    proportional,
+    quotient,
+    tops,
+    vanishes_as_function,
+)
 from hfield.coq.formulas import Formula
 from hfield.coq.terms import NotCoveredError, Terms
 
@@ -32,27 +39,6 @@ class Evidence:
 
 def _list(parts: Iterable[str]) -> str:
     return "[" + ";\n   ".join(parts) + "]"
-
-
-@dataclass
-class Item:
-    """One item as it stands in the certificate, with its polynomials read."""
-
-    raw: Mapping[str, Any]
-    zeros: list[Any]
-    member: Any = None
-    nonzeros: list[Any] = field(default_factory=list)
-    denominators: set[int] = field(default_factory=set)
-
-    @property
-    def is_direct(self) -> bool:
-        """Whether it needs no field."""
-        return self.member is not None
-
-    @property
-    def characteristic(self) -> int:
-        """The characteristic in which it holds, 0 for all."""
-        return int(self.raw["characteristic"])
 
 
 class Items:

@@ -9,9 +9,10 @@ from hfield.errors import HFieldError
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
 from hfield.ledger.presented import Presented
-from hfield.ledger.propositions import Equivalence, Every, Implication, Only, Over, Statement
+from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
 from hfield.ledger.real import Analysis, Angles
 from hfield.ledger.registry import claims
+from hfield.ledger.scopes import Only, Over
 from hfield.proving.decision import PROVED, REFUTED
 
 # Claims that are no statements of the language, and the theorems of the file that say the same.

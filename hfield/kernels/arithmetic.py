@@ -33,11 +33,13 @@ class Arithmetic(ABC):
 
     An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
     to run over several elements at a time; ``literal``: whether structure constants are written into
-    the loop, which then serves one algebra, and not read by it.
+    the loop, which then serves one algebra, and not read by it; ``waits_for_memory``: whether little
+    is computed for each byte, so that large results are better written past the caches.
     """
 
     vectorise = True
     literal = False
+    waits_for_memory = False
 
     @property
     @abstractmethod

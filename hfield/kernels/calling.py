@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from hfield.kernels import memory
 from hfield.kernels.arithmetic import Arithmetic
 from hfield.kernels.loops import Operand, module
 from hfield.native import compiling
@@ -26,8 +27,9 @@ PIECE = 1 << 18  # elements that a thread takes at a time
 MANY = 500_000  # from so many elements on a second thread is woken
 SHORTEST = 1 << 16  # elements for which one more thread is woken
 _lock = Lock()
-# The compiled loops of each program in each arithmetic, by which operands are single elements.
-_loops: dict[Any, dict[tuple[bool, ...], compiling.Function]] = {}
+# The compiled loops of each program in each arithmetic, by which operands are single elements, and by
+# whether they write past the caches.
+_loops: dict[Any, dict[tuple[tuple[bool, ...], bool], compiling.Function]] = {}
 _announce = compiling.Announcer(
     "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"
 )
@@ -69,7 +71,7 @@ class Kernel:
         shapes = [rows[0].shape for rows in operands]
         shape = shapes[0] if len(set(shapes)) == 1 else np.broadcast_shapes(*shapes)
         n = prod(shape)
-        out = np.empty((len(self.program.outputs), *shape), self.arithmetic.result)
+        out, used = memory.block((len(self.program.outputs), *shape), self.arithmetic.result)
         results = rows_of(out)
         if n == 0:
             return results, 0
@@ -81,7 +83,8 @@ class Kernel:
         if self.constants:
             straight.append(self.constants)
             singles = (*singles, True)
-        loop = self._loops.get(singles) or self._compiled(singles)
+        streamed = used and self.arithmetic.waits_for_memory
+        loop = self._loops.get((singles, streamed)) or self._compiled(singles, streamed)
         size = np.dtype(self.arithmetic.dtype).itemsize
         rows, steps = list[Array](), list[int]()
         for own, single in zip(straight, singles, strict=True):
@@ -96,16 +99,17 @@ class Kernel:
         count = len(self.sides) - bool(self.constants)
         for single in range(-1, count if count > 1 else 0):
             flags = tuple(n == single for n in range(count))
-            self._compiled(flags + (True,) * bool(self.constants))
+            for streamed in {False, self.arithmetic.waits_for_memory}:
+                self._compiled(flags + (True,) * bool(self.constants), streamed)
 
-    def _compiled(self, singles: tuple[bool, ...]) -> compiling.Function:
+    def _compiled(self, singles: tuple[bool, ...], streamed: bool) -> compiling.Function:
         with _lock:
-            if singles not in self._loops:
+            if (singles, streamed) not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
-                text = module(self.program, self.arithmetic, operands, self.literals)
+                text = module(self.program, self.arithmetic, operands, self.literals, streamed)
                 address = compiling.compiled(text, "entry", True, _announce)
-                self._loops[singles] = compiling.function(address)
-        return self._loops[singles]
+                self._loops[singles, streamed] = compiling.function(address)
+        return self._loops[singles, streamed]
 
 
 def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:

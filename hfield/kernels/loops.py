@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from hfield.kernels import streaming
 from hfield.kernels.arithmetic import Arithmetic, Code, Symbol, raw_type
 from hfield.straight_line import ONE, Program
 
@@ -49,11 +50,13 @@ def module(
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
     literals: Mapping[str, int],
+    streamed: bool = False,
 ) -> str:
     """Write the function ``entry(n, addresses)`` that runs the program over n elements.
 
     The addresses are those of the rows of the operands, of the arithmetic's tables, and of the rows of
     the results. It returns the flags of all elements, one or the other bit set where one had to tell.
+    Where it is ``streamed`` the results are written past the caches.
     """
     code, results = written(program, arithmetic, operands, literals)
     kind = raw_type(arithmetic.result)
@@ -85,12 +88,17 @@ def module(
         f"%all = phi i64 [ 0, %start ], [ {told}, %body ]",
         "ret i64 %all",
         "}",
-        "define i64 @entry(i64 %n, ptr %addresses) {",
     ]
-    for n, name in enumerate(pointers):
-        lines.append(f"%at{n} = getelementptr ptr, ptr %addresses, i64 {n}")
-        lines.append(f"%{name} = load ptr, ptr %at{n}")
-    passed = ", ".join(f"ptr %{name}" for name in pointers)
-    lines += [f"%flags = call i64 @loop(i64 %n, {passed})", "ret i64 %flags", "}"]
+    if streamed:
+        moving = [name for operand in operands if not operand.single for name in operand.names]
+        read = raw_type(arithmetic.dtype)
+        lines.append(streaming.entry(pointers, moving, outputs, read, kind))
+    else:
+        lines.append("define i64 @entry(i64 %n, ptr %addresses) {")
+        for n, name in enumerate(pointers):
+            lines.append(f"%at{n} = getelementptr ptr, ptr %addresses, i64 {n}")
+            lines.append(f"%{name} = load ptr, ptr %at{n}")
+        passed = ", ".join(f"ptr %{name}" for name in pointers)
+        lines += [f"%flags = call i64 @loop(i64 %n, {passed})", "ret i64 %flags", "}"]
     lines += ["!0 = distinct !{!0, !1}", '!1 = !{!"llvm.loop.vectorize.enable", i1 false}']
     return "\n".join(lines) + "\n"

@@ -38,6 +38,7 @@ class SmallWholeNumbers(Arithmetic):
     result: str = "i8"
 
     literal = True
+    waits_for_memory = True
 
     def load(self, code: Code, raw: str) -> Bounded:
         """Read a number, and tell if it is too large."""

@@ -13,13 +13,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.factorisation import is_prime
+from hfield.hints import CLASSES, Hinted
 from hfield.lattices.answers import rows_json
 from hfield.lattices.canonical import Key, canonical
 from hfield.lattices.class_number import mass
@@ -28,6 +27,7 @@ from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order import Order
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
+from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
     from hfield.lattices.certified import Claim
@@ -36,7 +36,7 @@ MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
-class ClassSet:
+class ClassSet(Hinted):
     """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -46,6 +46,8 @@ class ClassSet:
     >>> C.brandt_matrix(2)
     [[1, 2], [3, 0]]
     """
+
+    elsewhere = CLASSES
 
     def __init__(self, order: Order) -> None:
         order._definite("class_set()")
@@ -67,10 +69,10 @@ class ClassSet:
         left = self.mass
         left -= self._add(*canonical(self.order))
         discriminant = self.order._discriminant
-        for p in count(2):
+        for p in primes():
             if not left:
                 return
-            if not is_prime(p) or discriminant % p == 0:
+            if discriminant % p == 0:
                 continue
             # where local units do not have all norms, neighbours at one prime reach a part of the classes
             done, rows = 0, []

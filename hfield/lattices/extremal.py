@@ -9,10 +9,10 @@ from __future__ import annotations
 from typing import Any
 
 from hfield.errors import LatticeError
-from hfield.factorisation import is_prime
 from hfield.lattices.order import Order
 from hfield.lattices.reduction import kronecker
 from hfield.lattices.regular import regular
+from hfield.primality import is_prime
 from hfield.quaternion import Parent
 
 

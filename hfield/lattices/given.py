@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import flint
 
 from hfield.errors import LatticeError, shorten
-from hfield.factorisation import is_prime
 from hfield.lattices import hermite
+from hfield.primality import is_prime
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.rational import rational
 from hfield.structure.rationals.whole_numbers import fraction

@@ -9,7 +9,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError, shorten
-from hfield.lattices import compatible, hermite
+from hfield.hints import IDEAL
+from hfield.lattices import compatible_products, hermite
 from hfield.lattices.answers import Answer, rows_json
 from hfield.lattices.given import prime as checked_prime
 from hfield.lattices.lattice import Lattice
@@ -34,13 +35,15 @@ class Ideal(OneSidedIdeal):
     True
     """
 
+    elsewhere = IDEAL
+
     # --- arithmetic ------------------------------------------------------------------------------
 
     def _product(self, other: Lattice) -> Lattice:
         if isinstance(other, Ideal) and (self.side, other.side) == ("right", "left"):
             order = self.order
             if order is other.order or order == other.order:
-                found = compatible.product(self, other)
+                found = compatible_products.product(self, other)
                 if found is not None:
                     return Lattice(self.algebra, *found)
         return super()._product(other)
@@ -184,7 +187,7 @@ class Ideal(OneSidedIdeal):
         J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
         (Kohel, Lauter, Petit and Tignol, 2014).
         """
-        from hfield.lattices.small import equivalent_of_prime_norm
+        from hfield.lattices.small_ideals import equivalent_of_prime_norm
 
         return equivalent_of_prime_norm(self, frozenset(avoid))
 

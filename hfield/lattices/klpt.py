@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
-from hfield.factorisation import is_probable_prime
 from hfield.lattices import hermite
+from hfield.lattices.norm_equations import in_frame
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
 from hfield.lattices.reduction import kernel
-from hfield.lattices.represent import in_frame
-from hfield.lattices.small import by_norm
+from hfield.lattices.small_ideals import by_norm
+from hfield.primality import is_probable_prime
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 

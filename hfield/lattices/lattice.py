@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, MixedParentsError, shorten
+from hfield.hints import LATTICE, Hinted
 from hfield.lattices import hermite
 from hfield.lattices.given import checked_side, element_row, listed
 from hfield.lattices.regular import regular
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from hfield.lattices.order import Order
 
 
-class Lattice(NormedLattice):
+class Lattice(Hinted, NormedLattice):
     """The integer combinations of four independent elements of an algebra over ℚ.
 
     It is kept in its Hermite normal form over (1, i, j, k), so equal lattices are equal, and hash
@@ -37,6 +38,7 @@ class Lattice(NormedLattice):
     [1, 24, 24, 96, 24]
     """
 
+    elsewhere = LATTICE
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
 
     @classmethod

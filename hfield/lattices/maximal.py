@@ -7,7 +7,7 @@ is a field, or a product of two, and one of its two maximal ideals has a maximal
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -109,34 +109,50 @@ def eichler_suborder(order: Order, level: int) -> Order:
                 f"the level {level} and the discriminant {order._discriminant} have the factor {p} in "
                 "common: Eichler orders have a level prime to the discriminant"
             )
-    x = [0, 0, 0, 0]
-    modulus = 1
+    rows = left_multiples(order, primes, zero_divisor)
+    rows.append(order._from_coordinates(list(order._one)))
+    found = above(order, rows, level)
+    return Order(found.algebra, found._den, found._matrix)
+
+
+def left_multiples(
+    order: Order, primes: Mapping[int, int], choose: Callable[[Order, int, int], list[int]]
+) -> list[list[int]]:
+    """Return the rows of the basis times an x that is ``choose(order, p, e)`` modulo each pᵉ.
+
+    They are over the denominator of the order.
+    """
+    x, modulus = [0, 0, 0, 0], 1
     for p, e in sorted(primes.items()):
         q = p**e
-        y = zero_divisor(order, p, e)
+        y = choose(order, p, e)
         step = pow(modulus, -1, q)
         x = [a + modulus * ((b - a) * step % q) for a, b in zip(x, y, strict=True)]
         modulus *= q
-    table = order._table
-    rows = [_combine(x, [table[i][j] for j in range(4)]) for i in range(4)]  # b_i·x
-    rows.append(list(order._one))
-    found = above(order, [order._from_coordinates(v) for v in rows], modulus)
-    return Order(found.algebra, found._den, found._matrix)
+    return [order._from_coordinates(_combine(x, row)) for row in order._table]
 
 
 def zero_divisor(order: Order, p: int, e: int) -> list[int]:
     """Return coordinates of an element of O, not in p·O, whose norm pᵉ divides; O is M₂(ℤₚ)."""
-    gram = order._integral_gram
-    # with three coordinates small, the norm is a quadratic polynomial in the fourth
     for n, rest in _lines():
-        v = [*rest[:n], 0, *rest[n:]]
-        b = sum(gram[n][m] * v[m] for m in range(4))
-        found = simple_root(gram[n][n] // 2, b, order._trace_and_norm(v)[1], p, e)
+        found = zero_on_line(order, [*rest[:n], 0, *rest[n:]], n, p, e)
         if found is not None:
-            v[n] = found
-            if any(x % p for x in v):
-                return v
+            return found
     raise AssertionError("the norm form modulo p is that of 2 × 2 matrices, which has such zeros")
+
+
+def zero_on_line(order: Order, v: list[int], n: int, p: int, e: int) -> list[int] | None:
+    """Return v with another n-th coordinate in place of 0, not in p·O, whose norm pᵉ divides; or None.
+
+    The norm is a quadratic polynomial in that coordinate.
+    """
+    gram = order._integral_gram
+    b = sum(gram[n][m] * v[m] for m in range(4))
+    root = simple_root(gram[n][n] // 2, b, order._trace_and_norm(v)[1], p, e)
+    if root is None:
+        return None
+    found = [*v[:n], root, *v[n + 1 :]]
+    return found if any(x % p for x in found) else None
 
 
 def _lines() -> Iterator[tuple[int, tuple[int, ...]]]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, overload
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError
+from hfield.hints import ORDER
 from hfield.lattices import hermite
 from hfield.lattices.answers import rows_json
 from hfield.lattices.generated_orders import check_ring, generated
@@ -38,6 +39,8 @@ class Order(OrderInvariants):
     >>> O.discriminant(), O.is_maximal(), O.unit_count()
     (11, True, 4)
     """
+
+    elsewhere = ORDER
 
     @classmethod
     def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
@@ -230,7 +233,7 @@ class Order(OrderInvariants):
         Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
         quadratic orders.
         """
-        from hfield.lattices.represent import represent_integer
+        from hfield.lattices.norm_equations import represent_integer
 
         return represent_integer(self, positive(n, "norm"), seed)
 

@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.factorisation import is_prime, is_probable_prime
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.order import Order
+from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 
@@ -208,7 +208,7 @@ def _small(d: int, p: int) -> tuple[int, int] | None:
     )
 
 
-SMALL_PRIMES = math.prod(p for p in range(17, 200) if is_prime(p))
+SMALL_PRIMES = math.prod(p for p in primes(200) if p >= 17)
 
 
 def likely(m: int) -> bool:

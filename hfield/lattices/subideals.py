@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import product
 from operator import add
 from typing import Any
@@ -20,9 +20,9 @@ from hfield.factorisation import factorise
 from hfield.lattices import hermite
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.maximal import above, endpoints, zero_divisor
+from hfield.lattices.maximal import above, endpoints, left_multiples, zero_divisor, zero_on_line
 from hfield.lattices.order import Order
-from hfield.lattices.reduction import echelon, roots, simple_root
+from hfield.lattices.reduction import echelon, roots
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""
@@ -177,36 +177,22 @@ def prime_to(ideal: Lattice, p: int) -> Lattice:
 def random_ideal(order: Order, n: int, side: str, rng: random.Random) -> Ideal:
     """Return an ideal ``O·x + n·O`` of norm n, prime to the discriminant, for a random x; O/I is cyclic."""
     primes = factorise(n)
-    x, modulus = [0] * 4, 1
-    for p, e in sorted(primes.items()):
+    for p in primes:
         if order._discriminant % p == 0:
             raise LatticeError(
                 f"random ideals have a norm prime to the discriminant, and {p} divides both"
             )
-        q = p**e
-        y = _random_zero_divisor(order, p, e, rng)
-        step = pow(modulus, -1, q)
-        x = [a + modulus * ((b - a) * step % q) for a, b in zip(x, y, strict=True)]
-        modulus *= q
-    table = order._table
-    rows = []
-    for i in range(4):
-        b = [sum(x[j] * table[i][j][m] for j in range(4)) for m in range(4)]
-        rows.append(order._from_coordinates(b))
-    found = Ideal.of(above(order, rows, n), "left", order)
+    multiples = left_multiples(order, primes, partial(_random_zero_divisor, rng))
+    found = Ideal.of(above(order, multiples, n), "left", order)
     return found if side == "left" else found.conjugate()
 
 
-def _random_zero_divisor(order: Order, p: int, e: int, rng: random.Random) -> list[int]:
-    gram = order._integral_gram
+def _random_zero_divisor(rng: random.Random, order: Order, p: int, e: int) -> list[int]:
     for _ in range(200):
         n = rng.randrange(4)
         v = [rng.randrange(p**e) for _ in range(4)]
         v[n] = 0
-        b = sum(gram[n][m] * v[m] for m in range(4))
-        found = simple_root(gram[n][n] // 2, b, order._trace_and_norm(v)[1], p, e)
+        found = zero_on_line(order, v, n, p, e)
         if found is not None:
-            v[n] = found
-            if any(x % p for x in v):
-                return v
+            return found
     return zero_divisor(order, p, e)

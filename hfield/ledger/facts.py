@@ -22,7 +22,7 @@ from hfield.certificates.glossary import (
     ZERO_NORM,
 )
 from hfield.errors import UndecidedError
-from hfield.ledger.propositions import search_panel
+from hfield.ledger.scopes import search_panel
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, norm
 from hfield.proving.decision import Decision

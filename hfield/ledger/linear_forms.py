@@ -60,14 +60,15 @@ class Form:
         self.extra = coordinates[N * k :]
 
     def __call__(self, *arguments: list[flint.fmpz_mpoly]) -> flint.fmpz_mpoly:
-        """Return the value of the form: Σ h_t · Π a_m[t_m]."""
-        total = self.zero
-        for t, h in self.entry.items():
-            term = h
-            for a, n in zip(arguments, t, strict=True):
-                term = term * a[n]
-            total = total + term
-        return total
+        """Return the value of the form: Σ h_t · Π a_m[t_m], summed over the last index first."""
+        values = list(self.entry.values())
+        for a in reversed(arguments):
+            rows = range(0, len(values), N)
+            values = [
+                sum((h * u for h, u in zip(values[r : r + N], a, strict=True)), self.zero)
+                for r in rows
+            ]
+        return values[0]
 
     def at(
         self, slot: int, vector: list[flint.fmpz_mpoly], last: list[flint.fmpz_mpoly]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain
 from itertools import product as tuples
@@ -27,8 +27,9 @@ from hfield.certificates.glossary import (
 )
 from hfield.errors import UndecidedError
 from hfield.ledger.facts import hamilton, texts
-from hfield.ledger.propositions import Statement, search_panel
-from hfield.product import Coordinates, multiply, norm
+from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import search_panel
+from hfield.product import Coordinates, Scalar, multiply, norm
 from hfield.proving.decision import Decision
 from hfield.rings.base import INFINITY, Ring
 
@@ -166,7 +167,8 @@ class ModulusLaw:
     def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, list[str]] | None:
         """Return None if some choice satisfies the law, else p, q that break the choice √1 = 1."""
         norms = {F.key(norm(hamilton(F), q)): norm(hamilton(F), q) for q in sample}
-        roots = {key: F.sqrt(n) for key, n in norms.items()} | {F.key(F.one): F.one}
+        roots = {key: r for key, n in norms.items() if (r := F.sqrt(n)) is not None}
+        roots[F.key(F.one)] = F.one
         bad: dict[str, Any] | None = None
         for signs in tuples((1, -1), repeat=len(roots)):
             chosen = {
@@ -182,7 +184,9 @@ class ModulusLaw:
             bad = bad or failing[-1]
         return bad
 
-    def _holds(self, F: Ring, chosen: dict[Any, Any], p: Coordinates, q: Coordinates) -> bool:
+    def _holds(
+        self, F: Ring, chosen: dict[Hashable, Scalar], p: Coordinates, q: Coordinates
+    ) -> bool:
         c = hamilton(F)
         m, n = (chosen[F.key(norm(c, x))] for x in (p, q))
         product = chosen.get(F.key(norm(c, multiply(c, p, q))))

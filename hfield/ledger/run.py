@@ -7,7 +7,7 @@ from concurrent.futures import Executor
 
 from hfield.certificates.glossary import GAVE_UP
 from hfield.errors import HFieldError
-from hfield.executors import unordered
+from hfield.executors import collecting_rarely, unordered
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide
 from hfield.ledger.registry import claims, find
 from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
@@ -59,7 +59,8 @@ def _chunks(pieces: Sequence[Piece]) -> list[range]:
 
 def _decide_chunk(task: Sequence[tuple[str | Claim, str]]) -> list[Verdicts]:
     """Decide some rows; decisions are plain data."""
-    return [decide_one(find(x) if isinstance(x, str) else x, field) for x, field in task]
+    with collecting_rarely():  # in every process that works for one
+        return [decide_one(find(x) if isinstance(x, str) else x, field) for x, field in task]
 
 
 def decide_one(claim: Claim, field: str) -> Verdicts:

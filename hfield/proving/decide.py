@@ -5,15 +5,17 @@ from dataclasses import replace
 
 from hfield.errors import TooLargeError
 from hfield.proving.clock import Clock
-from hfield.proving.decision import NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.decision import FIELD, NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.existence import quantifiers
+from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.methods import universal
 from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.question import TIMEOUT, Question, read_question
 from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
+from hfield.syntax import Not
 
 
 def decide(
@@ -59,6 +61,7 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
         decision = chosen(problem)(problem)
         if decision.verdict == UNDECIDED:
             found = decide_in_subfields(problem, lambda p: chosen(p)(p))
+            found = _never_false(problem) if found is None else found
             decision = decision if found is None else found
     except TooLargeError as error:
         return Decision(UNDECIDED, "none", tried=(str(error),))
@@ -68,16 +71,33 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
     return decision
 
 
+def _never_false(problem: Problem) -> Decision | None:
+    """Prove, without certificate, what fails only at solutions of equations that have none."""
+    field = problem.field
+    if problem.statement.exists or field is None or not (field.is_exact and field.is_field):
+        return None
+    if not closed_solutions(problem.about(Not(problem.matrix))).none:
+        return None
+    steps = (
+        f"solving the equations of a counterexample over {field.name} shows that there is none",
+    )
+    return Decision(PROVED, "linear algebra", steps=steps, scope=FIELD)
+
+
 def chosen(problem: Problem) -> Callable[[Problem], Decision]:
     """Return the method for a problem: by whether something is said to exist, and what is assumed."""
-    if problem.statement.exists:
-        return quantifiers.decide
-    return _with_hypotheses if problem.statement.hypotheses else universal.decide
+    if problem.statement.hypotheses:
+        return _with_hypotheses
+    return _plainly(problem)
+
+
+def _plainly(problem: Problem) -> Callable[[Problem], Decision]:
+    return quantifiers.decide if problem.statement.exists else universal.decide
 
 
 def _with_hypotheses(problem: Problem) -> Decision:
-    """Decide a statement without quantifier; what nothing satisfies is vacuous."""
-    decision = universal.decide(problem)
+    """Decide what assumes something; what nothing satisfies is vacuous."""
+    decision = _plainly(problem)(problem)
     if decision.verdict != PROVED:
         return decision
     vacuous = quantifiers.vacuous(problem)

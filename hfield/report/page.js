@@ -91,6 +91,16 @@ function reach() {
     }
   }
 }
+// The matrix is cut where more of it lies to the right.
+const wide = document.querySelector(".tall");
+function mark() {
+  wide.classList.toggle("cut", wide.scrollLeft + wide.clientWidth < wide.scrollWidth - 1);
+}
+wide.addEventListener("scroll", mark, { passive: true });
+form.addEventListener("input", mark);
+form.addEventListener("reset", () => setTimeout(mark));
+addEventListener("resize", mark);
+mark();
 addEventListener("resize", reach);
 document.addEventListener("toggle", reach, true);
 reach();

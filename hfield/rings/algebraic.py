@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -62,7 +62,7 @@ class AlgebraicNumbers(ValueRing):
 
         return {"pi": PI} if self.is_real else {"I": _I, "pi": PI}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., Surd | Closed | None]]:
         """``sqrt``, ``cbrt``, ``root(x, n)``, and ``cos sin tan cosh sinh tanh exp log``."""
         from hfield.rings import closed
 

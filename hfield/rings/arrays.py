@@ -5,12 +5,16 @@ and turns the product of two 0-dimensional arrays into a bare element, which it 
 next step. :class:`Objects` wraps every operand that is not an array, and keeps 0-dimensional results.
 """
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from types import EllipsisType
+from typing import Any, SupportsIndex, TypeAlias
 
 import numpy as np
 
 from hfield.errors import CoercionError
+
+One: TypeAlias = SupportsIndex | slice | EllipsisType | Sequence[int] | np.ndarray | None
+Index: TypeAlias = One | tuple[One, ...]  # what numpy takes in brackets
 
 
 class Objects(np.ndarray[Any, np.dtype[Any]]):
@@ -26,7 +30,7 @@ class Objects(np.ndarray[Any, np.dtype[Any]]):
         return _dress(result)
 
 
-def objects(values: object, convert: Callable[[Any], Any]) -> Objects:
+def objects(values: object, convert: Callable[[Any], object]) -> Objects:
     """Return an array of ``convert(x)`` for each x; lists, tuples and arrays nest, all else is one x.
 
     Raises :class:`CoercionError` where the parts of a list differ in shape.
@@ -34,7 +38,7 @@ def objects(values: object, convert: Callable[[Any], Any]) -> Objects:
     return _converted(values, convert).view(Objects)
 
 
-def _converted(values: object, convert: Callable[[Any], Any]) -> np.ndarray[Any, np.dtype[Any]]:
+def _converted(values: object, convert: Callable[[Any], object]) -> np.ndarray:
     if isinstance(values, (list, tuple)):
         parts = [_converted(x, convert) for x in values]
         shapes = sorted({x.shape for x in parts})
@@ -52,7 +56,7 @@ def _converted(values: object, convert: Callable[[Any], Any]) -> np.ndarray[Any,
     return wrap(convert(values))
 
 
-def wrap(x: object) -> np.ndarray[Any, np.dtype[Any]]:
+def wrap(x: object) -> np.ndarray:
     """Return a 0-dimensional object array that holds x, whatever x is."""
     out = np.empty((), dtype=object)
     out[()] = x

@@ -13,7 +13,7 @@ from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
-from typing import TYPE_CHECKING, Any, SupportsIndex
+from typing import TYPE_CHECKING, Any, Generic, SupportsIndex
 
 from hfield import syntax
 from hfield.errors import (
@@ -24,15 +24,21 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.product import Constants
-from hfield.rings.growth import FEW, bits, check_growth, is_quick
+from hfield.product import Constants, Scalar
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
+from hfield.rings.powers import power
 from hfield.rings.printing import from_unicode, number_text
 
 if TYPE_CHECKING:
     import numpy as np
+    from typing_extensions import TypeVar
 
+    E = TypeVar("E", bound=Scalar, default=Any)  # ``Ring`` alone: of elements that nobody checks
+else:
+    from typing import TypeVar
+
+    E = TypeVar("E")  # an element of a ring
 
 INFINITY = float("inf")
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
@@ -50,7 +56,7 @@ class Known:
         return f"{shown}, because {self.reason}" if self.reason else str(shown)
 
 
-class Ring(ABC):
+class Ring(ABC, Generic[E]):
     """A commutative ring with 1.
 
     ``name`` is the text that :func:`hfield.ring` reads back; two rings are equal when their names
@@ -70,7 +76,7 @@ class Ring(ABC):
     # --- what an adapter must give -------------------------------------------------------------
 
     @abstractmethod
-    def __call__(self, x: object) -> Any:
+    def __call__(self, x: object) -> E:
         """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
 
     # --- what it gives where it can ------------------------------------------------------------
@@ -80,7 +86,7 @@ class Ring(ABC):
         return self.name
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> E:
         """The generator: the class of x, the square root, the variable."""
         raise UndecidedError(f"{self.name} has no generator")
 
@@ -89,7 +95,7 @@ class Ring(ABC):
         """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
         return Known(None, "nothing is known of the squares of this ring")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[E, ...]:
         """Elements, as few as the level says, whose squares add up to −1; () if not known."""
         return ()
 
@@ -102,7 +108,7 @@ class Ring(ABC):
             return Known(None, "at least one, for −1 is not a sum of squares")
         return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: E, ordering: int = 0) -> int:
         """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0)."""
         raise UndecidedError(f"{self.name} has no ordering that is known")
 
@@ -114,11 +120,11 @@ class Ring(ABC):
                 f"{self.name} has no ordering number {ordering}; there are {known}"
             )
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: E) -> bool:
         """Tell whether x is 0."""
         return bool(x == self.zero)
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: E) -> E:
         """Return 1/x, or raise :class:`NotInvertibleError`."""
         if self.is_zero(x - self.one):
             return x
@@ -126,53 +132,53 @@ class Ring(ABC):
             return x
         raise NotInvertibleError(f"{self.text(x)} is not known to be invertible in {self.name}")
 
-    def annihilator(self, x: Any) -> Any:
+    def annihilator(self, x: E) -> E | None:
         """Return some nonzero y with x·y = 0, or None; in a domain only x = 0 has one."""
         return self.one if self.is_zero(x) else None
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: E) -> E | None:
         """Return some y with y² = x, or None when there is none; undecided if not known."""
         raise UndecidedError(f"square roots in {self.name} cannot be decided")
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: E) -> bool:
         """Tell whether x is a square, also where its roots cannot be written down."""
         return self.sqrt(x) is not None
 
-    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+    def roots(self, coefficients: Sequence[E]) -> list[E]:
         """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
 
         Raises :class:`UndecidedError` where they are not computed.
         """
         raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
 
-    def euclid(self, x: Any, y: Any) -> tuple[Any, Any]:
+    def euclid(self, x: E, y: E) -> tuple[E, E]:
         """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
 
         Raises :class:`UndecidedError` for any other ring.
         """
         raise UndecidedError(f"{self.name} is not known to be Euclidean")
 
-    def elements(self) -> Iterator[Any]:
+    def elements(self) -> Iterator[E]:
         """Run through all elements of a finite ring, 0 and 1 first."""
         raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> E:
         """Return a random element, small if the ring is infinite; the same for the same seed."""
         return self(rng.randint(-9, 9))
 
-    def text(self, x: Any, style: str = "plain") -> str:
+    def text(self, x: E, style: str = "plain") -> str:
         """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
         return str(x)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: E) -> Hashable:
         """Return a hashable stand-in: equal elements have equal keys."""
         return self.text(x)
 
-    def state(self, x: Any) -> object:
+    def state(self, x: E) -> object:
         """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
         return self.text(x)
 
-    def array(self, values: Any) -> Any:
+    def array(self, values: object) -> Any:
         """Turn an element, a sequence or an array into an array that computes elementwise."""
         from hfield.rings.arrays import objects
 
@@ -192,9 +198,10 @@ class Ring(ABC):
         flags = [self.is_unit(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
         return np.array(flags, dtype=bool).reshape(values.shape)
 
-    def scalar(self, x: Any) -> Any:
+    def scalar(self, x: Any) -> E:
         """Turn an entry of ``array`` back into an element."""
-        return x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+        element: E = x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+        return element
 
     def holding(self, constants: Constants) -> Holding:
         """Return how elements of the algebra with these constants are held; by default as they are."""
@@ -234,11 +241,11 @@ class Ring(ABC):
             f"{self.name} is not a global field: it has no places to complete it at"
         )
 
-    def vanishes(self, x: Any) -> bool:
+    def vanishes(self, x: E) -> bool:
         """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
         return self.is_zero(x)
 
-    def agree(self, x: Any, y: Any) -> bool:
+    def agree(self, x: E, y: E) -> bool:
         """Tell whether x = y as far as they are known."""
         return self.vanishes(x - y)
 
@@ -264,27 +271,27 @@ class Ring(ABC):
         """
         return None
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: E) -> Any:
         """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
         raise UndecidedError(f"{self.name} is not known as a ring of residues")
 
     # --- what follows --------------------------------------------------------------------------
 
     @property
-    def zero(self) -> Any:
+    def zero(self) -> E:
         """The element 0."""
         return self(0)
 
     @property
-    def one(self) -> Any:
+    def one(self) -> E:
         """The element 1."""
         return self(1)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: E, y: E) -> bool:
         """Tell whether x = y."""
         return self.is_zero(x - y)
 
-    def is_unit(self, x: Any) -> bool:
+    def is_unit(self, x: E) -> bool:
         """Tell whether x has an inverse."""
         try:
             self.inverse(x)
@@ -292,29 +299,31 @@ class Ring(ABC):
             return False
         return True
 
-    def divide(self, x: Any, y: Any) -> Any:
+    def divide(self, x: E, y: E) -> E:
         """Return x·y⁻¹."""
         return x * self.inverse(y)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: E, n: int) -> E:
         """Return xⁿ by repeated squaring; n < 0 inverts first."""
         return power(self.one, x if n >= 0 else self.inverse(x), abs(n))
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, E]:
         """What names mean in this ring's texts: its generators (GF(4)(t) has x and t)."""
         return {} if self.gen_name is None else {self.gen_name: self.gen}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., E]]:
         """What functions mean in this ring's texts, such as ``sqrt`` where numbers are written so."""
         return {}
 
-    def parse(self, text: str) -> Any:
+    def parse(self, text: str) -> E:
         """Read an element from text, in the grammar of :mod:`hfield.syntax`."""
+        functions: dict[str, Callable[..., E]]
         functions = {"/": self.divide, "**": self.power, **self.functions()}
         reader = syntax.Reader(self, self.names(), functions, self.name, self.parse_limit)
-        return reader.read(from_unicode(text))
+        value: E = reader.read(from_unicode(text))
+        return value
 
-    def ratio(self, x: Fraction) -> Any:
+    def ratio(self, x: Fraction) -> E:
         """Return a Fraction as an element. Raises :class:`NotInvertibleError`: 1/2 is not in GF(4)."""
         try:
             return self.divide(self(x.numerator), self(x.denominator))
@@ -358,27 +367,3 @@ class Ring(ABC):
         except RingError:
             known = False
         return (ring, (self.name,)) if known else super().__reduce_ex__(protocol)
-
-
-def polynomial_power(one: Any, x: Any, n: int) -> Any:
-    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
-    return x**n if is_quick(x, n) else power(one, x, n)
-
-
-def power(one: Any, x: Any, n: int) -> Any:
-    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
-
-    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
-    unity, has powers of any size.
-    """
-    result = one
-    start = bits(x) if n > FEW else None
-    while n:
-        if n & 1:
-            result = result * x
-        n >>= 1
-        if n:
-            if start is not None:
-                check_growth(start, x)
-            x = x * x
-    return result

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from math import ceil, log
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -17,6 +17,8 @@ from hfield.rings.surds import ONE, Surd, as_surd, from_rational
 
 if TYPE_CHECKING:
     import sympy
+
+    from hfield.rings.heights import Bounds
 
 
 LARGEST_EXPONENT = 10**6
@@ -33,7 +35,7 @@ class Closed:
     numbers have equal hashes. The expression is made when it is first needed, sympy loaded with it.
     """
 
-    def __init__(self, make: Callable[[], Any]) -> None:
+    def __init__(self, make: Callable[[], sympy.Expr]) -> None:
         self._make = make
 
     @cached_property
@@ -42,7 +44,7 @@ class Closed:
         return self._make()
 
     @cached_property
-    def bounds(self) -> Any:
+    def bounds(self) -> Bounds | None:
         """Bounds of degree and height; None if the number is not seen to be algebraic."""
         from hfield.rings.heights import bounds
 
@@ -53,7 +55,9 @@ class Closed:
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def _combine(self, other: Any, operation: Callable[[Any, Any], Any]) -> Surd | Closed:
+    def _combine(
+        self, other: object, operation: Callable[[sympy.Expr, sympy.Expr], sympy.Expr]
+    ) -> Surd | Closed:
         o = to_sympy(other)
         return NotImplemented if o is None else number(operation(self.expr, o))
 
@@ -86,10 +90,11 @@ class Closed:
     def __rtruediv__(self, other: object) -> Surd | Closed:
         return self.inverse() * other
 
-    def __pow__(self, n: int) -> Any:
-        from hfield.rings.base import power
+    def __pow__(self, n: int) -> Surd | Closed:
+        from hfield.rings.powers import power
 
-        return power(ONE, self if n >= 0 else self.inverse(), abs(n))
+        # a power of a closed form may be a surd
+        return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[type-var]
 
     def inverse(self) -> Surd | Closed:
         """Return 1/self; the caller has seen that it is not 0."""
@@ -141,7 +146,10 @@ class Closed:
         return self._vanishes(need, lambda z: z.imag, sympy.im)
 
     def _vanishes(
-        self, need: float | None, part: Callable[[Any], Any], form: Callable[[Any], Any]
+        self,
+        need: float | None,
+        part: Callable[[flint.acb], flint.acb],
+        form: Callable[[sympy.Expr], sympy.Expr],
     ) -> bool:
         """Tell whether a part of the number is 0: if not, it is at least exp(−need) in absolute value."""
         if need is not None and need / log(2) > MAX_BITS:
@@ -238,7 +246,7 @@ def number(expr: sympy.Expr) -> Surd | Closed:
     return closed if value is None else from_rational(value)
 
 
-def to_sympy(x: Any) -> sympy.Expr:
+def to_sympy(x: object) -> sympy.Expr:
     """Return a number as a sympy expression; None if it is no number."""
     if isinstance(x, Closed):
         return x.expr
@@ -277,7 +285,7 @@ def root(x: Surd | Closed, n: int) -> Surd | Closed:
     return number(sympy.sqrtdenest(taken) if n == 2 and expr.is_real else taken)
 
 
-def function(name: str) -> Callable[[Any], Surd | Closed]:
+def function(name: str) -> Callable[[Surd | Closed], Surd | Closed]:
     """Return one of ``FUNCTIONS`` as a function of numbers."""
 
     def call(x: Surd | Closed) -> Surd | Closed:

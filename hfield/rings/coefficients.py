@@ -20,7 +20,7 @@ class Coefficients(tuple[Any, ...]):
 
     ring: Ring
 
-    def __new__(cls, ring: Ring, values: Iterable[Any]) -> Coefficients:
+    def __new__(cls, ring: Ring, values: Iterable[object]) -> Coefficients:
         """Make the tuple, and note the ring that its entries are printed by."""
         made = super().__new__(cls, values)
         made.ring = ring

@@ -45,12 +45,12 @@ def _read(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
     """Read a polynomial in the variable over F, low degree first."""
     free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
 
-    def divided(x: ExtensionElement, y: ExtensionElement) -> Any:
+    def divided(x: ExtensionElement, y: ExtensionElement) -> ExtensionElement:
         if not all(map(base.is_zero, y.coefficients[1:])):
             raise CoercionError(f"a polynomial in {variable} has no {variable} in a denominator")
         return x * free(base.inverse(y.coefficients[0]))
 
-    def power(x: ExtensionElement, n: int) -> Any:
+    def power(x: ExtensionElement, n: int) -> ExtensionElement:
         size = len(stripped(base, x.coefficients)) - 1
         if n < 0 or size * n > MAX_DEGREE:
             raise CoercionError(f"its degree is not from 2 to {MAX_DEGREE}")

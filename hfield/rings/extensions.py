@@ -49,7 +49,7 @@ class ExtensionElement(Element):
         return self.coefficients == other.coefficients
 
 
-class SimpleExtension(Overfield):
+class SimpleExtension(Overfield[ExtensionElement]):
     """F[u]/(f) for a field F of rational functions and an irreducible f; ``gen`` is the class of u.
 
     >>> from hfield.rings import ring

@@ -1,13 +1,13 @@
 """Which finite field a text means: the order and the modulus, read, checked and refused in words."""
 
 from fractions import Fraction
-from typing import Any
 
 import flint
 
 from hfield import syntax
 from hfield.errors import HFieldError, NotationError, RingError, TooLargeError, shorten
-from hfield.factorisation import factorise, prime_power
+from hfield.factorisation import factorise
+from hfield.primality import prime_power
 from hfield.rings.finite import NAME, ExtensionField, FiniteField, PrimeField, modulus_text
 from hfield.rings.modular import WORD
 from hfield.rings.printing import from_unicode
@@ -149,7 +149,7 @@ def _constant(p: int, c: int | Fraction) -> flint.nmod_poly:
     return _polynomial(p, [c])
 
 
-def _quotient(x: flint.nmod_poly, y: flint.nmod_poly) -> Any:
+def _quotient(x: flint.nmod_poly, y: flint.nmod_poly) -> flint.nmod_poly:
     raise NotationError("its coefficients must be integers, without a division")
 
 

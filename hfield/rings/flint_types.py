@@ -17,3 +17,4 @@ Polynomial: TypeAlias = (
 SparsePolynomial: TypeAlias = (
     flint.fmpz_mpoly | flint.fmpq_mpoly | flint.nmod_mpoly | flint.fmpz_mod_mpoly
 )
+AnyPolynomial: TypeAlias = Polynomial | SparsePolynomial

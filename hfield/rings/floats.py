@@ -87,7 +87,7 @@ class Floats(ValueRing):
             raise NotInvertibleError("cannot divide by 0 in RDF")
         return x / y
 
-    def power(self, x: float, n: int) -> Any:
+    def power(self, x: float, n: int) -> float:
         """Return xⁿ. Raises :class:`NotInvertibleError` for 0 to a negative power."""
         try:
             return float(x**n)
@@ -152,7 +152,7 @@ class Floats(ValueRing):
         """Return a bool array: which entries are not 0."""
         return values != 0
 
-    def array_inverse(self, values: Any) -> Any:
+    def array_inverse(self, values: np.ndarray) -> np.ndarray:
         """Invert an array of nonzero entries elementwise."""
         return 1.0 / values
 

@@ -14,15 +14,14 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import NotInvertibleError, RingError, shorten
+from hfield.errors import RingError, shorten
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.holding import Holding
 from hfield.rings.modular import WORD
-from hfield.rings.overfield import Overfield
 from hfield.rings.printing import blackboard, quotient_text, sum_text
-from hfield.rings.quotient import Quotient
+from hfield.rings.quotient import FractionField, Quotient
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient, Polynomial
@@ -37,7 +36,7 @@ _CONTEXTS: dict[Ring, Any] = {}
 atexit.register(gc.freeze)
 
 
-class FunctionField(Overfield):
+class FunctionField(FractionField):
     """F(t), the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
 
     >>> from hfield.rings import ring
@@ -85,10 +84,6 @@ class FunctionField(Overfield):
             num, den = num * scale, den * scale
         return Quotient(self, num, den)
 
-    def is_one(self, poly: Polynomial) -> bool:
-        """Tell whether a flint polynomial is 1."""
-        return bool(poly == self._one)
-
     def base_element(self, c: Coefficient) -> Coefficient:
         """Return a coefficient as flint gives it as an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
@@ -97,29 +92,11 @@ class FunctionField(Overfield):
         """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
         return self.constant(self.base(x))
 
-    def is_zero(self, x: Any) -> bool:
-        """Tell whether x is 0."""
-        return bool(x.num == 0)
-
-    def equal(self, x: Quotient, y: Quotient) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
-
     def key(self, x: Quotient) -> Hashable:
         """Return the coefficients of numerator and denominator."""
         return tuple(
             tuple(self.base.key(self.base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
         )
-
-    def inverse(self, x: Quotient) -> Quotient:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
-        if x.num == 0:
-            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
-        return self.quotient(x.den, x.num)
-
-    def power(self, x: Quotient, n: int) -> Quotient:
-        """Return xⁿ; n < 0 inverts first."""
-        return x**n
 
     def sqrt(self, x: Quotient) -> Quotient | None:
         """Return some y with y² = x, or None: numerator, denominator and constant must be squares."""

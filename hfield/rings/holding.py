@@ -8,17 +8,27 @@ coordinates and serves every ring, a user's own too; a ring with a compact form 
 from __future__ import annotations
 
 from collections.abc import Hashable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 from hfield import product
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates, Scalar
 
 if TYPE_CHECKING:
+    import numpy as np
+    from typing_extensions import TypeVar
+
+    from hfield.rings.arrays import Index
     from hfield.rings.base import Ring
 
+    H = TypeVar("H", default=Any)  # ``Holding`` alone: of values that nobody checks
+else:
+    from typing import TypeVar
 
-class Holding:
+    H = TypeVar("H")  # what stands for an element
+
+
+class Holding(Generic[H]):
     """The elements over one ring with one choice of structure constants, held as they are.
 
     ``held`` is what stands for an element, here the tuple of its coordinates: an immutable value that no
@@ -34,21 +44,20 @@ class Holding:
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> object:
+    def hold(self, coordinates: Coordinates) -> H:
         """Return what stands for the element with these coordinates, elements of the ring."""
-        return coordinates
+        return coordinates  # type: ignore[return-value]  # H is the tuple, where this serves
 
-    def coordinates(self, held: Any) -> Coordinates:
+    def coordinates(self, held: H) -> Coordinates:
         """Return the coordinates as elements of the ring: the library's own values."""
-        four: Coordinates = held
-        return four
+        return held  # type: ignore[return-value]
 
-    def scalar(self, s: Scalar) -> Any:
+    def scalar(self, s: Scalar) -> H:
         """Hold s·e for an element s of the ring."""
         zero = self.ring.zero
         return self.hold((s, zero, zero, zero))
 
-    def read(self, values: tuple[Any, ...]) -> object:
+    def read(self, values: tuple[object, ...]) -> H:
         """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         w, x, y, z = map(self.ring, values)
         return self.hold((w, x, y, z))
@@ -59,72 +68,74 @@ class Holding:
 
     # --- elements to elements ------------------------------------------------------------------
 
-    def product(self, p: Any, q: Any, /) -> object:
+    def product(self, p: H, q: H, /) -> H:
         """Return p·q."""
         return self.hold(product.multiply(self.constants, self.coordinates(p), self.coordinates(q)))
 
-    def sum(self, p: Any, q: Any, /) -> object:
+    def sum(self, p: H, q: H, /) -> H:
         """Return p + q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
         return self.hold((w1 + w2, x1 + x2, y1 + y2, z1 + z2))
 
-    def difference(self, p: Any, q: Any, /) -> object:
+    def difference(self, p: H, q: H, /) -> H:
         """Return p − q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
         return self.hold((w1 - w2, x1 - x2, y1 - y2, z1 - z2))
 
-    def negative(self, p: Any, /) -> object:
+    def negative(self, p: H, /) -> H:
         """Return −p."""
         w, x, y, z = self.coordinates(p)
         return self.hold((-w, -x, -y, -z))
 
-    def conjugate(self, p: Any, /) -> object:
+    def conjugate(self, p: H, /) -> H:
         """Return the standard involution of p."""
         return self.hold(product.conjugate(self.constants, self.coordinates(p)))
 
-    def scaled(self, p: Any, s: Any) -> object:
+    def scaled(self, p: H, s: Scalar) -> H:
         """Return s·p for an element s of the ring."""
         w, x, y, z = self.coordinates(p)
         return self.hold((w * s, x * s, y * s, z * s))
 
-    def divided(self, p: Any, s: Scalar) -> Any:
+    def divided(self, p: H, s: Scalar) -> H | None:
         """Return p/s, or None where s is not a unit of the ring."""
         return self.scaled(p, self.ring.inverse(s)) if self.ring.is_unit(s) else None
 
-    def inverse(self, p: Any, /) -> object:
+    def inverse(self, p: H, /) -> H | None:
         """Return p⁻¹, or None where the norm is not a unit of the ring."""
         return self.divided(self.conjugate(p), self.norm(p))
 
     # --- elements to the ring ------------------------------------------------------------------
 
-    def norm(self, p: Any, /) -> Any:
+    def norm(self, p: H, /) -> Scalar:
         """Return the reduced norm, an element of the ring."""
-        return product.norm(self.constants, self.coordinates(p))
+        norm: Scalar = product.norm(self.constants, self.coordinates(p))
+        return norm
 
-    def trace(self, p: Any, /) -> Any:
+    def trace(self, p: H, /) -> Scalar:
         """Return the reduced trace, an element of the ring."""
-        return product.trace(self.constants, self.coordinates(p))
+        trace: Scalar = product.trace(self.constants, self.coordinates(p))
+        return trace
 
     # --- what is equal -------------------------------------------------------------------------
 
-    def equal(self, p: Any, q: Any) -> Any:
+    def equal(self, p: H, q: H) -> bool | np.ndarray:
         """Tell whether p = q."""
         return all(map(self.ring.equal, self.coordinates(p), self.coordinates(q)))
 
-    def is_zero(self, p: Any) -> Any:
+    def is_zero(self, p: H) -> bool | np.ndarray:
         """Tell whether p = 0."""
         return all(map(self.ring.is_zero, self.coordinates(p)))
 
-    def key(self, p: Any) -> Hashable:
+    def key(self, p: H) -> Hashable:
         """Return what equal elements have in common, however they were made; it is hashable."""
         return tuple(map(self.ring.key, self.coordinates(p)))
 
-    def state(self, p: Any) -> tuple[Any, ...]:
+    def state(self, p: H) -> tuple[object, ...]:
         """Return four values that pickle and that ``read`` reads back."""
         return tuple(map(self.ring.state, self.coordinates(p)))
 
 
-class Batch(Holding):
+class Batch(Holding[H]):
     """Arrays of elements, held as four arrays of one shape that compute elementwise.
 
     A single operand is lifted to an array of no dimensions before. Shapes broadcast as numpy's do; where
@@ -139,73 +150,71 @@ class Batch(Holding):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def read(self, values: tuple[Any, ...]) -> object:
+    def read(self, values: tuple[object, ...]) -> H:
         """Hold four arrays that the ring reads, broadcast to one shape. Raises :class:`CoercionError`."""
         from hfield.rings.arrays import one_shape
 
         w, x, y, z = one_shape([self.ring.array(v) for v in values])
         return self.hold((w, x, y, z))
 
-    def lift(self, coordinates: Coordinates) -> Any:
+    def lift(self, coordinates: Coordinates) -> H:
         """Hold one element, given by its coordinates in the ring, as an array of no dimensions."""
         w, x, y, z = map(self.ring.array, coordinates)
         return self.hold((w, x, y, z))
 
-    def shape(self, p: Any) -> tuple[int, ...]:
+    def shape(self, p: H) -> tuple[int, ...]:
         """Return the shape of the array."""
         shape: tuple[int, ...] = getattr(self.coordinates(p)[0], "shape", ())
         return shape
 
-    def part(self, p: Any, index: object) -> object:
+    def part(self, p: H, index: Index) -> H:
         """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
         w, x, y, z = (c[index] for c in self.coordinates(p))
         return self.hold((w, x, y, z))
 
-    def single(self, p: Any) -> Coordinates:
+    def single(self, p: H) -> Coordinates:
         """Return the coordinates, elements of the ring, of a part of no dimensions."""
         w, x, y, z = map(self.ring.scalar, self.coordinates(p))
         return w, x, y, z
 
-    def reshaped(self, p: Any, shape: tuple[int, ...]) -> object:
+    def reshaped(self, p: H, shape: tuple[int, ...]) -> H:
         """Return the elements in another shape. Raises ValueError."""
         w, x, y, z = (c.reshape(shape) for c in self.coordinates(p))
         return self.hold((w, x, y, z))
 
-    def to_array(self, p: Any) -> object:
+    def to_array(self, p: H) -> object:
         """Return the elements as one array of integers. Raises :class:`CoercionError` where there is none."""
-        raise CoercionError(
-            f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
-        )
+        raise CoercionError(self._no_integers())
 
-    def from_array(self, values: Any) -> object:
+    def from_array(self, values: object) -> H:
         """Hold what ``to_array`` returned. Raises :class:`CoercionError`."""
-        return self.to_array(values)
+        raise CoercionError(self._no_integers())
 
     def prepare(self) -> None:
         """Compile what the operations need, if they need a compiler."""
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def product(self, p: Any, q: Any, /) -> object:
+    def product(self, p: H, q: H, /) -> H:
         """Return p·q, elementwise."""
         self._check(p, q, "multiply")
         return super().product(p, q)
 
-    def sum(self, p: Any, q: Any, /) -> object:
+    def sum(self, p: H, q: H, /) -> H:
         """Return p + q, elementwise."""
         self._check(p, q, "add")
         return super().sum(p, q)
 
-    def difference(self, p: Any, q: Any, /) -> object:
+    def difference(self, p: H, q: H, /) -> H:
         """Return p − q, elementwise."""
         self._check(p, q, "subtract")
         return super().difference(p, q)
 
-    def units(self, p: Any) -> Any:
+    def units(self, p: H) -> np.ndarray:
         """Return a bool array: which elements have an inverse."""
         return self.ring.array_units(self.norm(p))
 
-    def inverse(self, p: Any, /) -> object:
+    def inverse(self, p: H, /) -> H | None:
         """Return the inverses, or None where some norm is not a unit of the ring."""
         n = self.norm(p)
         if not self.ring.array_units(n).all():
@@ -214,20 +223,24 @@ class Batch(Holding):
 
     # --- what is equal -------------------------------------------------------------------------
 
-    def equal(self, p: Any, q: Any) -> Any:
+    def equal(self, p: H, q: H) -> np.ndarray:
         """Tell where p = q: a bool array."""
         import numpy as np
 
         self._check(p, q, "compare")
         pairs = zip(self.coordinates(p), self.coordinates(q), strict=True)
-        return np.logical_and.reduce([np.asarray(x == y, dtype=bool) for x, y in pairs])
+        same: np.ndarray = np.logical_and.reduce([np.asarray(x == y, bool) for x, y in pairs])
+        return same
 
-    def is_zero(self, p: Any) -> Any:
+    def is_zero(self, p: H) -> np.ndarray:
         """Tell where p = 0: a bool array."""
         zero = self.ring.zero
         return self.equal(p, self.lift((zero, zero, zero, zero)))
 
-    def _check(self, p: Any, q: Any, operation: str) -> None:
+    def _no_integers(self) -> str:
+        return f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
+
+    def _check(self, p: H, q: H, operation: str) -> None:
         """Refuse two arrays whose shapes do not broadcast."""
         left, right = self.shape(p), self.shape(q)
         if left != right and left and right:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from random import Random
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import is_prime
+from hfield.primality import is_prime, primes
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.holding import Batch, Holding
@@ -202,7 +201,7 @@ class Rationals(_Ordered):
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
         yield "inf"
-        yield from filter(is_prime, itertools.count(2))
+        yield from primes()
 
     def completion(self, place: object) -> Ring:
         """Return ℚ_p, or RR at infinity."""

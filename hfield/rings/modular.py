@@ -69,7 +69,7 @@ class Modular(Ring):
         return int(x.modulus()) if self.modulus < WORD else int(-(x - x + 1)) + 1
 
     @property
-    def residues_of(self) -> tuple[Ring, Any]:
+    def residues_of(self) -> tuple[Ring, flint.fmpz]:
         """ℤ, and the modulus."""
         from hfield.rings import ring
 
@@ -81,7 +81,7 @@ class Modular(Ring):
 
         return None if self.modulus % n else ring(f"ZZ/{n}")
 
-    def lift(self, x: flint.nmod | flint.fmpz_mod) -> Any:
+    def lift(self, x: flint.nmod | flint.fmpz_mod) -> flint.fmpz:
         """Return the residue between 0 and n − 1 as an integer."""
         return flint.fmpz(int(x))
 

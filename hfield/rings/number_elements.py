@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.product import Scalar
 from hfield.rings.rational import rational
 
 if TYPE_CHECKING:
@@ -30,7 +29,7 @@ class FieldElement:
         self.field = field
         self.poly = poly
 
-    def _other(self, x: Scalar) -> flint.fmpq_poly | flint.fmpq | None:
+    def _other(self, x: object) -> flint.fmpq_poly | flint.fmpq | None:
         """Return what to compute with in the place of x: a polynomial, a number of flint, or None."""
         if type(x) is FieldElement:
             return x.poly if x.field is self.field or x.field == self.field else None
@@ -39,17 +38,17 @@ class FieldElement:
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def __add__(self, other: Any) -> FieldElement:
+    def __add__(self, other: object) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else FieldElement(self.field, self.poly + y)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> FieldElement:
+    def __sub__(self, other: object) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else FieldElement(self.field, self.poly - y)
 
-    def __rsub__(self, other: Any) -> FieldElement:
+    def __rsub__(self, other: object) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else FieldElement(self.field, y - self.poly)
 
@@ -59,7 +58,7 @@ class FieldElement:
     def __pos__(self) -> FieldElement:
         return self
 
-    def __mul__(self, other: Any) -> FieldElement:
+    def __mul__(self, other: object) -> FieldElement:
         field = self.field
         if type(other) is FieldElement and other.field is field:
             return FieldElement(field, self.poly * other.poly % field.polynomial)
@@ -70,15 +69,15 @@ class FieldElement:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> FieldElement:
+    def __truediv__(self, other: object) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else self * self.field(other).inverse()
 
-    def __rtruediv__(self, other: Any) -> FieldElement:
+    def __rtruediv__(self, other: object) -> FieldElement:
         y = self._other(other)
         return NotImplemented if y is None else self.inverse() * other
 
-    def __pow__(self, n: int) -> Any:
+    def __pow__(self, n: int) -> FieldElement:
         return self.field.power(self, n)
 
     def inverse(self) -> FieldElement:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from hfield.errors import HFieldError, RingError, shorten
-from hfield.factorisation import is_prime
+from hfield.primality import is_prime, primes
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_primes import PrimeIdeal, primes_above
 
@@ -55,11 +55,8 @@ Place = PrimeIdeal | RealPlace | ComplexPlace
 def all_places(field: NumberField) -> Iterator[Place]:
     """Run through the places: infinite ones, then prime by prime."""
     yield from field.infinite_places()
-    p = 1
-    while True:
-        p += 1
-        if is_prime(p):
-            yield from primes_above(field, p)
+    for p in primes():
+        yield from primes_above(field, p)
 
 
 def place_of_number_field(field: NumberField, place: object) -> Place:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import is_prime
+from hfield.primality import primes
 
 if TYPE_CHECKING:
     from hfield.rings.number_elements import FieldElement
@@ -131,14 +132,12 @@ def _tests(field: NumberField) -> list[tuple[int, flint.nmod_poly]]:
     """Return a few odd primes, each with an irreducible factor modulo it of the polynomial of the field."""
     whole = field.polynomial.numer()
     bad = int(whole.discriminant()) * int(whole.leading_coefficient())
+    good = (p for p in primes() if p > 2 and bad % p)
     out: list[tuple[int, Any]] = []
-    p = 3
-    while len(out) < REJECTING_PRIMES:
-        if is_prime(p) and bad % p:
-            modulus = flint.nmod_poly([int(c) % p for c in whole.coeffs()], p)
-            factors = [g for g, _ in modulus.factor()[1]]
-            out.append((p, min(factors, key=lambda g: g.degree())))
-        p += 2
+    for p in islice(good, REJECTING_PRIMES):
+        modulus = flint.nmod_poly([int(c) % p for c in whole.coeffs()], p)
+        factors = [g for g, _ in modulus.factor()[1]]
+        out.append((p, min(factors, key=lambda g: g.degree())))
     return out
 
 

@@ -114,7 +114,7 @@ class SpelledField(NumberField):
         """What is a name among the numbers: zeta5, I."""
         return {text: x for text, x in self.parts.items() if text.isidentifier()}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., FieldElement]]:
         """Square roots, and the roots in the name."""
         return {
             "sqrt": self._sqrt_here,
@@ -122,7 +122,7 @@ class SpelledField(NumberField):
             "cbrt": lambda x: self._root_here(x, 3),
         }
 
-    def _root_here(self, x: Any, n: Any) -> Any:
+    def _root_here(self, x: FieldElement, n: FieldElement | int) -> FieldElement:
         exponent = (
             rational(n.poly[0]) if isinstance(n, FieldElement) and n.is_rational() else rational(n)
         )
@@ -136,7 +136,8 @@ class SpelledField(NumberField):
                     else None
                 )
                 if c is not None:
-                    return FieldElement(self, image) * c
+                    root: FieldElement = FieldElement(self, image) * c
+                    return root
         if exponent == 2:
             return self._sqrt_here(x)
         raise CoercionError(

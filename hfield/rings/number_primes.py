@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import RingError, shorten
-from hfield.factorisation import is_prime
+from hfield.primality import is_prime
 from hfield.rings.base import Ring
 from hfield.rings.finite import modulus_text
 from hfield.rings.number_elements import FieldElement

@@ -55,7 +55,7 @@ class Element:
         number = rational(other)
         return None if number is None else self.field(number)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Self:
         o = self.coerced(other)
         return NotImplemented if o is None else self.plus(o)
 
@@ -64,25 +64,26 @@ class Element:
     def __pos__(self) -> Self:
         return self
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: object) -> Self:
         o = self.coerced(other)
         return NotImplemented if o is None else self.plus(-o)
 
-    def __rsub__(self, other: object) -> Any:
+    def __rsub__(self, other: object) -> Self:
         return -self + other
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Self:
         o = self.coerced(other)
         return NotImplemented if o is None else self.times(o)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self, other: object) -> Self:
         o = self.coerced(other)
         return NotImplemented if o is None else self.times(self.field.inverse(o))
 
-    def __rtruediv__(self, other: object) -> Any:
-        return self.field.inverse(self) * other
+    def __rtruediv__(self, other: object) -> Self:
+        result: Self = self.field.inverse(self) * other
+        return result
 
     def __pow__(self, n: int) -> Self:
         result: Self = self.field.power(self, n)

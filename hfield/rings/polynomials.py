@@ -18,10 +18,11 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.rings.base import INFINITY, Known, Ring, polynomial_power
+from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.modular import WORD
+from hfield.rings.powers import polynomial_power
 from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
 

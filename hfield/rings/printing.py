@@ -1,11 +1,17 @@
 """Sums of terms as text, in the three styles; ``plain`` is what the rings read back."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterable, Sequence
-from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
+
+if TYPE_CHECKING:
+    import sympy
+
+    from hfield.rings.flint_types import Rational
 
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -57,7 +63,7 @@ def blackboard(name: str) -> str:
     return re.sub(r"\bQQ", "ℚ", re.sub(r"\bZZ", "ℤ", name))
 
 
-def number_text(x: int | Fraction | Any, style: str = "plain") -> str:
+def number_text(x: Rational | sympy.Rational, style: str = "plain") -> str:
     """Write a rational number."""
     numerator, denominator = int(x.numerator), int(x.denominator)
     minus = "−" if style == "unicode" else "-"

@@ -1,28 +1,33 @@
 """Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
 
-from collections.abc import Callable, Hashable, Iterator
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import factorise, is_prime
+from hfield.factorisation import factorise
+from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import irreducible_factors
 from hfield.rings.squares import minus_one
 from hfield.rings.surds import Surd, from_rational
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
+    from hfield.rings.closed import Closed
     from hfield.rings.quadratic_places import QuadraticPlace
 
 
-class QuadraticField(ValueRing):
+class QuadraticField(ValueRing[Surd]):
     """ℚ(√d) for a squarefree integer d ≠ 1; ``gen`` is √d, or I for d = −1.
 
     >>> from hfield.rings import ring
@@ -54,11 +59,11 @@ class QuadraticField(ValueRing):
         """The imaginary unit I, in QQ(I)."""
         return {"I": self.gen} if self.d == -1 else {}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., Surd]]:
         """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
         return {"sqrt": self._sqrt_here}
 
-    def _sqrt_here(self, x: Surd) -> Surd | None:
+    def _sqrt_here(self, x: Surd) -> Surd:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(
@@ -67,7 +72,7 @@ class QuadraticField(ValueRing):
             )
         return y
 
-    def __call__(self, x: object) -> Any:
+    def __call__(self, x: object) -> Surd:
         """Turn a rational number or a surd in ℚ(√d) into an element, read a text.
 
         Raises :class:`CoercionError`.
@@ -108,6 +113,21 @@ class QuadraticField(ValueRing):
         """Return the principal root, or None when it is not in the field."""
         return x.sqrt(within=self.d)
 
+    def roots(self, coefficients: Sequence[Surd]) -> list[Surd]:
+        """Return all roots of a polynomial with rational coefficients. Raises :class:`UndecidedError`."""
+        rationals = [rational(x.terms.get(1, 0)) for x in coefficients if set(x.terms) <= {1}]
+        if len(rationals) < len(coefficients):
+            return super().roots(coefficients)
+        out: list[Surd] = []
+        for g in irreducible_factors(rationals):
+            if g.degree() == 1:
+                out.append(self(-g[0]))
+            elif g.degree() == 2:
+                root = self.sqrt(self(g[1] * g[1] - 4 * g[0]))
+                if root is not None:
+                    out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
+        return out
+
     @property
     def level(self) -> Known:
         """∞ for d > 0; else 1 for d = −1, 4 where −d ≡ 7 mod 8, and 2 for all others."""
@@ -122,7 +142,7 @@ class QuadraticField(ValueRing):
         }[len(squares)]
         return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
 
-    def minus_one_as_squares(self) -> tuple[Any, ...]:
+    def minus_one_as_squares(self) -> tuple[Surd, ...]:
         """Return as few elements as possible whose squares add up to −1."""
         if self.d > 0:
             return ()
@@ -170,7 +190,7 @@ class QuadraticField(ValueRing):
 
         return integers_basis(self.d)
 
-    def primes_above(self, p: object) -> "tuple[QuadraticPlace, ...]":
+    def primes_above(self, p: object) -> tuple[QuadraticPlace, ...]:
         """Return the one or two prime ideals above a prime number. Raises :class:`RingError`.
 
         >>> from hfield import ring
@@ -184,7 +204,7 @@ class QuadraticField(ValueRing):
             raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
         return places_above(self.d, number)
 
-    def real_places(self) -> "tuple[QuadraticPlace, ...]":
+    def real_places(self) -> tuple[QuadraticPlace, ...]:
         """Return the real places, √d negative first; each has ``index`` and ``sign(x)``."""
         from hfield.rings.quadratic_places import places_above
 
@@ -226,7 +246,7 @@ def build(text: str) -> QuadraticField:
     return QuadraticField(free)
 
 
-def _from_sympy(x: object) -> Any:
+def _from_sympy(x: object) -> Surd | Closed | None:
     """Return a number of sympy as a surd, where it is one; else None."""
     if type(x).__module__.partition(".")[0] != "sympy":
         return None

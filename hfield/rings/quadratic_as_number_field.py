@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -27,7 +27,7 @@ def into_number_field(field: NumberField, x: Surd, d: int) -> FieldElement:
     return FieldElement(field, flint.fmpq_poly([terms.get(1, 0), terms.get(d, 0)]))
 
 
-def from_number_field(field: QuadraticField, x: FieldElement) -> Any:
+def from_number_field(field: QuadraticField, x: FieldElement) -> Surd:
     """Return u + v·s as u + v·√d."""
     return field(x.poly[0]) + field.gen * field(x.poly[1])
 

@@ -7,7 +7,8 @@ from fractions import Fraction
 import flint
 
 from hfield.errors import RingError, UndecidedError
-from hfield.factorisation import is_prime, remove
+from hfield.factorisation import remove
+from hfield.primality import is_prime, primes
 from hfield.rings.base import Ring
 from hfield.rings.surds import Surd, as_surd, from_rational
 
@@ -155,11 +156,8 @@ def places_above(d: int, p: int) -> tuple[QuadraticPlace, ...]:
 def all_places(d: int) -> Iterator[QuadraticPlace]:
     """Run through the places of ℚ(√d): the infinite ones, then prime by prime, without end."""
     yield from places_above(d, 0)
-    p = 1
-    while True:
-        p += 1
-        if is_prime(p):
-            yield from places_above(d, p)
+    for p in primes():
+        yield from places_above(d, p)
 
 
 def place_of_quadratic(d: int, place: object) -> QuadraticPlace:

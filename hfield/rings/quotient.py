@@ -1,16 +1,17 @@
-"""Rational functions as elements: a numerator and a denominator, both polynomials of flint."""
+"""Rational functions, a numerator over a denominator, both polynomials of flint, and their fields."""
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import TYPE_CHECKING, Any
 
-from hfield.rings.base import polynomial_power
+from hfield.errors import NotInvertibleError
 from hfield.rings.operators import Element
+from hfield.rings.overfield import Overfield
+from hfield.rings.powers import polynomial_power
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import Polynomial, SparsePolynomial
-    from hfield.rings.functions import FunctionField
-    from hfield.rings.several_variables import RationalFunctions
+    from hfield.rings.flint_types import AnyPolynomial
 
 
 class Quotient(Element):
@@ -18,15 +19,11 @@ class Quotient(Element):
 
     __slots__ = ("den", "num")
 
+    field: FractionField
     num: Any
     den: Any
 
-    def __init__(
-        self,
-        field: FunctionField | RationalFunctions,
-        num: Polynomial | SparsePolynomial,
-        den: Polynomial | SparsePolynomial,
-    ) -> None:
+    def __init__(self, field: FractionField, num: AnyPolynomial, den: AnyPolynomial) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "num", num)
         object.__setattr__(self, "den", den)
@@ -37,7 +34,15 @@ class Quotient(Element):
             if self.field.is_one(self.den):
                 return Quotient(self.field, self.num + other.num, self.den)
             return self.quotient(self.num + other.num, self.den)
-        return self.quotient(self.num * other.den + other.num * self.den, self.den * other.den)
+        # What can cancel divides what the denominators have in common (Henrici, J. ACM 3, 1956).
+        common = self.den.gcd(other.den)
+        if self.field.is_one(common):
+            num = self.num * other.den + other.num * self.den
+            return Quotient(self.field, num, self.den * other.den)
+        rest = self.den // common
+        num = self.num * (other.den // common) + other.num * rest
+        num, den = self._cancelled(num, common)
+        return Quotient(self.field, num, rest * (other.den // common) * den)
 
     def __neg__(self) -> Quotient:
         return Quotient(self.field, -self.num, self.den)
@@ -46,14 +51,20 @@ class Quotient(Element):
         """Return the product."""
         if self.field.is_one(self.den) and self.field.is_one(other.den):
             return Quotient(self.field, self.num * other.num, self.den)
-        return self.quotient(self.num * other.num, self.den * other.den)
+        first, below = self._cancelled(self.num, other.den)
+        second, den = self._cancelled(other.num, self.den)
+        return Quotient(self.field, first * second, below * den)
 
-    def quotient(
-        self, num: Polynomial | SparsePolynomial, den: Polynomial | SparsePolynomial
-    ) -> Quotient:
+    def _cancelled(self, num: Any, den: Any) -> tuple[Any, Any]:
+        """Return num and den, which is monic, without what they have in common."""
+        if self.field.is_one(den):
+            return num, den
+        common = num.gcd(den)
+        return (num, den) if self.field.is_one(common) else (num // common, den // common)
+
+    def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
         """Return num/den in lowest terms."""
-        reduced: Quotient = self.field.quotient(num, den)
-        return reduced
+        return self.field.quotient(num, den)
 
     def __pow__(self, n: int) -> Quotient:
         base = self if n >= 0 else self.field.inverse(self)
@@ -64,3 +75,35 @@ class Quotient(Element):
     def same(self, other: Quotient) -> bool:
         """Tell whether both are the same function."""
         return bool(self.num == other.num and self.den == other.den)
+
+
+class FractionField(Overfield[Quotient]):
+    """The fractions of polynomials, in one variable or in several; ``_one`` is the polynomial 1."""
+
+    _one: AnyPolynomial
+
+    @abstractmethod
+    def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
+        """Return num/den in lowest terms; den is not 0."""
+
+    def is_one(self, poly: AnyPolynomial) -> bool:
+        """Tell whether a polynomial is 1."""
+        return bool(poly == self._one)
+
+    def is_zero(self, x: Quotient) -> bool:
+        """Tell whether x is 0."""
+        return bool(x.num == 0)
+
+    def equal(self, x: Quotient, y: Quotient) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def inverse(self, x: Quotient) -> Quotient:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if x.num == 0:
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        return self.quotient(x.den, x.num)
+
+    def power(self, x: Quotient, n: int) -> Quotient:
+        """Return xⁿ; n < 0 inverts first."""
+        return x**n

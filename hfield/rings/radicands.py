@@ -9,7 +9,8 @@ from collections.abc import Iterable
 from functools import lru_cache
 from math import gcd, isqrt
 
-from hfield.factorisation import SIEVED_BITS, coprime_base, factor, power_root, remove
+from hfield.factorisation import SIEVED_BITS, coprime_base, factor, remove
+from hfield.primality import power_root
 
 PROVED_BELOW = 1 << SIEVED_BITS
 """Reduced radicands below are squarefree; greater ones may hide the square of a large prime."""
@@ -59,6 +60,11 @@ def product(m: int, n: int) -> tuple[int, int]:
             s = _exact_root(part)
             if s is not None:
                 factor, root = factor * s, root // part
+        if not is_long(
+            (root,)
+        ):  # a square that nobody found in a long radicand is found in a short one
+            s, root = reduced(root)
+            factor *= s
     return factor, root
 
 

@@ -1,13 +1,18 @@
 """What counts as an integer or a rational number when it enters a ring, whichever library made it."""
 
+from __future__ import annotations
+
 import numbers
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, TypeGuard
 
 import flint
 
+if TYPE_CHECKING:
+    import numpy as np
 
-def rational(x: Any) -> int | Fraction | None:
+
+def rational(x: object) -> int | Fraction | None:
     """Return x as an int or a Fraction if it is an exact rational number; None for all else.
 
     Known are the numbers of Python, numpy, gmpy2, sympy and flint. An element of a finite field is
@@ -24,18 +29,18 @@ def rational(x: Any) -> int | Fraction | None:
         return reduced(Fraction(int(x.numerator), int(x.denominator)))
     if is_plain_array(x) and x.ndim == 0:
         return rational(x.item())
-    if getattr(getattr(x, "dtype", None), "kind", "") == "b" and x.ndim == 0:
-        return int(x)  # numpy's own bool, which is no int
+    if getattr(getattr(x, "dtype", None), "kind", "") == "b" and getattr(x, "ndim", 1) == 0:
+        return int(bool(x))  # numpy's own bool, which is no int
     return None
 
 
-def is_plain_array(x: object) -> bool:
+def is_plain_array(x: object) -> TypeGuard[np.ndarray]:
     """Tell whether x is a numpy array and not one of a library with an arithmetic of its own."""
     kind = type(x)
     return kind.__name__ in ("ndarray", "Objects") and hasattr(x, "dtype")
 
 
-def unwrap(x: Any) -> Any:
+def unwrap(x: object) -> object:
     """Return the entry of a 0-dimensional array of numbers or ring elements, or x itself."""
     return x.item() if is_plain_array(x) and x.ndim == 0 else x
 

@@ -5,7 +5,7 @@ import math
 import flint
 
 from hfield.errors import RingError, shorten
-from hfield.factorisation import is_prime
+from hfield.primality import is_prime
 
 Place = int | str
 INFINITE = "inf"

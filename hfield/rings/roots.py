@@ -7,7 +7,7 @@ from math import prod
 import flint
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import factor
+from hfield.factorisation import factor, remove
 from hfield.product import Scalar
 
 MAX_DEGREE = 2_000
@@ -21,9 +21,32 @@ def rational_roots(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
     >>> rational_roots([ring("QQ")(n) for n in (1, -3, 2)])
     [1, 1/2]
     """
+    return [-g[0] for g in irreducible_factors(coefficients) if g.degree() == 1]
+
+
+def irreducible_factors(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq_poly]:
+    """Return the monic irreducible factors of a polynomial over ℚ that is not 0, each once."""
     _need_small(coefficients)
     factors = flint.fmpq_poly(list(coefficients)).factor()[1]
-    return [-g[0] / g[1] for g, _ in factors if g.degree() == 1]
+    return [g / g.leading_coefficient() for g, _ in factors]
+
+
+def integral(g: flint.fmpq_poly) -> flint.fmpz_poly:
+    """Return the monic polynomial over ℤ of a whole multiple of the roots of a monic polynomial over ℚ."""
+    n, scale = int(g.degree()), int(g.denom())
+    return flint.fmpz_poly([int((c * scale ** (n - k)).p) for k, c in enumerate(g.coeffs())])
+
+
+def near_root(f: flint.fmpz_poly, p: int, digits: int = 0) -> int | None:
+    """Return an r near a root in ℚ_p of a monic irreducible polynomial over ℤ; None where it has no root.
+
+    So many ``digits`` are those of the root. Near means v(f(r)) > 2·v(f′(r)), whence Newton's steps lead to a
+    root (Hensel's lemma). With v the order of the discriminant, a root modulo p^(2v + 1) is near one, for
+    v(f′(r)) ≤ v wherever v(f(r)) > v. Raises :class:`UndecidedError` where there are too many.
+    """
+    v, _ = remove(int(f.discriminant()), p)
+    roots = residue_roots([int(c) for c in f.coeffs()], p ** (2 * v + 1 + digits))
+    return roots[0] if roots else None
 
 
 def residue_roots(coefficients: Sequence[int], n: int) -> list[int]:

@@ -6,20 +6,19 @@ from collections.abc import Hashable
 from random import Random
 from typing import TYPE_CHECKING
 
-from hfield.errors import NotInvertibleError, RingError, shorten
+from hfield.errors import RingError, shorten
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.finite import ExtensionField, PrimeField
-from hfield.rings.overfield import Overfield
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, quotient_text
-from hfield.rings.quotient import Quotient
+from hfield.rings.quotient import FractionField, Quotient
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import SparsePolynomial
 
 
-class RationalFunctions(Overfield):
+class RationalFunctions(FractionField):
     """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`Quotient`.
 
     Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
@@ -67,35 +66,13 @@ class RationalFunctions(Overfield):
             num, den = num * scale, den * scale
         return Quotient(self, num, den)
 
-    def is_one(self, poly: SparsePolynomial) -> bool:
-        """Tell whether a polynomial is 1."""
-        return bool(poly == self._one)
-
     def from_below(self, x: object) -> Quotient:
         """Turn a number, or an element of k or k[x, y, …], into one. Raises :class:`CoercionError`."""
         return Quotient(self, self.polynomials(x), self._one)
 
-    def is_zero(self, x: Quotient) -> bool:
-        """Tell whether x is 0."""
-        return bool(x.num == 0)
-
-    def equal(self, x: Quotient, y: Quotient) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
-
     def key(self, x: Quotient) -> Hashable:
         """Return the terms of numerator and denominator."""
         return self.polynomials.key(x.num), self.polynomials.key(x.den)
-
-    def inverse(self, x: Quotient) -> Quotient:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
-        if x.num == 0:
-            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
-        return self.quotient(x.den, x.num)
-
-    def power(self, x: Quotient, n: int) -> Quotient:
-        """Return xⁿ; n < 0 inverts first."""
-        return x**n
 
     def sqrt(self, x: Quotient) -> Quotient | None:
         """Return some y with y² = x, or None: numerator times denominator must be a square."""

@@ -2,11 +2,14 @@
 
 from fractions import Fraction
 from math import isqrt
+from typing import TypeVar
 
 import flint
 
-from hfield.factorisation import is_probable_prime
+from hfield.primality import is_probable_prime
 from hfield.product import Scalar
+
+S = TypeVar("S", bound=Scalar)
 
 SMALL = 10**6  # below this, two squares are searched one by one
 
@@ -28,7 +31,7 @@ def three_squares(n: int) -> tuple[int, int, int] | None:
     raise AssertionError("every n not of the form 4^k(8m+7) is a sum of three squares (Legendre)")
 
 
-def minus_one(m: int, w: Scalar) -> tuple[Scalar, ...]:
+def minus_one(m: int, w: S) -> tuple[S, ...]:
     """Return squares that add up to −1, given w with w² = −m, m > 1: two, or four where m ≡ 7 mod 8.
 
     With m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is no sum of three squares,

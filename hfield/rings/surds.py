@@ -104,17 +104,19 @@ class Surd:
         return NotImplemented if o is None else o * self.inverse()
 
     def __pow__(self, n: int) -> Surd:
-        from hfield.rings.base import power
+        from hfield.rings.powers import power
 
-        return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[no-any-return]
+        return power(ONE, self if n >= 0 else self.inverse(), abs(n))
 
     def inverse(self) -> Surd:
         """Return 1/self: times the conjugates, one independent root after the other."""
         if not self.terms:
             raise NotInvertibleError("cannot divide by 0")
         top, bottom = ONE, self
-        base = independent(frozenset(self.terms))
         while not bottom.is_rational():
+            base = independent(
+                frozenset(bottom.terms)
+            )  # anew: products may show squares in radicands
             n = next(n for n in bottom.terms if n != 1)
             conjugate = bottom.conjugate_at(-1 if n < 0 else next(b for b in base if odd(n, b)))
             top, bottom = top * conjugate, bottom * conjugate

@@ -1,27 +1,25 @@
 """Rings whose elements are values that compare, hash and pickle by themselves."""
 
 from collections.abc import Hashable
-from typing import Any
 
 from hfield.product import Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import E, Ring
 
 
-class ValueRing(Ring):
+class ValueRing(Ring[E]):
     """A ring of such values: each stands for itself."""
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: E) -> bool:
         """Tell whether x is 0."""
         return bool(x == 0)
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: E, y: E) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def key(self, x: Any) -> Hashable:
+    def key(self, x: E) -> Hashable:
         """Return x itself."""
-        key: Hashable = x
-        return key
+        return x  # type: ignore[return-value]  # these values are hashable
 
     def state(self, x: Scalar) -> object:
         """Return x itself."""

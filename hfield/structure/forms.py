@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 
@@ -93,3 +94,11 @@ def pairing_matrix(ring: Ring, c: Constants) -> list[list[Any]]:
         [o, o, o - b - b, o - b * t],
         [o, o, o - b * t, b * (a + a)],
     ]
+
+
+def root_if_known(ring: Ring, x: Scalar) -> Scalar | None:
+    """Return a square root; None where there is none, and where that is not decided."""
+    try:
+        return ring.sqrt(x)
+    except UndecidedError:
+        return None

@@ -93,7 +93,7 @@ class GlobalField(ABC):
         """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
         a, b = self.ring(a), self.ring(b)
         even = self.ring.characteristic == 2
-        if self.ring.is_zero(b) or (self.ring.is_zero(a) and not even):
+        if self.ring.is_zero(b) or (not even and self.ring.is_zero(a)):
             raise RingError(
                 "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
             )

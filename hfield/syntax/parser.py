@@ -1,7 +1,6 @@
 """Text to syntax tree, by precedence climbing; bounded in length, depth, height and digits."""
 
 import re
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 from typing import NoReturn
@@ -37,6 +36,7 @@ _TOKEN = re.compile(
     re.ASCII,  # one way to write a digit or a name: what looks alike is alike
 )
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "×": "*"})
+_PREFIXES = ("exists", "not", "-", "+")
 _WORDS = {"and", "or", "not", "exists"}
 _MENDS = {
     "=": "write == for equality",
@@ -69,12 +69,14 @@ class _Parser:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.tokens = list(self._scan(text.translate(_SPELLINGS)))
-        self.index = 0
+        self.tokens = self._scan(text.translate(_SPELLINGS))
+        self.index = -1
         self.heights: dict[int, int] = {}
+        self.step()
 
-    def _scan(self, text: str) -> Iterator[tuple[str, str, int]]:
-        position, end = 0, len(text.rstrip())
+    def _scan(self, text: str) -> list[tuple[str, str, int]]:
+        """Return the kind, the text and the position of all tokens, with an empty one at the end."""
+        tokens, position, end = [], 0, len(text.rstrip())
         while position < end:
             m = _TOKEN.match(text, position)
             if m is None:
@@ -83,30 +85,22 @@ class _Parser:
                 mend = _MENDS.get(bad, "expected a number, a name, an operator or a parenthesis")
                 raise NotationError(f"cannot read {bad!r}: {mend}", self.text, position)
             kind = m.lastgroup or ""
-            yield kind, m[kind], m.start(kind)
+            tokens.append((kind, m[kind], m.start(kind)))
             position = m.end()
+        return [*tokens, ("end", "", end)]
 
     # --- tokens --------------------------------------------------------------------------------
 
-    @property
-    def token(self) -> str:
-        return self.tokens[self.index][1] if self.index < len(self.tokens) else ""
-
-    @property
-    def kind(self) -> str:
-        return self.tokens[self.index][0] if self.index < len(self.tokens) else "end"
-
-    @property
-    def position(self) -> int:
-        if self.index < len(self.tokens):
-            return self.tokens[self.index][2]
-        return len(self.text.rstrip())
+    def step(self) -> None:
+        """Go on to the next token."""
+        self.index += 1
+        self.kind, self.token, self.position = self.tokens[self.index]
 
     def take(self, *expected: str) -> str:
         """Return the current token and go on, if it is one of ``expected``; else return ''."""
         token = self.token
         if token and token in expected:
-            self.index += 1
+            self.step()
             return token
         return ""
 
@@ -146,9 +140,9 @@ class _Parser:
         if depth > MAX_DEPTH:
             self.fail(f"the expression nests deeper than {MAX_DEPTH} levels; write it in parts")
         left = self.prefix(strength, depth)
-        while BINDS.get(self.token, 0) > strength:
-            position, op = self.position, self.take(*BINDS)
-            binds = BINDS[op]
+        while (binds := BINDS.get(self.token, 0)) > strength:
+            position, op = self.position, self.token
+            self.step()
             right = self.expression(binds - 1 if op == "=>" else binds, depth + 1)
             cls = Compare if binds == COMPARE else Binary if binds > COMPARE else Logic
             left = self.grow(cls(op, left, right, position=position), left, right)
@@ -160,7 +154,7 @@ class _Parser:
 
     def prefix(self, strength: int, depth: int) -> Node:
         """Read an operand with what stands in front of it: exists, not, a sign."""
-        position, op = self.position, self.take("exists", "not", "-", "+")
+        position, op = self.position, self.take(*_PREFIXES)
         if not op:
             return self.power(depth)
         if op == "exists":
@@ -223,7 +217,7 @@ class _Parser:
     def atom(self, depth: int) -> Node:
         position, kind, token = self.position, self.kind, self.token
         if kind == "number":
-            self.take(token)
+            self.step()
             if token.isdigit():
                 return Number(self.integer(token), position=position)
             digits, _, exponent = token.lower().partition("e")
@@ -231,7 +225,7 @@ class _Parser:
                 self.fail("this decimal number is too large to be read exactly")
             return Number(Fraction(token), position=position)
         if kind == "name" and token not in _WORDS:
-            self.take(token)
+            self.step()
             if not self.take("("):
                 return Name(token, position=position)
             arguments = [self.expression(0, depth + 1)]

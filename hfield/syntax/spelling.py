@@ -8,11 +8,15 @@ _SIGNS |= {"−": "-", "·": "*", "×": "*"}
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
 _WORDS = ("and", "or", "not")
 _FUNCTION = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=\()")
-_BAR = re.compile("([^\\W\\d]\\w*)\u0304")
+# What begins with a name looks behind first, so that a long word is read once, not from each letter on.
+_BAR = re.compile("(?<!\\w)(\\d*)([^\\W\\d]\\w*)\u0304")
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _POWER = re.compile(f"[{_SUPERSCRIPTS}]+")
 _TO_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
-_COORDINATE_OF_POWER = re.compile(rf"([^\W\d]\w*[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
+_LETTER = rf"[^\W{_SUPERSCRIPTS}]"
+_COORDINATE_OF_POWER = re.compile(
+    rf"(?<!{_LETTER})(\d*)((?!\d){_LETTER}+[{_SUPERSCRIPTS}]+)([₀₁₂₃])"
+)
 _COORDINATE = re.compile("[₀₁₂₃]")
 _EQUAL = re.compile("(?<![=!<>])=(?![=>])")
 _MULTIPLE = re.compile(r"(\b\d+(?:\.\d+)?|\))([eijk])\b")
@@ -26,8 +30,8 @@ def plain(text: str) -> str:
     """
     # Letters with a bar of their own, such as ū, become a letter and a bar.
     text = "".join(unicodedata.normalize("NFD", c) if c.isalpha() else c for c in text)
-    text = _BAR.sub(r"conj(\1)", text)
-    text = _COORDINATE_OF_POWER.sub(r"(\1)\2", text)
+    text = _BAR.sub(r"\1conj(\2)", text)
+    text = _COORDINATE_OF_POWER.sub(r"\1(\2)\3", text)
     text = _POWER.sub(lambda found: "**" + found[0].translate(_TO_DIGITS), text)
     text = _COORDINATE.sub(lambda found: f"[{'₀₁₂₃'.index(found[0])}]", text)
     for sign, letters in _SIGNS.items():

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cache
+from operator import attrgetter
 from typing import Any, ClassVar, TypeAlias
 
 Operand: TypeAlias = "Node | int | float | Fraction"
@@ -180,9 +182,16 @@ def children(node: Node) -> tuple[Node, ...]:
     >>> len(children(parse("p*q == 1")))
     2
     """
-    if isinstance(node, Call):
-        return node.arguments
-    return tuple(getattr(node, name) for name in node.below)
+    return node.arguments if isinstance(node, Call) else _nodes_in(node.below)(node)
+
+
+@cache
+def _nodes_in(fields: tuple[str, ...]) -> Callable[[Node], tuple[Node, ...]]:
+    """Return what finds the nodes in some fields: trees are walked often."""
+    if not fields:
+        return lambda node: ()
+    find: Callable[[Node], Any] = attrgetter(*fields)
+    return find if len(fields) > 1 else lambda node: (find(node),)
 
 
 def rebuild(node: Node, parts: Sequence[Node]) -> Node:

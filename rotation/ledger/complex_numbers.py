@@ -6,8 +6,9 @@ thesis, and everything has its core over every commutative ring.
 
 from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Only, Statement
+from hfield.ledger.propositions import Statement
 from hfield.ledger.real import REAL, Angles
+from hfield.ledger.scopes import Only
 from rotation.ledger.plane import ARCTG, ON_CIRCLE
 
 Z = "(p[0] + p[1]*i)"

@@ -7,8 +7,9 @@ from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined
-from hfield.ledger.propositions import Every, Only, Statement
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import REAL, Angles
+from hfield.ledger.scopes import Only
 from hfield.syntax import Node, both, implies, names, parse
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (

@@ -1,7 +1,8 @@
 """Example 2 of section 2.1.1: the letter T and its quarter turns."""
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, either, equal, implies, names, number
 
 LETTER = ((10, 1), (11, 1), (11, 6), (13, 6), (13, 7), (8, 7), (8, 6), (10, 6))

@@ -6,7 +6,8 @@ a point is found by running them on symbols.
 
 from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import Over
 from rotation.ledger import generator, second_test, tables
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.tables import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2

@@ -6,7 +6,8 @@ coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and
 """
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, conj, equal, iff, inv, names, norm, scalar, unequal, vector
 from rotation.ledger.programs import listed
 from rotation.ledger.symbols import code, coordinates, point, quaternion, read_as

@@ -3,8 +3,9 @@
 from itertools import pairwise
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Over, Statement
+from hfield.ledger.propositions import Statement
 from hfield.ledger.real import Angles
+from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, either, implies, parse, unequal
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (

@@ -67,9 +67,10 @@ def _false(
     claim: Claim, scalars: Places | Modular, given: np.ndarray, bound: np.ndarray | None = None
 ) -> np.ndarray:
     """Return where hypotheses hold and the conclusion does not, the algebra being defined."""
-    values = assigned(claim.given, given)
+    kind = scalars.zero.dtype
+    values = assigned(claim.given, given.astype(kind, copy=False))
     if bound is not None:
-        values |= assigned(claim.bound, bound)
+        values |= assigned(claim.bound, bound.astype(kind, copy=False))
     world = World(scalars, claim.constants, values)
     right = world.truth(claim.conclusion)
     for h in claim.hypotheses:

@@ -85,26 +85,30 @@ class Modular:
     """Many places of ℤ/n at once by the arithmetic of numbers, which is faster than tables."""
 
     def __init__(self, table: Table, size: int) -> None:
-        self.n, self.inverses = table.order, table.inverse
-        kind = np.int16 if self.n < 180 else np.int64  # products have to fit
+        # Short unsigned numbers that hold every product: numpy divides them fastest by far.
+        kind = np.min_scalar_type((table.order - 1) ** 2)
+        self.n = kind.type(table.order)
+        self.inverses = np.maximum(table.inverse, 0).astype(kind)
+        self.units = table.inverse >= 0
         self.zero, self.true = np.zeros(size, kind), np.ones(size, bool)
-        self.inverses = self.inverses.astype(kind)
 
     def number(self, n: int) -> Any:
-        return self.zero + self.zero.dtype.type(n % self.n)
+        return self.zero + self.zero.dtype.type(n % int(self.n))
 
     def add(self, x: Any, y: Any) -> Any:
-        return (x + y) % self.n
+        return self._remainder(x + y)
 
     def mul(self, x: Any, y: Any) -> Any:
-        return x * y % self.n
+        return self._remainder(x * y)
 
     def neg(self, x: Any) -> Any:
-        return -x % self.n
+        return self._remainder(self.n - x)
+
+    def _remainder(self, x: Any) -> Any:
+        return x - x // self.n * self.n
 
     def inverse(self, x: Any) -> tuple[Any, Any]:
-        found = self.inverses[x]
-        return np.maximum(found, 0), found >= 0
+        return self.inverses[x], self.units[x]
 
     def is_zero(self, x: Any) -> Any:
         return x == 0

@@ -85,6 +85,13 @@ def test_preview_is_small_and_quick(capsys, tmp_path: Path) -> None:
     )
 
 
+def test_a_preview_has_fewer_bytes_than_the_film(capsys, tmp_path: Path) -> None:
+    film, preview = tmp_path / "film.mp4", tmp_path / "preview.mp4"
+    words = ("--points", "30", "--frames", "25")
+    assert run(capsys, *words, "-o", film)[0] == run(capsys, *words, "--preview", "-o", preview)[0]
+    assert preview.stat().st_size < 0.8 * film.stat().st_size
+
+
 def test_a_size_that_is_given_wins_over_the_preview(capsys, tmp_path: Path) -> None:
     words = ("--preview", *SMALL, "-o", tmp_path / "t.gif", "--format", "json")
     status, out, _ = run(capsys, *words)

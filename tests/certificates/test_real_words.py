@@ -10,8 +10,9 @@ from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME
 from hfield.certificates.rejection import Rejected
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
-from hfield.ledger.propositions import Every, Over, Statement
+from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real import Analysis, Angles
+from hfield.ledger.scopes import Over
 from hfield.rings import ring
 
 CIRCLE_CORE = Statement("y**2 + s**2 == 1 => (y + s*i)*(y - s*i) == 1")

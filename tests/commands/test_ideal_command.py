@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from hfield.factorisation import is_prime
+from hfield.primality import is_prime
 from tests.commands import running
 
 P, Q = 10**35 + 1, 10**36 + 1

@@ -1,6 +1,7 @@
 """``hfield order``, ``classes``, ``brandt`` and ``survey``."""
 
 import json
+import re
 from fractions import Fraction
 
 import pytest
@@ -49,6 +50,31 @@ def test_json(capsys):
 
 
 @pytest.mark.parametrize(
+    "words",
+    [
+        ["order", "(-1,-11|QQ)", "--level", "9"],
+        ["order", "(2,3|QQ)"],
+        ["order", "(-1,-1|QQ)", "--generators", "i, j"],
+    ],
+    ids=" ".join,
+)
+def test_an_order_says_the_same_in_every_format(capsys, words):
+    plain = page(capsys, *words)
+    data = json.loads(page(capsys, *words, "--format", "json"))
+    latex = page(capsys, *words, "--format", "latex")
+    facts = {line[:22].strip(): line[23:] for line in plain.splitlines() if line[:22].strip()}
+    assert list(facts) == re.findall(r"\\item\[\{(.*?)\}\]", latex)
+    kind = "maximal" if data["maximal"] else ("an" if data["eichler"] else "no") + " Eichler order"
+    level = f"{data['discriminant']}, of level {data['level']}: {kind}"
+    assert facts["reduced discriminant"] == level
+    number = data["class_number"]
+    assert facts.get("class number") == (number and f"{number}, by {data['class_number_by']}")
+    assert ("mass" in facts) == (data["mass"] is not None)
+    assert str(data["conductor"]) == facts["conductor"]
+    assert r"\documentclass" in page(capsys, *words, "--format", "latex", "--standalone")
+
+
+@pytest.mark.parametrize(
     ("words", "hint"),
     [
         (["order", "(-1,-11|GF(7))"], "over QQ"),
@@ -61,11 +87,12 @@ def test_json(capsys):
         (["order", "(2,3|QQ)", "--extremal"], "prime discriminant"),
         (["classes", "(2,3|QQ)"], "definite"),
         (["classes", str(2**61 - 1)], "Eichler's formula"),
-        (["brandt", "37", "--prime", "x"], "expected a prime"),
+        (["brandt", "37", "--prime", "x"], "expected a positive number, a prime"),
         (["brandt", "37", "0"], "positive integer"),
         (["survey", "4"], "no pair"),
         (["survey", "5..2"], "ascending"),
         (["survey", "2..x"], "2..100"),
+        (["survey", "2..9", "-o", "rows.txt"], "ends in .jsonl or .parquet"),
         (["survey", "2..9", "-o", "/nonexistent/folder/x.jsonl"], "cannot write"),
     ],
 )

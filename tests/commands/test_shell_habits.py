@@ -1,6 +1,7 @@
 """Completion, the doctor, searching for claims, and pages of a width that is asked for."""
 
 import json
+import re
 import subprocess
 from shutil import which
 
@@ -143,6 +144,28 @@ def test_a_page_has_the_width_that_is_asked_for(capsys, monkeypatch, words):
     monkeypatch.setenv("COLUMNS", "60")
     assert main(words) in (0, 1)
     assert [line for line in capsys.readouterr().out.splitlines() if len(line) > 60] == []
+
+
+def test_what_is_checked_and_what_went_wrong_fits_too(capsys, monkeypatch, tmp_path):
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.chdir(tmp_path)
+    statement = "norm(p) == 0 and norm(q) == 0 and p*q == 1 => p == 0 or q == 0 or p*q == q*p"
+    assert main(["prove", statement, "--field", "QQ(sqrt(-7))", "--certificate", "a.json"]) == 0
+    capsys.readouterr()
+    long_name = "a-file-with-a-name-that-is-longer-than-the-line-is-wide-and-is-left-whole.json"
+    assert main(["check", "a.json"]) == 0
+    (statement_lines,) = re.findall(
+        r"^  statement:.*\n(?:    .*\n)+", capsys.readouterr().out, re.M
+    )
+    assert max(map(len, statement_lines.splitlines())) <= 60
+    assert " ".join(statement_lines.split()) == f"statement: {statement}"
+    assert main(["check", long_name]) == 2
+    assert capsys.readouterr().out.startswith(f"{long_name}:\n    cannot read\n")
+    assert main(["info", "(-1,-1|QQ(zeta1000))", "--factors", "3"]) == 2
+    assert main(["survey", "2..9", "-o", "a/long/name/of/a/file/with/another/suffix.txt"]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) > 3
+    assert max(map(len, lines)) <= 60
 
 
 def test_the_doctor_speaks_on_the_narrowest_terminal(capsys, monkeypatch):

@@ -7,6 +7,7 @@ from hfield.coq.coqc import CLOSED, opening
 
 def reject_each(coq, theorems):
     """Tell of each theorem by itself whether Coq rejects it, all in one process of ``coqtop``."""
+    coq.compile_library()
     lines = [opening(), "Set Silent."]
     for number, one in enumerate(theorems):
         text = str(one) if not one.place else ""

@@ -8,7 +8,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import LatticeError, TooLargeError
-from hfield.lattices import compatible
+from hfield.lattices import compatible_products
 from hfield.lattices.brandt import by_theta_series
 from hfield.lattices.lattice import Lattice
 from tests.lattices.random_lattices import algebra, element
@@ -170,7 +170,7 @@ def test_products_by_linear_algebra_and_by_sixteen_rows() -> None:
         ):
             assert first * second == A.lattice([p * q for p in first.basis for q in second.basis])
             if second.side == "left" and first.side == "right" and second.is_integral():
-                quick += compatible.product(first, second) is not None
+                quick += compatible_products.product(first, second) is not None
     assert quick > 100
 
 

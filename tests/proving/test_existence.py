@@ -43,6 +43,9 @@ LINEAR = [
     ("x != 0 or z != 0 => (exists s, y: s*x + y*z == 1)", None, "proved"),
     ("exists s, y: s*x + y*z == 1", None, "refuted"),
     ("s*y != z*x => (exists t, u: s*t + z*u[0] == 1 and x*t + y*u[0] == 2)", None, "proved"),
+    ("norm(p) == 0 => (exists u: p*u == 0 and u != 0)", None, "proved"),
+    ("norm(p) == 0 => (exists u: u*p == 0 and u != 0)", None, "proved"),
+    ("exists t: s*t*s == s and t*s*t == t", None, "proved"),
     ("exists s: 17*s == 23", "QQ", "proved"),
     ("exists u: u[2] == 12 and trace(u) == 40", "QQ", "proved"),
     ("s != y => (exists x: s*x == y*x + 1)", None, "proved"),
@@ -209,3 +212,19 @@ def test_a_place_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
     found = prove("exists q: q**2 == s", "QQ")
     assert (found.verdict, len(refuted)) == ("refuted", 2)
     assert found.certificate is not None
+
+
+@pytest.mark.parametrize(
+    ("statement", "algebra", "verdict"),
+    [
+        ("a*a == 1", "(1/a,-1|ZZ)", "proved"),
+        ("a*b*a*b == 1", "(1/(a*b**3),1|ZZ)", "proved"),
+        ("a == 1", "(1/a,-1|ZZ)", "refuted"),
+        ("a*a == 1", "(2/(a+1),-1|ZZ)", "refuted"),
+        ("a*a == 1", "(a,-1|ZZ)", "refuted"),
+        ("a*a == 1", "(1/a,-1|QQ)", "refuted"),
+        ("a*a*b == b", "(1/a,b|ZZ)", "proved"),
+    ],
+)
+def test_letters_that_the_constants_divide_by_are_units(statement, algebra, verdict):
+    assert decide(statement, algebra=algebra, timeout=5).verdict == verdict

@@ -97,6 +97,18 @@ def test_nothing_is_wider_than_a_phone(opened):
     opened.send("Emulation.setDeviceMetricsOverride", **sizes, mobile=False)
 
 
+def test_the_matrix_shows_that_it_is_cut(opened):
+    sizes = {"width": 250, "height": 600, "deviceScaleFactor": 1}
+    opened.send("Emulation.setDeviceMetricsOverride", **sizes, mobile=False)
+    opened.wait("document.querySelector('.tall').classList.contains('cut')")
+    mask = opened.evaluate("getComputedStyle(document.querySelector('.tall')).maskImage")
+    assert mask.startswith("linear-gradient")
+    opened.evaluate("document.querySelector('.tall').scrollLeft = 10000")
+    opened.wait("!document.querySelector('.tall').classList.contains('cut')")
+    sizes |= {"width": 800}
+    opened.send("Emulation.setDeviceMetricsOverride", **sizes, mobile=False)
+
+
 @pytest.fixture(scope="module")
 def axe(tmp_path_factory):
     npm = shutil.which("npm")

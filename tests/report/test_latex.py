@@ -35,6 +35,8 @@ SIGNS = "pqλθψ²³⁻¹₀₁·−√≠⇒∈‖°…“”—żółćę{}$&
         ("obroty i animacje z roku", "obroty i animacje z roku"),
         ("if q ≠ 0, 1 lies there", r"if $q \neq 0$, 1 lies there"),
         ("x → ∞.", r"$x \to \infty$."),
+        ("the index i_1 of {e_{i_1}}_{i=1}^k", r"the index $i_{1}$ of $\{e_{i_{1}}\}_{i=1}^{k}$"),
+        ("Σ_{i=1}^n α_i g(e_{i_{m+1}})", r"$\Sigma _{i=1}^{n} \alpha _{i} g(e_{i_{m+1}})$"),
     ],
 )
 def test_words(text, latex):

@@ -20,7 +20,8 @@ SEED = os.environ.get("HFIELD_SEED", "1")
 DEGREES = range(3, 11)
 KINDS = ("any", "wild at 2", "totally real", "totally complex", "cyclotomic", "pure")
 FIELDS = [(n, kind) for n in DEGREES for kind in KINDS if (n % 2 == 0) or kind not in KINDS[3:5]]
-ALGEBRAS = 50
+# PARI takes as long for a symbol at 2 in degree 10 as for thirty in degree 3.
+ALGEBRAS = {n: 65 if n < 7 else 50 if n < 9 else 20 for n in DEGREES}
 CYCLOTOMIC = {
     4: "x^4+1",
     6: "x^6+x^3+1",
@@ -38,7 +39,7 @@ def pari() -> Any:
 
 def test_the_fields_are_as_many_as_they_should_be() -> None:
     assert len(FIELDS) == 40
-    assert len(FIELDS) * ALGEBRAS == 2000
+    assert sum(ALGEBRAS[n] for n, _ in FIELDS) == 2000
 
 
 @pytest.mark.parametrize(("degree", "kind"), FIELDS)
@@ -49,7 +50,7 @@ def test_algebras_ramify_where_pari_says(degree: int, kind: str) -> None:
     nf = oracle(f"nfinit({polynomial(K)})")
     assert K.discriminant() == int(nf[2])
     seen = 0
-    while seen < ALGEBRAS:
+    while seen < ALGEBRAS[degree]:
         a, b = (K(drawn(rng, degree, seen + k)) for k in (0, 1 + seen % 3))
         if not (a and b):
             continue

@@ -6,12 +6,13 @@ from random import Random
 import pytest
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
-from hfield.errors import CoercionError, RingError
+from hfield.errors import CoercionError, RingError, UndecidedError
 from hfield.product import Constants
 from hfield.rings.number_field_places import ComplexPlace, RealPlace
 from hfield.rings.number_primes import PrimeIdeal
 from hfield.rings.residues.number_ideals import local_place
 from hfield.structure.minimal_conics import Conic, minimise, norm_form
+from hfield.structure.number_fields import conic_number_fields
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import candidates
 from tests.steps import steps
@@ -192,3 +193,21 @@ def test_square_roots_in_division_algebras() -> None:
     assert not list(A("s").square_roots())
     assert A.basis[1].order() == 4
     assert QuaternionAlgebra("QQ(zeta5)", -1, -1)("-zeta5*e").order() == 10
+
+
+def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
+    """So many bases, and at most so many exact values on each, however large the coefficients are."""
+    tried = []
+    combine = conic_number_fields._combine
+
+    def counted(coefficients, basis):
+        tried.append(coefficients)
+        return combine(coefficients, basis)
+
+    monkeypatch.setattr(conic_number_fields, "WALKED", 6)
+    K = ring("QQ[s]/(s^6+1000003*s+7919)")
+    a, x, y = K("s+2"), K("s^2+1"), K("3*s-1")
+    monkeypatch.setattr(conic_number_fields, "_combine", counted)
+    with pytest.raises(UndecidedError, match="of each of 6 reduced bases"):
+        solve_conic_number_field(K, a, x * x - a * y * y)
+    assert len(tried) <= 3 * K.degree + 6 * conic_number_fields.MOST

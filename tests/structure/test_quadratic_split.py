@@ -8,7 +8,8 @@ import pytest
 from structure_cases import constants
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import is_prime, remove
+from hfield.factorisation import remove
+from hfield.primality import is_prime
 from hfield.product import Constants, multiply
 from hfield.rings import ring
 from hfield.rings.quadratic_places import places_above

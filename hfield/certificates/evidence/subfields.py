@@ -1,8 +1,8 @@
-"""Over ℚ_p: elements of a subfield ℚ(√d), whose root Hensel's lemma finds in ℚ_p.
+"""Over ℚ_p: elements of a number field, whose generator Hensel's lemma finds in ℚ_p.
 
-Where v(r² − d) > 2·v(2r), Newton's steps from r lead to a root of X² − d in ℚ_p, so that ℚ(√d) lies in ℚ_p. A
-term has the same value in both. So what is false for elements of ℚ(√d) is false over ℚ_p, and what they show
-to exist exists there.
+Where v(f(r)) > 2·v(f′(r)) and p divides no denominator of r and f, which is monic, Newton's steps from r lead
+to a root of f in ℚ_p, so that ℚ[s]/(f) lies in ℚ_p, as ℚ(√d) does for f = X² − d. A term has the same value
+in both. So what is false for elements of that field is false over ℚ_p, and what they show to exist exists.
 """
 
 from dataclasses import replace
@@ -15,8 +15,9 @@ from hfield.certificates.kinds import Check
 from hfield.certificates.rejection import a_text, an_object, reject
 from hfield.certificates.scalars.completions import AtPrime
 from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.number_fields import NumberField
 from hfield.certificates.scalars.quadratic import Quadratic
-from hfield.certificates.scalars.rationals import QQ
+from hfield.certificates.scalars.rationals import QQ, bounded
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
 
@@ -27,22 +28,39 @@ def subfield(
     setting: Setting,
     evidence: object,
 ) -> Finding:
-    """Check a witness with coordinates in ℚ(√d) for a statement over ℚ_p."""
+    """Check a witness with coordinates in a number field for a statement over ℚ_p."""
     data = an_object(evidence, "kind field root witness", "the evidence")
     local = setting.field
     if not isinstance(local, AtPrime) or local.base is not QQ:
         reject("subfields are known of the p-adic numbers only")
     inner = read_field(a_text(data["field"], "the field of the witness"))
-    if not isinstance(inner, Quadratic):
-        reject(f"{inner.name} is no quadratic field")
-    _lift(QQ.read(a_text(data["root"], "a root")), inner.d, int(local.place_name))
+    if isinstance(inner, Quadratic):
+        f = [Fraction(-inner.d), Fraction(0), Fraction(1)]
+    elif isinstance(inner, NumberField):
+        f = inner.modulus
+    else:
+        reject(f"{inner.name} is no number field with a generator")
+    _lift(QQ.read(a_text(data["root"], "a root")), f, int(local.place_name))
     return check(statement, replace(setting, field=inner), data["witness"])
 
 
-def _lift(r: Fraction, d: int, p: int) -> None:
-    """Let a root of X² − d lie near r."""
-    if not r or (r * r != d and _order(r * r - d, p) <= 2 * _order(2 * r, p)):
-        reject(f"{r} is not so near a root of {d} in Qp({p}) that Hensel's lemma finds one")
+def _lift(r: Fraction, f: list[Fraction], p: int) -> None:
+    """Let a root of f lie near r."""
+    if any(c.denominator % p == 0 for c in (r, *f)):
+        reject(f"Hensel's lemma asks for numbers without {p} in a denominator")
+    slope = _value([n * c for n, c in enumerate(f)][1:], r)
+    value = _value(f, r)
+    if not slope or (value and _order(value, p) <= 2 * _order(slope, p)):
+        reject(f"{r} is not so near a root in Qp({p}) that Hensel's lemma finds one")
+
+
+def _value(f: list[Fraction], r: Fraction) -> Fraction:
+    """Return f(r)."""
+    total = Fraction(0)
+    for c in reversed(f):
+        charge(10)
+        total = bounded(total * r + c)
+    return total
 
 
 def _order(x: Fraction, p: int) -> int:

@@ -2,8 +2,10 @@
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.kinds import prove
-from hfield.certificates.rejection import an_object, reject
-from hfield.certificates.statement import Setting, Statement
+from hfield.certificates.language import Tree
+from hfield.certificates.over_field import place_of
+from hfield.certificates.rejection import Rejected, an_object, reject
+from hfield.certificates.statement import Setting, Statement, read_tree
 
 
 def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -11,10 +13,27 @@ def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> F
     data = an_object(evidence, "kind proof", "the evidence")
     if not statement.hypotheses:
         reject("there are no hypotheses")
+    return prove(_denial(statement), setting, data["proof"])
+
+
+def need_hypotheses(statement: Statement, setting: Setting) -> None:
+    """Reject as proved what expanding shows to be vacuous."""
+    if not statement.hypotheses:
+        return
+    try:
+        over = place_of(read_tree(_denial(statement), setting), setting)
+        never = all(map(over.is_identity, over.expansion.clauses))
+    except Rejected:  # it is not shown by expanding
+        return
+    if never:
+        reject("the hypotheses are never true together: the statement is vacuous and not proved")
+
+
+def _denial(statement: Statement) -> Tree:
     tree = statement.hypotheses[0]
     for h in statement.hypotheses[1:]:
         tree = ("and", tree, h)
-    return prove(("not", tree), setting, data["proof"])
+    return ("not", tree)
 
 
 CHECKS = {

@@ -7,13 +7,28 @@ names; ``fields`` lists them. What a kind does not say of itself is not known, a
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 from hfield.certificates.language import Tree, parse
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.place import Place
 
 MAX_EXPONENT = 10_000
+
+
+T = TypeVar("T")
+
+
+def power(one: T, x: T, n: int, times: Callable[[T, T], T]) -> T:
+    """Return xⁿ for n ≥ 0 by repeated squaring."""
+    result = one
+    while n:
+        if n & 1:
+            result = times(result, x)
+        n >>= 1
+        if n:
+            x = times(x, x)
+    return result
 
 
 class Ring(ABC):
@@ -113,14 +128,7 @@ class Ring(ABC):
 
     def power(self, x: Any, n: int) -> Any:
         """Return xⁿ for n ≥ 0."""
-        result = self.one
-        while n:
-            if n & 1:
-                result = self.mul(result, x)
-            n >>= 1
-            if n:
-                x = self.mul(x, x)
-        return result
+        return power(self.one, x, n, self.mul)
 
     def fraction(self, value: int | Fraction) -> Any:
         """Return the value of a literal, None where its denominator is no unit."""

@@ -14,6 +14,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.certificates.evidence.unsatisfiable import need_hypotheses
 from hfield.certificates.finding import Finding, together
 from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, FIELD, FIELDS, INDUCTION, WITNESS
 from hfield.certificates.kinds import establish
@@ -120,7 +121,11 @@ def establish_any(
             return establish_presentation(presentation, setting.field, verdict, evidence)
         if setting.moved:
             setting = _with_the_same_names(text, setting)
-        return establish(read_statement(text, setting), setting, verdict, evidence)
+        statement = read_statement(text, setting)
+        found = establish(statement, setting, verdict, evidence)
+        if verdict == "proved":
+            need_hypotheses(statement, setting)
+        return found
     if p.word in LATTICES:
         return establish_lattices(p.word, p.parts, setting, verdict, evidence)
     if setting.constants != HAMILTON:

@@ -3,7 +3,8 @@
 from hfield.ledger.document import Propositions
 from hfield.ledger.facts import Division
 from hfield.ledger.modulus import ModulusDefined, ModulusLaw
-from hfield.ledger.propositions import Negation, Statement
+from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import Negation
 
 COMPUTED = {
     "C1.3.1-a": Propositions(as_printed=ModulusDefined()),

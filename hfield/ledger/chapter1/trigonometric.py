@@ -6,7 +6,8 @@ cos θ or sin θ as the claim needs them, since x and t name variables of some f
 """
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Only, Statement
+from hfield.ledger.propositions import Statement
+from hfield.ledger.scopes import Only
 
 CIRCLE = "(cos θ, sin θ) runs once through the points of the circle c² + s² = 1 for θ in [0, 2π)"
 REAL = "Angles are real numbers."

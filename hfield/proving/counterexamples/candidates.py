@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import islice
+from itertools import accumulate, islice
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
@@ -17,7 +17,7 @@ from hfield.product import Constants, Scalar, conjugate, multiply, trace
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem, remembered
-from hfield.proving.statements.language import Sort, Statement
+from hfield.proving.statements.language import Sort
 from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 
@@ -25,8 +25,10 @@ if TYPE_CHECKING:
     from hfield.product import Coordinates
 
 
+Shape = tuple[tuple[int, bool], ...]  # number of coordinates of each unknown, and if it is a letter
+
 HEAVIEST = 12  # the weight of a place
-MANY_STATEMENTS_TRY = 150  # places, before they are left alone or proved
+KEPT = (150, 400)  # so many places are tried for many statements, and made once for all of them
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
 
 
@@ -40,19 +42,28 @@ def by_weight(
 
     The ``letters`` have other weights: first −1, then 1, 2 and the rest, and 0 last.
     """
-    widths = [sort.width for _, sort in unknowns]
     names = [name for name, _ in unknowns]
+    for values in _values(_shape(unknowns, letters), scalars, heaviest):
+        yield dict(zip(names, values, strict=True))
+
+
+def _shape(unknowns: Sequence[tuple[str, Sort]], letters: frozenset[str]) -> Shape:
+    return tuple((sort.width, name in letters) for name, sort in unknowns)
+
+
+def _values(shape: Shape, scalars: Sequence[Scalar], heaviest: int) -> Iterator[tuple[Any, ...]]:
+    """Run through the values of unknowns in the order of :func:`by_weight`."""
     own = nonzero_first(scalars)
+    width = sum(width for width, _ in shape)
+    ends = list(accumulate(width for width, _ in shape))
+    pieces = [(end - width, end, letter) for end, (width, letter) in zip(ends, shape, strict=True)]
     for total in range(heaviest + 1):
-        for vector in vectors(sum(widths), total, len(scalars) - 1):
-            values, start, out = [scalars[n] for n in vector], 0, {}
-            for name, width in zip(names, widths, strict=True):
-                piece = values[start : start + width]
-                if name in letters:
-                    piece = [own[vector[start]]]
-                out[name] = piece[0] if width == 1 else tuple(piece)
-                start += width
-            yield out
+        for vector in vectors(width, total, len(scalars) - 1):
+            values, out = tuple([scalars[n] for n in vector]), []
+            for start, end, letter in pieces:
+                single = own[vector[start]] if letter else values[start]
+                out.append(single if end == start + 1 else values[start:end])
+            yield tuple(out)
 
 
 def nonzero_first(scalars: Sequence[Scalar]) -> list[Scalar]:
@@ -202,29 +213,30 @@ class _PrimeSearch:
         seeker = Searcher(problem, PrimeScalars(self.p), self.wanted)
         if seeker.is_constant:
             limit = 1
-        for place in islice(_places(statement, scalars, problem.letters), self.tried, limit):
-            if problem.is_late:
+        names = [name for name, _ in statement.unknowns]
+        shape = _shape(statement.unknowns, problem.letters)
+        for values in _places(shape, scalars, self.tried, limit):
+            if not self.tried & 15 and problem.is_late:
                 return
             self.tried += 1
+            place = dict(zip(names, values, strict=True))
             if seeker.test(place):
                 self.found = place
                 return
 
 
 def _places(
-    statement: Statement, scalars: tuple[int, ...], letters: frozenset[str]
-) -> Iterator[Assignment]:
-    """Run through assignments by weight: the first of them are made once for all statements."""
-    first = _first_places(statement.unknowns, scalars, letters)
-    yield from first
-    yield from islice(by_weight(statement.unknowns, scalars, HEAVIEST, letters), len(first), None)
+    shape: Shape, scalars: tuple[int, ...], start: int, limit: int
+) -> Iterator[tuple[Any, ...]]:
+    """Run through values of unknowns by weight, from the one numbered ``start`` on."""
+    kept = next((count for count in KEPT if limit <= count), None)
+    places = _values(shape, scalars, HEAVIEST) if kept is None else _kept(shape, scalars, kept)
+    return islice(places, start, limit)
 
 
-@lru_cache(maxsize=32)
-def _first_places(
-    unknowns: tuple[tuple[str, Sort], ...], scalars: tuple[int, ...], letters: frozenset[str]
-) -> tuple[Assignment, ...]:
-    return tuple(islice(by_weight(unknowns, scalars, HEAVIEST, letters), MANY_STATEMENTS_TRY))
+@lru_cache(maxsize=256)
+def _kept(shape: Shape, scalars: tuple[int, ...], count: int) -> tuple[tuple[Any, ...], ...]:
+    return tuple(islice(_values(shape, scalars, HEAVIEST), count))
 
 
 def ring_search(problem: Problem, limit: int, wanted: bool = False) -> Assignment | None:

@@ -14,7 +14,8 @@ from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

@@ -22,7 +22,8 @@ from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 from hfield.rings.roots import rational_roots
 
 MAX_NODES = 1_500

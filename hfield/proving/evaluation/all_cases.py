@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
 from functools import lru_cache
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.product import Scalar
 from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, Scalars, Value, constant
+from hfield.proving.evaluation.scalars import Decided, PrimeScalars, RingScalars, constant
 from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Indices = npt.NDArray[np.integer]
+    Booleans = bool | npt.NDArray[np.bool_]
 
 MAX_CASES = 10**8
 FEW_CASES = 1_500  # below, a loop is faster than loading numpy
@@ -63,7 +71,7 @@ def counterexample(
 
 
 def _assignment(
-    statement: Statement, places: list[tuple[str, int]], values: Any, zero: object
+    statement: Statement, places: list[tuple[str, int]], values: Iterable[object], zero: object
 ) -> Assignment:
     given = dict(zip(places, values, strict=True))
     return {
@@ -161,7 +169,7 @@ class _Table:
             self.kind,
         )
 
-    def entry(self, array: Any) -> _Entries:
+    def entry(self, array: Indices) -> _Entries:
         return _Entries(self, array)
 
 
@@ -170,7 +178,7 @@ class _Entries:
 
     __slots__ = ("array", "table")
 
-    def __init__(self, table: _Table, array: Any) -> None:
+    def __init__(self, table: _Table, array: Indices) -> None:
         self.table, self.array = table, array
 
     def __add__(self, other: _Entries) -> _Entries:
@@ -198,7 +206,7 @@ class _Entries:
         return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
 
 
-class _TableScalars(Scalars):
+class _TableScalars(Decided[_Entries, "Booleans"]):
     def __init__(self, table: _Table) -> None:
         self.table = table
         self.zero, self.one = self.element(table.field.zero), self.element(table.field.one)
@@ -210,24 +218,24 @@ class _TableScalars(Scalars):
             np.array(self.table.index[self.table.field.key(x)], self.table.kind)
         )
 
-    def number(self, value: Any) -> Value:
+    def number(self, value: int | Fraction) -> tuple[_Entries, Booleans]:
         if isinstance(value, int):
             return self.element(self.table.field(value)), True
         x, defined = self.reciprocal(self.element(self.table.field(value.denominator)))
         return self.element(self.table.field(value.numerator)) * x, defined
 
-    def reciprocal(self, x: _Entries) -> Value:
+    def reciprocal(self, x: _Entries) -> tuple[_Entries, Booleans]:
         return self.table.entry(self.table.inverse[x.array]), self.table.unit[x.array]
 
-    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def equal(self, differences: Iterable[_Entries], defined: Booleans) -> Booleans:
         truth = defined
         zero = self.zero.array
         for d in differences:
             truth = truth & (d.array == zero)
         return truth
 
-    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
-        truth = False
+    def unequal(self, differences: Iterable[_Entries], defined: Booleans) -> Booleans:
+        truth: Booleans = False
         zero = self.zero.array
         for d in differences:
             truth = truth | (d.array != zero)

@@ -52,6 +52,7 @@ class Evaluator:
     ) -> None:
         self.scalars, self.sorts, self.fixed = scalars, sorts or {}, fixed or {}
         self.defined = scalars.always  # what the comparison that is being evaluated depends on
+        self.partial = 0  # how many terms were read that need not be defined
         self.values: Values = {}
         self.constants = Constants(scalars.zero, scalars.zero, scalars.zero)
         self.structure = [self._term(tree)[1] for tree in trees]
@@ -130,9 +131,16 @@ class Evaluator:
         compared = scalars.equal if node.op == "==" else scalars.unequal
         if scalars.reflexive and node.left == node.right:
             return lambda v: compared((), always)
+        partial = self.partial
         (four, f), (other, g) = left, right = self._term(node.left), self._term(node.right)
         if four or other:
             f, g = self._embedded(left), self._embedded(right)
+        if partial == self.partial:  # nothing divides
+            if four and node.right == Number(0):
+                return lambda v: compared(f(v), always)
+            if four or other:
+                return lambda v: compared(map(sub, f(v), g(v)), always)
+            return lambda v: compared((f(v) - g(v),), always)
 
         def compare_quaternions(v: Values) -> object:
             self.defined = always
@@ -279,14 +287,15 @@ class Evaluator:
 
     def _noted(self, of: Callable[[Any], Value], f: Function) -> Function:
         """Return ``of`` after ``f``, and note the condition under which it is defined."""
-        always, both = self.scalars.always, self.scalars.both
+        always, together = self.scalars.always, self.scalars.together
+        self.partial += 1
 
         def value(v: Values) -> Any:
             x, condition = of(f(v))
             if condition is False:
                 raise _UndefinedError
             if condition is not always:
-                self.defined = both(self.defined, condition)
+                self.defined = together(self.defined, condition)
             return x
 
         return value

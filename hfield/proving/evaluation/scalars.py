@@ -4,77 +4,113 @@ The evaluator asks nothing else of them, so that arrays and polynomials serve as
 ``expansion``). A value that need not exist comes with the condition under which it does.
 """
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
-from operator import mul
-from typing import Any
+from operator import and_, mul, or_, xor
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias
 
 from hfield.errors import NotInvertibleError
-from hfield.product import Constants, Scalar, multiply, norm
+from hfield.product import Arithmetic, Constants, Scalar, multiply, norm
 from hfield.rings.base import Ring
+from hfield.rings.rational import fmpq
 
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    from hfield.rings.flint_types import Rational
+
+    S = TypeVar("S", bound=Arithmetic, default=Any)
+    C = TypeVar("C", default=Any)
+    T = TypeVar("T", default=Any)
+else:
+    from typing import TypeVar
+
+    S = TypeVar("S")  # a scalar
+    C = TypeVar("C")  # a condition: where a value is defined
+    T = TypeVar("T")  # a truth
+
+Four: TypeAlias = tuple[S, S, S, S]
+_ONE = fmpq(1)  # flint's fractions are several times as fast as Python's
 Value = tuple[Any, Any]  # a scalar or a tuple of four, and the condition under which it is defined
 
 
-class Scalars(ABC):
+class Scalars(ABC, Generic[S, C, T]):
     """Scalars with Python's ``+`` and ``-``, and truth values; ``always`` is the condition that holds."""
 
-    zero: Any
-    one: Any
-    always: Any = True
+    zero: S
+    one: S
+    always: C
     reflexive = False  # whether a term is itself, so that this need not be evaluated
 
     @abstractmethod
-    def number(self, value: int | Fraction) -> Value:
+    def number(self, value: int | Fraction) -> tuple[S, C]:
         """Turn a literal into a scalar."""
 
     @abstractmethod
-    def reciprocal(self, x: Any) -> Value:
+    def reciprocal(self, x: S) -> tuple[S, C]:
         """Return 1/x and the condition under which there is one."""
 
     @abstractmethod
-    def equal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def equal(self, differences: Iterable[S], defined: C) -> T:
         """Return the truth of "defined, and all differences are 0"."""
 
     @abstractmethod
-    def unequal(self, differences: Iterable[Any], defined: Any) -> Any:
+    def unequal(self, differences: Iterable[S], defined: C) -> T:
         """Return the truth of "defined, and some difference is not 0"."""
+
+    @abstractmethod
+    def together(self, x: C, y: C) -> C:
+        """Return the condition "x and y"."""
+
+    @abstractmethod
+    def both(self, x: T, y: T) -> T:
+        """Return the truth of "x and y"."""
+
+    @abstractmethod
+    def either(self, x: T, y: T) -> T:
+        """Return the truth of "x or y"."""
+
+    @abstractmethod
+    def negate(self, x: T) -> T:
+        """Return the truth of "not x"."""
 
     # --- what may be overridden ------------------------------------------------------------------
 
-    def both(self, x: Any, y: Any) -> Any:
-        """Return the truth of "x and y", for conditions as for statements."""
-        return x & y
-
-    def either(self, x: Any, y: Any) -> Any:
-        """Return the truth of "x or y"."""
-        return x | y
-
-    def negate(self, x: Any) -> Any:
-        """Return the truth of "not x"."""
-        return x ^ True
-
-    def times(self, x: Any, y: Any) -> Any:
+    def times(self, x: S, y: S) -> S:
         """Return the product of two scalars."""
         return x * y
 
-    def scale(self, q: Any, s: Any) -> Any:
+    def scale(self, q: Four[S], s: S) -> Four[S]:
         """Return a quaternion times a scalar."""
         a, b, c, d = q
         return a * s, b * s, c * s, d * s
 
-    def multiply(self, constants: Constants, p: Any, q: Any) -> Any:
+    def multiply(self, constants: Constants[S], p: Four[S], q: Four[S]) -> Four[S]:
         """Return the product of two quaternions."""
         return multiply(constants, p, q)
 
-    def norm(self, constants: Constants, q: Any) -> Any:
+    def norm(self, constants: Constants[S], q: Four[S]) -> S:
         """Return the norm of a quaternion."""
         return norm(constants, q)
 
 
-class RingScalars(Scalars):
+class Decided(Scalars[S, T, T]):
+    """Scalars of which it is known whether they are 0: truth is Python's, or numpy's for many at once."""
+
+    always = True  # type: ignore[assignment]
+    together = both = staticmethod(and_)  # type: ignore[assignment]
+    either = staticmethod(or_)  # type: ignore[assignment]
+
+    def negate(self, x: T) -> T:
+        """Return the truth of "not x"."""
+        return xor(x, True)  # type: ignore[no-any-return]
+
+
+class RingScalars(Decided[Scalar, bool]):
     """Elements of a ring: a statement becomes true or false."""
 
     times = staticmethod(mul)  # type: ignore[assignment]
@@ -85,14 +121,14 @@ class RingScalars(Scalars):
         self.ring = ring
         self.zero, self.one = ring.zero, ring.one
 
-    def number(self, value: int | Fraction) -> Value:
+    def number(self, value: int | Fraction) -> tuple[Scalar, bool]:
         """Return the literal in the ring; a denominator that is no unit leaves it undefined."""
         if isinstance(value, int):
             return self.ring(value), True
         x, defined = self.reciprocal(self.ring(value.denominator))
         return self.ring(value.numerator) * x, defined
 
-    def reciprocal(self, x: Scalar) -> Value:
+    def reciprocal(self, x: Scalar) -> tuple[Scalar, bool]:
         """Return 1/x, if x is a unit."""
         try:
             return self.ring.inverse(x), True
@@ -108,7 +144,7 @@ class RingScalars(Scalars):
         return not all(map(self.ring.is_zero, differences))
 
 
-class PrimeScalars(Scalars):
+class PrimeScalars(Decided["Rational", bool]):
     """The prime field of a characteristic on Python's own numbers, for fast searches."""
 
     zero, one = 0, 1
@@ -119,37 +155,43 @@ class PrimeScalars(Scalars):
             self.times = mul  # type: ignore[method-assign, assignment]
             self.multiply = multiply  # type: ignore[method-assign, assignment]
 
-    def number(self, value: int | Fraction) -> Value:
+    def number(self, value: int | Fraction) -> tuple[Rational, bool]:
         """Return the literal; in characteristic p its denominator may be 0."""
-        if not self.p or isinstance(value, int):
+        if isinstance(value, int):
             return value, True
+        if not self.p:
+            return fmpq(value), True
         x, defined = self.reciprocal(value.denominator)
         return value.numerator * x % self.p, defined
 
-    def reciprocal(self, x: Any) -> Value:
+    def reciprocal(self, x: Any) -> tuple[Rational, bool]:
         """Return 1/x unless x is 0."""
         if not self.p:
-            return (Fraction(1) / x, True) if x else (0, False)
+            return (_ONE / x, True) if x else (0, False)
         x %= self.p
         return (pow(x, -1, self.p), True) if x else (0, False)
 
-    def times(self, x: int, y: int) -> int:
+    def times(self, x: Rational, y: Rational) -> Rational:
         """Return a product below p."""
         return x * y % self.p
 
-    def multiply(self, constants: Constants, p: Any, q: Any) -> Any:
+    def multiply(
+        self, constants: Constants, p: Four[Rational], q: Four[Rational]
+    ) -> Four[Rational]:
         """Return a product whose coordinates are below p."""
         modulus = self.p
         return tuple([x % modulus for x in multiply(constants, p, q)])
 
-    def equal(self, differences: Iterable[int], defined: bool) -> bool:
+    def equal(self, differences: Iterable[Rational], defined: bool) -> bool:
         """Compare modulo p."""
         return not self.unequal(differences, defined)
 
-    def unequal(self, differences: Iterable[int], defined: bool) -> bool:
+    def unequal(self, differences: Iterable[Rational], defined: bool) -> bool:
         """Compare modulo p."""
         p = self.p
-        return any(d % p for d in differences) if p else any(differences)
+        if not p:
+            return any(differences)
+        return any([d % p for d in differences])  # noqa: C419 (four at most: no generator)
 
 
 @lru_cache(maxsize=1024)

@@ -18,10 +18,11 @@ from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import FALSE, implication, substitute
 from hfield.rings import ring
-from hfield.syntax import Logic, Node, parse
+from hfield.syntax import Compare, Logic, Name, Node, Number, parse
 
 MAX_ISOLATED = 40
 PLACES = 300
+MAX_ZERO = 3
 
 
 def by_isolating(problem: Problem) -> Decision | None:
@@ -55,6 +56,31 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Decision | Non
     except TooLargeError:
         return None, None
     return _put_together(problem, chosen, cover, proofs), None
+
+
+def by_zero_or_not(problem: Problem) -> Decision | None:
+    """Prove by one term where something that is given is 0, and another one where it is not."""
+    statement = problem.statement
+    free = [name for name, _ in statement.unknowns if name not in statement.exists]
+    for name in free[:MAX_ZERO]:
+        found: list[tuple[Case, Decision]] = []
+        for op in ("==", "!="):
+            when = Compare(op, Name(name), Number(0))
+            hypotheses = (when, *statement.hypotheses)
+            proof = by_terms(
+                problem.stating(replace(statement, hypotheses=hypotheses)).share(1 / 3)
+            )
+            if proof is None or proof.evidence is None:
+                break
+            terms = tuple(proof.evidence["terms"].items())
+            inside = replace(proof, evidence=proof.evidence["proof"])
+            found.append((Case(to_text(when), terms), inside))
+        else:
+            cases = [case for case, _ in found]
+            cover = universal.decide(_covering(problem, cases))
+            if cover.verdict == PROVED:
+                return _put_together(problem, cases, cover, [proof for _, proof in found])
+    return None
 
 
 def _isolated_cases(statement: Statement) -> Iterator[Case]:

@@ -13,7 +13,11 @@ from hfield.proving.decision import (
     Decision,
     has_evidence,
 )
-from hfield.proving.existence.case_distinction import by_isolating, by_linear_algebra
+from hfield.proving.existence.case_distinction import (
+    by_isolating,
+    by_linear_algebra,
+    by_zero_or_not,
+)
 from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots
 from hfield.proving.existence.real_roots import by_roots
@@ -55,6 +59,8 @@ def decide(problem: Problem) -> Decision:
 def _over_all_fields(problem: Problem) -> Decision:
     """Decide over all fields: terms that serve everywhere, or a field where there is none."""
     decision, place = _by_algebra(problem)
+    if decision is None and place is None:
+        decision = by_zero_or_not(problem.share(1 / 3))
     if decision is not None:
         return decision
     unproved = None  # refuted somewhere, but without evidence: another field may have some
@@ -103,4 +109,6 @@ def _for_all_exists(problem: Problem) -> Decision:
     if decision is None:
         found = at_zero(problem)
         decision = None if found is None else by_terms(problem, [found])
+    if decision is None and problem.ring.is_field:
+        decision = by_zero_or_not(problem.share(1 / 4))
     return by_places(problem) if decision is None else decision

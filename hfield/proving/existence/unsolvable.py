@@ -18,7 +18,8 @@ from hfield.proving.existence.linear_systems import System
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

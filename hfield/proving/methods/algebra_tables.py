@@ -64,22 +64,6 @@ def find_table(
     is the letter of the identity if there has to be one. Tables graded by the Klein four-group, as
     that of H is, come first; then any others.
     """
-    for graded in (True, False):
-        found = _search(letters, unit, relations, goals, p, clock, graded)
-        if found is not None:
-            return found
-    return None
-
-
-def _search(
-    letters: str,
-    unit: str | None,
-    relations: Sequence[Mapping[str, int]],
-    goals: Sequence[Mapping[str, int]],
-    p: int,
-    clock: Clock,
-    graded: bool,
-) -> tuple[Table, int, Vector] | None:
     size = len(letters)
     identity = None if unit is None else letters.index(unit)
     signs = (1, 0) if p == 2 else (1, -1, 0)
@@ -98,7 +82,7 @@ def _search(
         values = (evaluate(f, letters, table, identity) for f in relations)
         return is_associative(table, size) and all(v is None or is_zero(v) for v in values)
 
-    def search(n: int) -> tuple[Table, int, Vector] | None:
+    def search(n: int, graded: bool) -> tuple[Table, int, Vector] | None:
         if clock.is_late:
             return None
         if n == len(places):
@@ -111,10 +95,10 @@ def _search(
         for entry in [(s, x ^ y) for s in signs if s] if graded else entries:
             table[places[n]] = entry
             if fits():
-                found = search(n + 1)
+                found = search(n + 1, graded)
                 if found is not None:
                     return found
         del table[places[n]]
         return None
 
-    return search(0) if fits() else None
+    return (search(0, True) or search(0, False)) if fits() else None

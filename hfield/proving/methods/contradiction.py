@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain, repeat
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 
 SLICE = 150  # pairs between two looks at the rules
+FIRST_LOOKS = (0, 10)  # pairs between looks at what shall be in an ideal: often little is needed
 MAX_ELEMENTS = 400
 MAX_TERMS = 6_000  # of all polynomials of conditions together
 MAX_CASES = 3  # how deep case distinctions nest
@@ -98,15 +100,16 @@ def member(
     try:
         ideal.extend(ideal.lift(z) for z in conditions.zeros)
         lifted = [ideal.lift(t) for t in targets]
-        while True:
-            complete = ideal.run(SLICE)
+        for pairs in chain(FIRST_LOOKS, repeat(SLICE)):
+            complete = ideal.run(pairs)
             found = [ideal.cofactors(t) for t in lifted]
             if all(found):
                 return [f for f in found if f]
             if complete or clock.is_late or len(ideal.basis.leads) > MAX_ELEMENTS:
-                return None
+                break
     except TooLargeError:
-        return None
+        pass
+    return None
 
 
 def _primes(conditions: Conditions) -> tuple[int | None, ...]:
@@ -209,7 +212,7 @@ class _Search:
         rule = self._rule(SQUARES)
         if rule is None:
             return False
-        candidates = [*ideal.generators, *(f for f, _ in ideal.elements())]
+        candidates = [*ideal.generators, *ideal.elements()]
         for f in candidates:
             parts = as_squares(f, rule)
             if parts is None:
@@ -230,7 +233,7 @@ class _Search:
         roots = self._rule(ROOTS)
         if roots is None or p.field is None:
             return False
-        for f in [*ideal.generators, *(f for f, _ in ideal.elements())]:
+        for f in [*ideal.generators, *ideal.elements()]:
             if not has_no_root(f, p.variables, p.unknowns, p.field):
                 continue
             found = ideal.cofactors(f)
@@ -246,8 +249,7 @@ class _Search:
         if p.field is None or self._rule(ROOTS) is None or self.clock.is_late:
             return False
         forms = Forms(p.variables, p.unknowns, p.field, ideal.context)
-        elements = [f for f, _ in ideal.elements()]
-        for f in sorted([*ideal.generators, *elements], key=len):
+        for f in sorted([*ideal.generators, *ideal.elements()], key=len):
             for form in forms.of(f):
                 rule = form.rule or self._rule(
                     SQUARES if "squares" in form.step.values() else ROOTS
@@ -260,8 +262,7 @@ class _Search:
 
     def _cases(self, ideal: Ideal, depth: int) -> bool:
         """Split a product that is 0 into its factors."""
-        elements = [f for f, _ in ideal.elements()]
-        for f in sorted([*ideal.generators, *elements], key=len):
+        for f in sorted([*ideal.generators, *ideal.elements()], key=len):
             if len(f) > MAX_FACTORED or not 2 <= f.total_degree() <= MAX_DEGREE:
                 continue
             if self.clock.is_late:

@@ -7,6 +7,7 @@ those of the domain, as long as nothing is divided by: over the field there is m
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 from math import gcd
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
@@ -23,12 +24,15 @@ from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors, vanishes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.trees import FALSE, divides_in, walk
+from hfield.proving.statements.setting import put_letters
+from hfield.proving.statements.trees import FALSE, divides_in, substitute, walk
+from hfield.rings import ZZ
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
 
 SMALL = (2, 3, 4, 5, 7, 8, 9, 11, 13)
 MAX_MODULI = 16
+MAX_UNITS = 4
 
 
 def decide(problem: Problem) -> Decision:
@@ -61,7 +65,51 @@ def decide(problem: Problem) -> Decision:
         tried.append(
             f"where something divides, what holds over fields says nothing of {field.name}"
         )
-    return Decision(UNDECIDED, "none", tried=tuple(tried))
+    return _at_units(problem) or Decision(UNDECIDED, "none", tried=tuple(tried))
+
+
+def _at_units(problem: Problem) -> Decision | None:
+    """Prove over ℤ, without certificate, at 1 and −1 for letters that the structure constants divide by."""
+    statement, letters = problem.statement, sorted(problem.letters)
+    below = [x for tree in problem.setting.trees for n in walk(tree) for x in _divisors(n)]
+    factors = {name for x in below for name in _factors(x)}
+    units = [name for name in letters if name in factors][:MAX_UNITS]
+    if problem.ring != ZZ or not units:
+        return None
+    names = tuple(name for name, _ in statement.unknowns if name not in units)
+    for values in product((1, -1), repeat=len(units)):
+        chosen: dict[str, Node] = {name: Number(n) for name, n in zip(units, values, strict=True)}
+        there = problem.about(substitute(statement.node, chosen), names)
+        one = decide(replace(there, setting=put_letters(problem.setting, chosen)))
+        if one.verdict != PROVED:
+            return None
+    shown = ", ".join(units)
+    steps = (f"{shown} must be units of ZZ: 1 or -1, and there it holds",)
+    return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD)
+
+
+def _factors(node: Node) -> tuple[str, ...]:
+    """Return names of factors of a product."""
+    match node:
+        case Name(name=name):
+            return (name,)
+        case Binary("*", x, y):
+            return (*_factors(x), *_factors(y))
+        case Power(x, _):
+            return _factors(x)
+    return ()
+
+
+def _divisors(node: Node) -> tuple[Node, ...]:
+    """Return what a node divides by."""
+    match node:
+        case Binary("/", _, right):
+            return (right,)
+        case Power(base, exponent) if exponent < 0:
+            return (base,)
+        case Call("inv", (base,)):
+            return (base,)
+    return ()
 
 
 def _proved(problem: Problem, x: Expanded) -> Decision | None:
@@ -126,14 +174,11 @@ def _is_unit(node: Node, field: Ring) -> bool:
     match node:
         case Number(Fraction() as value):
             below: Node = Number(value.denominator)
-        case Binary("/", _, right):
-            below = right
-        case Power(base, exponent) if exponent < 0:
-            below = base
-        case Call("inv", (base,)):
-            below = base
         case _:
-            return True
+            found = _divisors(node)
+            if not found:
+                return True
+            (below,) = found
     if any(isinstance(n, Name | Call | Index) for n in walk(below)):
         raise UndecidedError("something divides that is no numeral")
     value, defined = Evaluator(RingScalars(field)).term(below)

@@ -1,29 +1,41 @@
-"""Over ℚ_p: numbers that are known exactly, in subfields ℚ(√d) of ℚ_p.
+"""Over ℚ_p: numbers that are known exactly, in number fields that lie in ℚ_p.
 
 A zero of a norm, or a root, that Hensel's lemma finds is known to some digits only, and no statement is
-evaluated at it. But it lies in a quadratic extension of ℚ whose root Hensel's lemma finds in ℚ_p: there it is
-exact. What is false somewhere in a subfield is false over ℚ_p, and what exists in a subfield exists.
+evaluated at it. But it lies in an extension of ℚ, whose generator Hensel's lemma finds in ℚ_p: there it is
+exact. Tried are some ℚ(√d), and fields that a root of an equation in the statement generates. What is false
+somewhere in a subfield is false over ℚ_p, and what exists in a subfield exists.
 """
 
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from itertools import islice
 from typing import Any
 
-from hfield.errors import HFieldError
+import flint
+
+from hfield.errors import HFieldError, TooLargeError
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.proving.decision import PROVED, REFUTED, Decision
+from hfield.proving.polynomials.expansion import Symbolic
+from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem
 from hfield.rings import QQ, ring
 from hfield.rings.base import Ring
+from hfield.rings.local.element import LocalElement
 from hfield.rings.local.field import LocalField
 from hfield.rings.local.roots import square_root
+from hfield.rings.number_field import NumberField
 from hfield.rings.radicands import reduced
+from hfield.rings.roots import integral, irreducible_factors, near_root
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
+from hfield.syntax import Not
 
 Evidence = Mapping[str, Any]
 NEAR = 6  # digits of a root
+GENERATOR = "g"  # no unknown has that name
+MAX_DEGREE = 20
 FIELDS, SECONDS = 3, 5.0  # so many subfields are tried, for so long each
 SMALL = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
 
@@ -37,40 +49,72 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
     if bound and any(name not in bound for name, _ in statement.unknowns):
         return None
     wanted = PROVED if bound else REFUTED
-    for d in _radicands(F, problem):
-        K: Ring = ring(f"QQ(sqrt({d}))")
+    for K, near in _subfields(F, problem):
         try:
             decision = decide(problem.within(SECONDS).over(K))
         except HFieldError:
             continue
         if decision.verdict == wanted:
-            root = F.sqrt(F(d))
-            step = f"{K} lies in {F}, where {d} is the square of {root} (Hensel's lemma)"
+            root = F.up_to(near, NEAR)
+            step = f"{K} lies in {F}, with {K.gen_name} near {root} (Hensel's lemma)"
             return replace(
                 decision,
                 witness={
-                    name: _read_back(texts) for name, texts in (decision.witness or {}).items()
+                    name: [_read_back(K, root, text) for text in texts]
+                    for name, texts in (decision.witness or {}).items()
                 },
                 steps=(step, *decision.steps),
                 scope=None,
-                evidence=_evidence(F, K, d, decision),
+                evidence=_evidence(K, near, decision),
             )
     return None
 
 
-def _evidence(F: LocalField, K: Ring, d: int, decision: Decision) -> Evidence | None:
-    """Return the witness with a number so near a root of d that Hensel's lemma finds one."""
+def _evidence(K: Ring, near: flint.fmpq, decision: Decision) -> Evidence | None:
+    """Return the witness with a number so near the generator that Hensel's lemma finds it."""
     if decision.evidence is None or decision.evidence.get("kind") != "witness":
         return None
-    near = square_root(F, F(d), NEAR)
-    assert near is not None, "d is a square"
-    root = QQ.text(near.value)
+    root = QQ.text(near)
     return {"kind": "subfield", "field": K.name, "root": root, "witness": decision.evidence}
 
 
-def _read_back(texts: list[str]) -> list[str]:
-    """Write I as the root that ℚ_p reads."""
-    return [re.sub(r"\bI\b", "sqrt(-1)", text) for text in texts]
+def _read_back(K: Ring, root: LocalElement, text: str) -> str:
+    """Write an element of K as ℚ_p reads it: I as a root, a generator of higher degree in digits."""
+    if not isinstance(K, NumberField):
+        return re.sub(r"\bI\b", "sqrt(-1)", text)
+    F, total = root.field, root.field.zero
+    for c in reversed(K(text).poly.coeffs()):
+        total = total * root + F(c)
+    return F.text(total)
+
+
+def _subfields(F: LocalField, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
+    """Run through fields in ℚ_p, each with a rational number near its generator."""
+    for d in _radicands(F, problem):
+        near = square_root(F, F(d), NEAR)
+        assert near is not None, "d is a square"
+        yield ring(f"QQ(sqrt({d}))"), near.value
+    for f in _of_the_equations(problem):
+        root = near_root(f, F.residues.below, NEAR)
+        if root is not None:
+            yield NumberField(flint.fmpq_poly(f), GENERATOR), QQ(root)
+
+
+def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
+    """Yield the irreducible polynomials of degree 3 and more, monic over ℤ, of equations in one unknown."""
+    node = problem.matrix if problem.statement.exists else Not(problem.matrix)
+    try:
+        world = Symbolic(problem.about(node).over(QQ))
+        ways = list(islice(branches(world.truth(node)), FIELDS))
+    except TooLargeError:
+        return
+    for f in (f for way in ways for literal in way if literal.zero for f in literal.polynomials):
+        used = [n for n, degree in enumerate(f.degrees()) if degree]
+        if len(used) == 1 and f.total_degree() <= MAX_DEGREE:
+            dense = [flint.fmpq(0)] * (f.total_degree() + 1)
+            for exponents, c in f.terms():
+                dense[int(exponents[used[0]])] = flint.fmpq(c)
+            yield from (integral(g) for g in irreducible_factors(dense) if g.degree() > 2)
 
 
 def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
@@ -85,7 +129,10 @@ def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
 
 def _of_the_algebra(F: LocalField, problem: Problem) -> Iterator[int]:
     """Yield T² − 4·N(q)·N(u) for a plane of q and u on which the norm has a zero in ℚ_p."""
-    a, t, b = (QQ(text) for text in problem.setting.constants)
+    exact = [F(text) for text in problem.setting.constants]
+    if not all(x.is_exact for x in exact):
+        return
+    a, t, b = (x.value for x in exact)
     c = Constants(a, t, b)
     form = normal_form(QQ, c)
     if form.a == 0 or form.b == 0:

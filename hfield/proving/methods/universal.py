@@ -5,12 +5,18 @@ from hfield.proving.counterexamples.refuting import FEW, lifted
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.methods import all_fields, one_field, over_rings
 from hfield.proving.methods.answers import refuted
+from hfield.proving.methods.exponents import by_exponents
+from hfield.proving.polynomials.expansion import MAX_WEIGHT
 from hfield.proving.problem import Problem
 
 
 def decide(problem: Problem) -> Decision:
     """Decide over all fields, or over the ring that is named."""
     field = problem.field
+    if problem.statement.weight > MAX_WEIGHT and (field is None or field.is_exact):
+        found = by_exponents(problem)
+        if found is not None:
+            return found
     if field is None:
         return all_fields.decide(problem)
     if not field.is_exact:

@@ -17,7 +17,8 @@ from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
 from hfield.proving.polynomials.recognition import polynomial_text, without_root
 from hfield.proving.polynomials.vanishing import factored
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

@@ -11,26 +11,28 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
+import flint
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.errors import TooLargeError
-from hfield.product import Constants, Scalar
+from hfield.product import Constants
 from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import Scalars, Value
+from hfield.proving.evaluation.scalars import Scalars
 from hfield.proving.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Sort
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.product import Coordinates
 
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
+
+Term: TypeAlias = "flint.fmpz_mpoly | Quotient"  # what stands for a scalar
+Conditions: TypeAlias = tuple[flint.fmpz_mpoly, ...]  # polynomials that must not be 0
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,7 @@ class Expanded:
     variables: tuple[str, ...]
     unknowns: int
     clauses: tuple[Clause, ...]
-    conditions: tuple[Any, ...] = ()
+    conditions: Conditions = ()
 
     @property
     def has_constants(self) -> bool:
@@ -105,9 +107,9 @@ class Symbolic(Evaluator):
         for name, sort in statement.unknowns:
             coordinates = tuple(by_text[c] for c in coordinate_names(name, sort))
             values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
-        self.conditions: tuple[Any, ...] = self.bind(values)
+        self.conditions: Conditions = self.bind(values)
 
-    def numerators(self, x: Any) -> tuple[flint.fmpz_mpoly, ...]:
+    def numerators(self, x: Term | tuple[Term, ...]) -> tuple[flint.fmpz_mpoly, ...]:
         """Return the polynomials whose zeros are those of the coordinates of x, where x is defined."""
         return tuple(map(self.scalars.numerator, self.embed(x)))
 
@@ -125,10 +127,10 @@ class Budget:
             raise TooLargeError("expanding would take too many terms")
 
 
-class Polynomials(Scalars):
+class Polynomials(Scalars[Term, Conditions, Formula]):
     """Scalars are integer polynomials, statements are formulas about their zeros."""
 
-    always: Any = ()
+    always = ()
     reflexive = True  # that a thing is itself needs no expanding
 
     def __init__(self, context: flint.fmpz_mpoly_ctx) -> None:
@@ -143,53 +145,59 @@ class Polynomials(Scalars):
         """Return the polynomial whose zeros are those of x, where x is defined."""
         return x
 
-    def number(self, value: int | Fraction) -> Value:
+    def number(self, value: int | Fraction) -> tuple[Term, Conditions]:
         """Return a literal."""
         return self.lift(self.context.constant(value.numerator)), ()
 
-    def reciprocal(self, x: Any) -> Value:
+    def reciprocal(self, x: flint.fmpz_mpoly) -> tuple[Term, Conditions]:
         """Never reached: a statement that divides is expanded with fractions."""
         raise AssertionError("division of polynomials without denominators")
 
-    def times(self, x: Any, y: Any) -> Any:
+    def times(self, x: Term, y: Term) -> Term:
         """Multiply, after charging for it."""
         self.budget.spend(len(x) * len(y))
         return x * y
 
-    def scale(self, q: Coordinates, s: Any) -> Any:
+    def scale(self, q: Coordinates, s: Term) -> Coordinates:
         """Multiply, after charging for it."""
         self.budget.spend(_size(q) * len(s))
         return super().scale(q, s)
 
-    def multiply(self, constants: Constants, p: Coordinates, q: Coordinates) -> Any:
+    def multiply(self, constants: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
         """Multiply, after charging for it."""
         self.budget.spend(_size(p) * _size(q))
         return super().multiply(constants, p, q)
 
-    def norm(self, constants: Constants, q: Coordinates) -> Any:
+    def norm(self, constants: Constants, q: Coordinates) -> Term:
         """Return the norm, after charging for it."""
         self.budget.spend(_size(q) ** 2)
         return super().norm(constants, q)
 
-    def both(self, x: Any, y: Any) -> Any:
-        """Join conditions, which are tuples of polynomials that must not be 0; or formulas."""
-        if isinstance(x, tuple):
-            return x if x == y or not y else x + tuple(p for p in y if p not in x)
+    def together(self, x: Conditions, y: Conditions) -> Conditions:
+        """Return all the polynomials, each once."""
+        return x if x == y or not y else x + tuple(p for p in y if p not in x)
+
+    def both(self, x: Formula, y: Formula) -> Formula:
+        """Return the formula "x and y"."""
         return x & y
 
-    def negate(self, x: Any) -> Any:
+    def either(self, x: Formula, y: Formula) -> Formula:
+        """Return the formula "x or y"."""
+        return x | y
+
+    def negate(self, x: Formula) -> Formula:
         """Return the opposite formula."""
         return ~x
 
-    def equal(self, differences: Iterable[Scalar], defined: Any) -> Formula:
+    def equal(self, differences: Iterable[Term], defined: Conditions) -> Formula:
         """Return the formula "defined, and all numerators are 0"."""
         return self._comparison(differences, defined, True)
 
-    def unequal(self, differences: Iterable[Scalar], defined: Any) -> Formula:
+    def unequal(self, differences: Iterable[Term], defined: Conditions) -> Formula:
         """Return the formula "defined, and some numerator is not 0"."""
         return self._comparison(differences, defined, False)
 
-    def _comparison(self, differences: Iterable[Scalar], defined: Any, zero: bool) -> Formula:
+    def _comparison(self, differences: Iterable[Term], defined: Conditions, zero: bool) -> Formula:
         f = literal((self.numerator(d) for d in differences), zero)
         for condition in defined:
             f = f & literal((condition,), False)
@@ -207,11 +215,11 @@ class _Fractions(Polynomials):
     def numerator(self, x: Quotient) -> flint.fmpz_mpoly:
         return x.top
 
-    def number(self, value: int | Fraction) -> Value:
+    def number(self, value: int | Fraction) -> tuple[Quotient, Conditions]:
         top, bottom = (self.context.constant(n) for n in (value.numerator, value.denominator))
         return Quotient(top, bottom, self.budget), (() if bottom == 1 else (bottom,))
 
-    def reciprocal(self, x: Quotient) -> Value:
+    def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions]:
         if x.top == 0:
             return self.zero, (x.top,)
         return Quotient(x.bottom, x.top, self.budget), (() if x.top == 1 else (x.top,))

@@ -15,7 +15,8 @@ from typing import Any
 from hfield.errors import HFieldError, UndecidedError
 from hfield.product import Constants
 from hfield.proving.statements.setting import Setting, read_setting
-from hfield.rings.base import INFINITY, Ring, power
+from hfield.rings.base import INFINITY, Ring
+from hfield.rings.powers import power
 from hfield.syntax import Call, Number, parse
 
 NORM, SQUARES, ROOTS = "norm", "squares", "roots"

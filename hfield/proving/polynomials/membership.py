@@ -7,7 +7,7 @@ identity ``denominator·target = Σ cofactor·generator`` is multiplied out befo
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import isqrt, lcm
 from typing import TYPE_CHECKING, Any
@@ -49,13 +49,12 @@ class Ideal:
         names = [f"v{n}" for n in range(variables)]
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
         self.generators: list[Any] = []
+        self._listed: tuple[int, list[flint.fmpz_mpoly]] = (0, [])  # of a basis of that size
 
     def lift(self, polynomial: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
         """Bring a polynomial in the first few of the variables into this context."""
-        padding = (0,) * (self.context.nvars() - polynomial.context().nvars())
-        return self.context.from_dict(
-            {tuple(map(int, m)) + padding: c for m, c in polynomial.to_dict().items()}
-        )
+        first = range(polynomial.context().nvars())
+        return polynomial.project_to_context(self.context, dict(zip(first, first, strict=True)))
 
     def add(self, polynomial: flint.fmpz_mpoly) -> None:
         """Put a generator in (an element of ``context``)."""
@@ -87,25 +86,23 @@ class Ideal:
         negative = [(n, m, self.basis.p - c) for n, m, c in history]
         return self._verified(target, negative)
 
-    def elements(self) -> list[tuple[flint.fmpz_mpoly, Cofactors]]:
-        """Return the minimal elements of the basis, reduced, as integer polynomials with their cofactors.
+    def elements(self) -> list[flint.fmpz_mpoly]:
+        """Return the minimal elements of the basis, reduced, as integer polynomials.
 
-        Raises :class:`TooLargeError` when the time is over.
+        They come from numbers modulo a prime: what is made of them is in the ideal once it has
+        :meth:`cofactors`. Raises :class:`TooLargeError` when the time is over.
         """
-        out = []
-        p = self.basis.p
+        size = len(self.basis.leads)
+        if size != self._listed[0]:
+            self._listed = size, list(self._minimal())
+        return self._listed[1]
+
+    def _minimal(self) -> Iterator[flint.fmpz_mpoly]:
         for _, index in self.basis.active:
-            rest, history = self.basis.reduce(dict(self.basis.tails[index]))
+            rest, _ = self.basis.reduce(dict(self.basis.tails[index]))
             terms = self._rational({self.basis.leads[index]: 1, **rest})
-            if terms is None:
-                continue
-            polynomial = self.context.from_dict(terms[0])
-            scale = terms[1] % p
-            own = [(index, 0, scale), *((n, m, c * scale % p) for n, m, c in history)]
-            found = self._verified(polynomial, own)
-            if found is not None:
-                out.append((polynomial, found))
-        return out
+            if terms is not None:
+                yield self.context.from_dict(terms[0])
 
     def _reduced(self, polynomial: flint.fmpz_mpoly) -> Polynomial:
         p = self.basis.p

@@ -12,7 +12,8 @@ from hfield.errors import UndecidedError
 from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

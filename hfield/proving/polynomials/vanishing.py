@@ -11,7 +11,8 @@ from hfield.factorisation import factor
 from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.expansion import Expanded
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

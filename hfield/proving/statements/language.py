@@ -114,6 +114,14 @@ def read_statement(
     :class:`NotationError` with the position of the fault: of grammar, of a name that means
     nothing, or of a sort that does not fit.
     """
+    if field is not None:
+        try:
+            general = read_statement(text, None, given, letters, constants)
+        except NotationError:  # perhaps it names an element of the field
+            pass
+        else:
+            if generators(field).isdisjoint(general.sorts):
+                return general  # it says the same over every field
     node = _parse(text)
     if given:
         for h in given:
@@ -221,11 +229,11 @@ class _Analysis:
 
     def sort(self, node: Node) -> Sort:
         match node:
-            case Number(value):
-                self.divides |= not isinstance(value, int)
+            case Name():
+                return self.name(node.name, node)
+            case Number():
+                self.divides |= not isinstance(node.value, int)
                 return Sort.SCALAR
-            case Name(name):
-                return self.name(name, node)
             case Negate(x):
                 return self.term(x)
             case Power(x, exponent):

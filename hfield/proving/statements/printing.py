@@ -1,8 +1,9 @@
 """Statements as text (which reads back to the same tree), as unicode and as LaTeX."""
 
 from fractions import Fraction
+from typing import TypeGuard
 
-from hfield.proving.statements.trees import walk
+from hfield.proving.statements.trees import walk_once
 from hfield.syntax import (
     Binary,
     Call,
@@ -21,6 +22,13 @@ from hfield.syntax import (
 # How tightly each kind of node binds; a child that binds less tightly gets parentheses.
 IFF, IMPLIES, OR, AND, NOT, COMPARE, SUM, PRODUCT, UNARY, POWER, POSTFIX = range(11)
 _LOGIC = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
+_BINDS: dict[type[Node], int] = {
+    Exists: -1,
+    Not: NOT,
+    Compare: COMPARE,
+    Negate: UNARY,
+    Power: POWER,
+}
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 UNICODE_SIGNS = {
     "<=>": " ⇔ ",
@@ -65,27 +73,14 @@ def to_latex(node: Node) -> str:
 
 
 def _precedence(node: Node) -> int:
-    match node:
-        case Logic(op, _, _):
-            return _LOGIC[op]
-        case Exists():
-            return -1
-        case Not():
-            return NOT
-        case Compare():
-            return COMPARE
-        case Binary("+" | "-", _, _):
-            return SUM
-        case Binary():
-            return PRODUCT
-        case Negate():
-            return UNARY
-        case Power():
-            return POWER
-    return POSTFIX
+    if isinstance(node, Logic):
+        return _LOGIC[node.op]
+    if isinstance(node, Binary):
+        return SUM if node.op in "+-" else PRODUCT
+    return _BINDS.get(type(node), POSTFIX)
 
 
-def _is_product(node: Node) -> bool:
+def _is_product(node: Node) -> TypeGuard[Binary]:
     return isinstance(node, Binary) and node.op == "*"
 
 
@@ -97,14 +92,14 @@ class Writer:
     """
 
     def __init__(self, node: Node) -> None:
-        self.nested = any(
-            isinstance(n, Binary) and n.op == "*" and _is_product(n.right) for n in walk(node)
-        )
+        self.nested = any(_is_product(n) and _is_product(n.right) for n in walk_once(node))
+        self.written: dict[int, tuple[Node, str]] = {}  # trees share nodes: each is written once
 
     def write(self, node: Node, floor: int = -1) -> str:
         """Write a node, in parentheses where it binds less tightly than ``floor``."""
-        text = self.bare(node)
-        return self.group(text) if self.precedence(node) < floor else text
+        known = self.written.get(id(node)) or (node, self.bare(node))
+        self.written[id(node)] = known
+        return self.group(known[1]) if self.precedence(node) < floor else known[1]
 
     def precedence(self, node: Node) -> int:
         """Say how tightly a node binds."""

@@ -38,6 +38,18 @@ def walk(node: Node) -> Iterator[Node]:
         stack.extend(reversed(children(n)))
 
 
+def walk_once(node: Node) -> Iterator[Node]:
+    """Run through ``node`` and all nodes below it, those that it has in several places once."""
+    seen, stack = {id(node)}, [node]
+    while stack:
+        n = stack.pop()
+        yield n
+        for child in children(n):
+            if id(child) not in seen:
+                seen.add(id(child))
+                stack.append(child)
+
+
 def occurrences(node: Node, name: str) -> int:
     """Return how often a name stands in a tree."""
     return sum(isinstance(n, Name) and n.name == name for n in walk(node))

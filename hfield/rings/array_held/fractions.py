@@ -6,7 +6,7 @@ The basis is scaled as that of a single element is, so that the structure consta
 from __future__ import annotations
 
 from math import lcm
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 import numpy as np
@@ -21,6 +21,9 @@ from hfield.rings.arrays import objects, one_shape
 from hfield.rings.base import Ring
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program
+
+if TYPE_CHECKING:
+    from hfield.rings.arrays import Index
 
 
 class FractionArrays(WordArrays):
@@ -101,11 +104,11 @@ class FractionArrays(WordArrays):
         w, x, y, z = (c[()] for c in self.coordinates(p))
         return w, x, y, z
 
-    def part(self, p: Rows, index: Any) -> Rows:
+    def part(self, p: Rows, index: Index) -> Rows:
         """Return the elements at a numpy index."""
         return super().part(p, index) if is_words(p) else object_parts(p, index)
 
-    def from_array(self, values: np.ndarray) -> Rows:
+    def from_array(self, values: object) -> Rows:
         """Hold an array of shape (5, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
         rows = self.checked_block(values, 5)
         if not rows[4].all():
@@ -145,10 +148,11 @@ class FractionArrays(WordArrays):
         found = self.by_arrays("inverse", p)
         return None if found is None else self.hold(found)
 
-    def units(self, p: Rows) -> Any:
+    def units(self, p: Rows) -> np.ndarray:
         """Tell which elements have an inverse."""
         rows = self.in_words("norm", p)
-        return self.by_arrays("units", p) if rows is None else rows[0] != 0
+        units: np.ndarray = self.by_arrays("units", p) if rows is None else rows[0] != 0
+        return units
 
     def prepare(self) -> None:
         """Compile every loop, or read it from the disk."""
@@ -161,7 +165,7 @@ class FractionArrays(WordArrays):
 _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
 
 
-def is_whole(values: Any) -> bool:
+def is_whole(values: object) -> bool:
     """Tell whether a value is an int, or an array of numpy's, that 64 bits hold."""
     if type(values) is int:
         return -(2**63) < values < 2**63

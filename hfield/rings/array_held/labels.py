@@ -134,11 +134,11 @@ class LabelArrays(RowArrays):
         """Return the reduced traces, an array of the ring."""
         return self._run_scalar("trace", p)
 
-    def units(self, p: Rows) -> Any:
+    def units(self, p: Rows) -> np.ndarray:
         """Tell which elements have an inverse."""
-        if not self.compiles:
-            return self.by_arrays("units", p)
-        return self._units(self.kernel("norm")(p)[0][0])
+        norms = self.kernel("norm")(p)[0][0] if self.compiles else None
+        units: np.ndarray = self.by_arrays("units", p) if norms is None else self._units(norms)
+        return units
 
     def inverse(self, p: Rows) -> Rows | None:
         """Return the inverses, or None where some norm is not a unit of the ring."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,10 +15,13 @@ from hfield.rings.arrays import one_shape
 from hfield.rings.base import Ring
 from hfield.rings.holding import Batch, Holding
 
+if TYPE_CHECKING:
+    from hfield.rings.arrays import Index
+
 Row = np.ndarray[Any, np.dtype[Any]]
 
 
-class RowArrays(Batch):
+class RowArrays(Batch[Rows]):
     """What arrays held as four rows share; each ring has its own numbers in the rows.
 
     ``held`` is a tuple of four numpy arrays of one shape and of the type ``dtype``.
@@ -72,7 +75,7 @@ class RowArrays(Batch):
         shape: tuple[int, ...] = p[0].shape
         return shape
 
-    def part(self, p: Rows, index: Any) -> Rows:
+    def part(self, p: Rows, index: Index) -> Rows:
         """Return the elements at a numpy index; the rows are views where numpy makes them."""
         return tuple(np.asarray(row[index]) for row in p)
 
@@ -87,14 +90,17 @@ class RowArrays(Batch):
 
     # --- what is equal -------------------------------------------------------------------------
 
-    def equal(self, p: Rows, q: Rows) -> Any:
+    def equal(self, p: Rows, q: Rows) -> np.ndarray:
         """Tell where p = q."""
         self._check(p, q, "compare")
-        return np.logical_and.reduce([np.equal(x, y) for x, y in zip(p, q, strict=True)])
+        pairs = zip(p, q, strict=True)
+        same: np.ndarray = np.logical_and.reduce([np.equal(x, y) for x, y in pairs])
+        return same
 
-    def is_zero(self, p: Rows) -> Any:
+    def is_zero(self, p: Rows) -> np.ndarray:
         """Tell where p = 0."""
-        return ~np.logical_or.reduce([row.astype(bool) for row in p])
+        nonzero: np.ndarray = np.logical_or.reduce([row.astype(bool) for row in p])
+        return ~nonzero
 
     # --- plain arrays --------------------------------------------------------------------------
 
@@ -105,7 +111,7 @@ class RowArrays(Batch):
         out.flags.writeable = False
         return out
 
-    def from_array(self, values: Any) -> Rows:
+    def from_array(self, values: object) -> Rows:
         """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
         return self.checked_block(values, 4)
 

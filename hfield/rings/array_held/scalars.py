@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.kernels import programs
 from hfield.kernels.calling import Kernel
@@ -10,11 +10,14 @@ from hfield.native import compiling
 from hfield.rings.array_held.finite import arithmetic_of
 from hfield.rings.array_held.rows import Row
 
+if TYPE_CHECKING:
+    from hfield.kernels.arithmetic import Arithmetic
+
 
 class ScalarArrays:
     """The arithmetic of arrays of labels 0 … q − 1, which are of the type ``dtype`` and broadcast."""
 
-    def __init__(self, arithmetic: Any) -> None:
+    def __init__(self, arithmetic: Arithmetic) -> None:
         self.dtype: str = arithmetic.dtype
         one, both = (programs.SCALAR,), (programs.SCALAR, programs.OTHER_SCALAR)
         self._sum = Kernel(programs.SCALAR_SUM, arithmetic, both, {})

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,6 +24,10 @@ from hfield.rings.arrays import objects
 from hfield.rings.base import Ring
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
+
+if TYPE_CHECKING:
+    from hfield.kernels.arithmetic import Arithmetic
+    from hfield.rings.arrays import Index
 
 OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
 Sides = tuple[tuple[str, ...], ...]
@@ -130,15 +134,17 @@ class WordArrays(RowArrays):
 
     # --- what is equal -------------------------------------------------------------------------
 
-    def equal(self, p: Rows, q: Rows) -> Any:
+    def equal(self, p: Rows, q: Rows) -> np.ndarray:
         """Tell where p = q."""
-        if is_words(p) and is_words(q):
-            return super().equal(p, q)
-        return self.by_arrays("equal", p, q)
+        words = is_words(p) and is_words(q)
+        same: np.ndarray = super().equal(p, q) if words else self.by_arrays("equal", p, q)
+        return same
 
-    def is_zero(self, p: Rows) -> Any:
+    def is_zero(self, p: Rows) -> np.ndarray:
         """Tell where p = 0."""
-        return super().is_zero(p[:4]) if is_words(p) else self.by_arrays("is_zero", p)
+        words = is_words(p)
+        zero: np.ndarray = super().is_zero(p[:4]) if words else self.by_arrays("is_zero", p)
+        return zero
 
     def check_numbers(self, block: Row) -> None:
         """Refuse numbers that a word does not hold."""
@@ -172,7 +178,7 @@ class WholeArrays(WordArrays):
         super().__init__(ring, constants)
         self.integral = Constants(*map(int, constants))
 
-    def row(self, values: Any) -> Row:
+    def row(self, values: object) -> Row:
         """Return a row of words, or of objects where a number is larger."""
         if is_plain_array(values) and (
             values.dtype.kind in "ib"
@@ -218,7 +224,7 @@ class WholeArrays(WordArrays):
             return None
         return tuple(np.asarray(row * norms) for row in conjugate)
 
-    def part(self, p: Rows, index: Any) -> Rows:
+    def part(self, p: Rows, index: Index) -> Rows:
         """Return the elements at a numpy index."""
         return super().part(p, index) if is_words(p) else object_parts(p, index)
 
@@ -251,13 +257,16 @@ def alike(rows: Sequence[Row], as_objects: Any) -> Rows:
     return tuple(row.astype(dtype, copy=False) for row in rows)
 
 
-def object_parts(p: Rows, index: Any) -> Rows:
+def object_parts(p: Rows, index: Index) -> Rows:
     """Return the entries of arrays of objects at an index, as arrays."""
     return tuple(objects(row[index], lambda x: x) for row in p)
 
 
 def _fits(
-    program: Program, operands: tuple[Operand, ...], literals: dict[str, int], arithmetic: Any
+    program: Program,
+    operands: tuple[Operand, ...],
+    literals: dict[str, int],
+    arithmetic: Arithmetic,
 ) -> object:
     return written(program, arithmetic, operands, literals)
 

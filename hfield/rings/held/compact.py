@@ -7,13 +7,16 @@ from abc import abstractmethod
 from collections.abc import Callable
 from functools import lru_cache, partial
 from textwrap import indent
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import shorten
 from hfield.product import Constants
 from hfield.rings.base import Ring
-from hfield.rings.holding import Holding
+from hfield.rings.holding import H, Holding
 from hfield.straight_line import Program, arithmetic_text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 LARGE = 2**256  # from about here on flint's integers multiply faster than Python's
 MADE = (
@@ -29,7 +32,7 @@ MADE = (
 )
 
 
-class Compact(Holding):
+class Compact(Holding[H]):
     """A holding that is made from source text: :meth:`source` of each operation, read once.
 
     Algebras with the same constants among 0, 1 and −1 share the text and what Python compiled of it; all
@@ -38,15 +41,15 @@ class Compact(Holding):
 
     __slots__ = (*MADE, "is_unique")  # slots, for Python looks these up fastest
 
-    conjugate: Callable[[Any], Any]
-    difference: Callable[[Any, Any], Any]
-    inverse: Callable[[Any], Any]
-    multiple: Callable[[Any, Any], Any]
-    negative: Callable[[Any], Any]
-    norm: Callable[[Any], Any]
-    product: Callable[[Any, Any], Any]
-    sum: Callable[[Any, Any], Any]
-    trace: Callable[[Any], Any]
+    conjugate: Callable[[H], H]
+    difference: Callable[[H, H], H]
+    inverse: Callable[[H], H | None]
+    multiple: Callable[[H, Any], H]
+    negative: Callable[[H], H]
+    norm: Callable[[H], Any]
+    product: Callable[[H, H], H]
+    sum: Callable[[H, H], H]
+    trace: Callable[[H], Any]
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
@@ -54,18 +57,18 @@ class Compact(Holding):
         for name in MADE:
             setattr(self, name, partial(self._first_call, name))
 
-    def read(self, values: tuple[object, ...]) -> Any:
+    def read(self, values: tuple[object, ...]) -> H:
         """Hold four values that the ring reads; ints take a short way."""
         w, x, y, z = values
         if type(w) is type(x) is type(y) is type(z) is int:
             return self.whole(w, x, y, z)
         return super().read(values)
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Any:
+    def whole(self, w: int, x: int, y: int, z: int) -> H:
         """Hold four ints."""
         return super().read((w, x, y, z))
 
-    def equal(self, p: object, q: object) -> bool:
+    def equal(self, p: H, q: H) -> bool:
         """Tell whether p = q."""
         return bool(p == q)
 
@@ -118,7 +121,9 @@ def function(name: str, operands: dict[str, str], lines: list[str]) -> str:
 
 
 def statements(
-    program: Program, outputs: tuple[str, ...], write: Any = arithmetic_text
+    program: Program,
+    outputs: tuple[str, ...],
+    write: Callable[[str, Sequence[str]], str] = arithmetic_text,
 ) -> list[str]:
     """Write a program as assignments to the names of its outputs."""
     assigned, values = program.expressions(write)

@@ -83,7 +83,7 @@ class Fractions(Numerators):
         held = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
         return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
 
-    def scalar(self, s: Any) -> Held:
+    def scalar(self, s: Scalar) -> Held:
         """Hold s·e for an element s of the field."""
         *numerators, d = self.fraction(s)
         held = *numerators, *(0,) * (3 * self.degree), d

@@ -13,7 +13,7 @@ from hfield.straight_line import FIRST, SECOND, parts, specialise_extension
 Held = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
 
 
-class Numerators(Compact):
+class Numerators(Compact[Held]):
     """Elements whose coordinates have a denominator in common, in lowest terms.
 
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
@@ -31,7 +31,7 @@ class Numerators(Compact):
     relation: tuple[str, ...]
 
     @abstractmethod
-    def fraction(self, s: Scalar) -> Held:
+    def fraction(self, s: Any) -> Held:
         """Return the numerators of an element of the ring over one denominator, in lowest terms."""
 
     @abstractmethod

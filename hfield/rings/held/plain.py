@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
 from hfield.errors import HFieldError
-from hfield.product import Constants, Scalar
+from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import Compact, function, statements
 from hfield.straight_line import BINARY, GENERAL, pattern, specialise
 
-if TYPE_CHECKING:
-    from hfield.product import Coordinates
 
-
-class Plain(Compact):
+class Plain(Compact[Coordinates]):
     """Elements held as the tuple of their four coordinates."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
         self.is_unique = False
 
-    def equal(self, p: Any, q: Any) -> bool:
+    def equal(self, p: Coordinates, q: Coordinates) -> bool:
         """Tell whether p = q."""
         return all(map(self.ring.equal, p, q))
 
@@ -49,7 +44,7 @@ class Plain(Compact):
         """Return the constants, and 0."""
         return {**self.constants._asdict(), "by_norm": self._by_norm}
 
-    def _by_norm(self, p: Coordinates) -> Any:
+    def _by_norm(self, p: Coordinates) -> Coordinates | None:
         n = self.norm(p)
         if not self.ring.is_unit(n):
             return None

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Held = tuple[Any, Any, Any, Any]
 
 
-class Quotients(Compact):
+class Quotients(Compact[Held]):
     """Elements over R/(n), held as representatives that ``%`` makes unique."""
 
     reduces_sums = True
@@ -29,7 +29,7 @@ class Quotients(Compact):
         self,
         ring: Ring,
         constants: Constants,
-        modulus: Any,
+        modulus: int | Polynomial,
         lift: Callable[[Any], Any],
         project: Callable[[Any], Any],
         invert: Callable[[Any], Any],

@@ -66,7 +66,7 @@ class RationalFunctions(Numerators):
         listed = ", ".join(names)
         return [f"return ({listed}, d) if d == one else lowest({listed}, d)"]
 
-    def _lowest(self, *fraction: Any) -> Held:
+    def _lowest(self, *fraction: Polynomial) -> Held:
         """Put polynomials over one denominator, which is the last, in lowest terms, and make that monic."""
         one = self._one
         common = fraction[-1]

@@ -69,7 +69,7 @@ def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int
     raise AssertionError("the multiplicative group of a finite field is cyclic")
 
 
-class Labels(Compact):
+class Labels(Compact[Held]):
     """Elements over a small GF(pⁿ) as four labels; products and sums are looked up."""
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:

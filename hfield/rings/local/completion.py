@@ -5,21 +5,24 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Hashable, Iterator
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.product import Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import E, Ring
 from hfield.rings.overfield import Overfield
 
+if TYPE_CHECKING:
+    from collections.abc import Hashable
 
-class Completion(Overfield):
+
+class Completion(Overfield[E]):
     """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
 
     Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
     what they mean there.
     """
 
-    def __init__(self, name: str, words: str, global_field: Ring, place: Any) -> None:
+    def __init__(self, name: str, words: str, global_field: Ring, place: Hashable) -> None:
         self.name, self._words = name, words
         self.global_field, self.place = global_field, place
         self.characteristic = global_field.characteristic
@@ -30,7 +33,7 @@ class Completion(Overfield):
         """Say what the field is."""
         return self._words
 
-    def from_below(self, x: object) -> Any:
+    def from_below(self, x: object) -> E:
         """Turn a number or an element of the global field into an exact element.
 
         Raises :class:`CoercionError`.
@@ -38,23 +41,23 @@ class Completion(Overfield):
         return self.exact(self.global_field(x))
 
     @abstractmethod
-    def exact(self, value: Scalar) -> Any:
+    def exact(self, value: Scalar) -> E:
         """Return an element of the global field as one of this field."""
 
     @property
-    def gen(self) -> Any:
+    def gen(self) -> E:
         """The generator of the global field."""
         return self.exact(self.global_field.gen) if self.gen_name else super().gen
 
-    def names(self) -> dict[str, Any]:
+    def names(self) -> dict[str, E]:
         """What names mean in the global field."""
         return {name: self.exact(x) for name, x in self.global_field.names().items()}
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., E]]:
         """What functions mean in the global field."""
         return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
 
-    def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., Any]:
+    def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., E]:
         """Return a function of the global field as one of exact elements."""
         return lambda *xs: self(f(*(x.value for x in xs)))
 
@@ -62,6 +65,6 @@ class Completion(Overfield):
         """Run through the places: there is one."""
         yield self.place
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> E:
         """Return a small random exact element; the same for the same seed."""
         return self.exact(self.global_field.random(rng))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import RingError, shorten
 from hfield.factorisation import factorise
@@ -26,6 +26,7 @@ from hfield.rings.residues.prime_numbers import PrimePlace
 from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
 
 if TYPE_CHECKING:
+    from hfield.rings.quadratic_places import QuadraticPlace
     from hfield.rings.residues.finite_places import FinitePlace
 
 
@@ -88,7 +89,9 @@ def completion_of_number_field(field: NumberField, place: object) -> Ring:
     return infinite_completion(field, v, isinstance(v, RealPlace))
 
 
-def _at_prime_ideal(field: Ring, v: Any, residues: FinitePlace) -> LocalField:
+def _at_prime_ideal(
+    field: Ring, v: PrimeIdeal | QuadraticPlace, residues: FinitePlace
+) -> LocalField:
     """Return the completion at a prime ideal with ``p``, ``e`` and ``f``."""
     below = f"ℚ{str(v.p).translate(SUBSCRIPTS)}"
     size = f"of degree {v.e * v.f} over {below}" if v.e * v.f > 1 else f"which is {below}"

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Scalar
 from hfield.rings.base import Known, Ring
+from hfield.rings.integers import QQ
 from hfield.rings.local.completion import Completion
 from hfield.rings.local.element import LocalElement
 from hfield.rings.local.roots import minus_one, square_root
 from hfield.rings.printing import is_sum, parentheses, power_text
+from hfield.rings.roots import integral, irreducible_factors, near_root
+
+if TYPE_CHECKING:
+    from collections.abc import Hashable
+
 
 DIGITS = 20  # to so many digits roots are found that no element of the global field is
 
 
-class LocalField(Completion):
+class LocalField(Completion[LocalElement]):
     """The completion of a global field at a finite place, such as ℚ₅ or GF(9)((t)).
 
     ``global_field`` and ``place`` say of what and where, ``residues`` is the place with its residue field
@@ -34,7 +40,7 @@ class LocalField(Completion):
     arithmetic = "local_fields.arithmetic_local.LocalArithmetic"
 
     def __init__(
-        self, name: str, words: str, global_field: Ring, place: Any, residues: Any
+        self, name: str, words: str, global_field: Ring, place: Hashable, residues: Any
     ) -> None:
         super().__init__(name, words, global_field, place)
         self.residues = residues
@@ -58,11 +64,16 @@ class LocalField(Completion):
         """Return the valuation of a nonzero element of the global field."""
         return int(self.residues.valuation(x))
 
-    def truncated(self, x: Scalar, n: int) -> Any:
+    def pole(self, x: LocalElement) -> int:
+        """Return the greatest order of a pole that x may have, 0 for none."""
+        return max(0, -(x.least_valuation() or 0))
+
+    def truncated(self, x: Scalar, n: int) -> Scalar:
         """Return the standard element of the global field that is x up to πⁿ."""
         if self.global_field.is_zero(x):
             return x
-        return self.global_field(self.residues.truncated(x, n))
+        standard: Scalar = self.global_field(self.residues.truncated(x, n))
+        return standard
 
     @cached_property
     def uniformiser(self) -> LocalElement:
@@ -79,7 +90,7 @@ class LocalField(Completion):
         """Return ``x + O(πⁿ)``."""
         return LocalElement(self, self(x).value, n)
 
-    def functions(self) -> dict[str, Callable[..., Any]]:
+    def functions(self) -> dict[str, Callable[..., LocalElement]]:
         """``O(x)``, everything that x divides; ``sqrt``; and what functions mean in the global field."""
         return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
 
@@ -87,13 +98,13 @@ class LocalField(Completion):
         precision = x.least_valuation()
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
 
-    def _sqrt_here(self, x: LocalElement) -> LocalElement | None:
+    def _sqrt_here(self, x: LocalElement) -> LocalElement:
         y = self.sqrt(x)
         if y is None:
             raise CoercionError(f"{self.text(x)} has no square root in {self.name}")
         return y
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: LocalElement) -> bool:
         """Tell whether x is 0. Raises :class:`UndecidedError` for O(πⁿ), which may be 0."""
         if x.has_value:
             return False
@@ -122,6 +133,19 @@ class LocalField(Completion):
         None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
         """
         return square_root(self, x, DIGITS)
+
+    def roots(self, coefficients: Sequence[LocalElement]) -> list[LocalElement]:
+        """Return all roots of a polynomial over ℚ in ℚ_p, if these are rational.
+
+        Raises :class:`UndecidedError` where there are others, and over other fields.
+        """
+        if self.global_field != QQ or not all(x.is_exact for x in coefficients):
+            return super().roots(coefficients)
+        factors = irreducible_factors([x.value for x in coefficients])
+        for g in factors:
+            if g.degree() > 1 and near_root(integral(g), self.residues.below) is not None:
+                raise UndecidedError(f"{g} has roots in {self} that are no rational numbers")
+        return [self(-g[0]) for g in factors if g.degree() == 1]
 
     def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
         """Raise :class:`UndecidedError`, naming the digits, where fewer than ``needed`` are known of x."""

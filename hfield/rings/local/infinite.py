@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError, shorten
 from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.local.completion import Completion
 from hfield.rings.operators import Element
+
+if TYPE_CHECKING:
+    from hfield.rings.number_field_places import RealPlace
+    from hfield.rings.quadratic_places import QuadraticPlace
 
 
 class EmbeddedElement(Element):
@@ -41,7 +45,7 @@ class EmbeddedElement(Element):
         return bool(self.value == other.value)
 
 
-class InfiniteCompletion(Completion):
+class InfiniteCompletion(Completion[EmbeddedElement]):
     """ℝ or ℂ as the completion of a number field, with the elements of the field in it, exact.
 
     RR and CC do not tell where the generator of a field goes; here that is the place.
@@ -53,7 +57,7 @@ class InfiniteCompletion(Completion):
         """Return an element of the number field."""
         return EmbeddedElement(self, value)
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: EmbeddedElement) -> bool:
         """Tell whether x is 0."""
         return self.global_field.is_zero(x.value)
 
@@ -84,7 +88,7 @@ class InfiniteCompletion(Completion):
             )
         return self.principal(self.exact(root))
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: EmbeddedElement) -> bool:
         """Tell whether x is a square."""
         return True
 
@@ -102,6 +106,8 @@ class RealCompletion(InfiniteCompletion):
     (QQ(sqrt(2))_inf-, -1, -sqrt(2))
     """
 
+    place: QuadraticPlace | RealPlace
+
     @property
     def level(self) -> Known:
         """∞: squares of real numbers are not negative."""
@@ -112,7 +118,7 @@ class RealCompletion(InfiniteCompletion):
         """The one of the real numbers."""
         return Known(1, "the positive real numbers are the squares")
 
-    def sign(self, x: Any, ordering: int = 0) -> int:
+    def sign(self, x: EmbeddedElement, ordering: int = 0) -> int:
         """Return the sign of x at the place."""
         self.check_ordering(ordering)
         return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
@@ -140,7 +146,7 @@ class ComplexCompletion(InfiniteCompletion):
         return () if root is None else (self.exact(root),)
 
 
-def infinite_completion(field: Ring, place: Any, is_real: bool) -> InfiniteCompletion:
+def infinite_completion(field: Ring, place: Hashable, is_real: bool) -> InfiniteCompletion:
     """Return the completion at a real or a complex place of a number field."""
     where = f"the completion of {field.in_words()} at {place}"
     kind, line = (RealCompletion, "ℝ") if is_real else (ComplexCompletion, "ℂ")

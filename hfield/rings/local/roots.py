@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import itertools
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
 from hfield.product import Scalar
-from hfield.rings.base import Known
+from hfield.rings.base import Known, Ring
 from hfield.rings.local.element import LocalElement
 
 if TYPE_CHECKING:
@@ -39,14 +39,14 @@ def square_root(F: LocalField, x: LocalElement, digits: int) -> LocalElement | N
     n = x.valuation()
     if n % 2:
         return None
-    F.check_digits(x, F.square_digits, f"whether {x} is a square")
     known = x.digits()
     wanted = digits if known is None else min(digits, known - F.doubling)
     scale = F.global_field.power(F.pi, n // 2)
     unit = F.global_field.divide(x.value, scale * scale)
-    start = _near_root(F, F.truncated(unit, wanted + 2 * F.doubling + 1))
+    start = _near_root(F, F.truncated(unit, max(wanted, 0) + 2 * F.doubling + 1), known)
     if start is None:
         return None
+    F.check_digits(x, F.square_digits, f"whether {x} is a square")
     root = hensel(F, (-unit, F.global_field.zero, F.global_field.one), start, wanted)
     return LocalElement(F, root * scale, wanted + n // 2)
 
@@ -64,15 +64,20 @@ def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
     )
 
 
-def _derivative(x: Quotient) -> Any:
+def _derivative(x: Quotient) -> Quotient:
     """Return dx/dt for a rational function in characteristic 2."""
     n, d = x.num, x.den
-    return x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
+    slope: Quotient = x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
+    return slope
 
 
-def _near_root(F: LocalField, unit: Scalar) -> Any:
-    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square."""
-    K, k, e = F.global_field, F.residues, F.doubling
+def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
+    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square.
+
+    Where only ``known`` digits of u count, y² has them, too; None says that no unit with them is a square.
+    """
+    K: Ring[Scalar] = F.global_field
+    k, e = F.residues, F.doubling
     if not e:
         root = k.sqrt(k.reduce(unit))
         return None if root is None else K(k.lift(root))
@@ -80,7 +85,7 @@ def _near_root(F: LocalField, unit: Scalar) -> Any:
     while True:
         rest = K.divide(unit, y * y) - K.one
         n = digits if K.is_zero(rest) else F.order_of(rest)
-        if n > 2 * e:
+        if n > 2 * e or (known is not None and n >= known):
             return y
         if n % 2:
             return None
@@ -99,13 +104,13 @@ def _near_root(F: LocalField, unit: Scalar) -> Any:
         y = F.truncated(y * factor, digits)
 
 
-def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Any:
+def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Scalar:
     """Return a root of ``f₀ + f₁·X + f₂·X²`` up to π^digits, from an x with v(f(x)) > 2·v(f′(x)).
 
     All are elements of the global field. Newton's steps double the digits of the root near x, of which there
     is one (Hensel's lemma).
     """
-    K = F.global_field
+    K: Ring[Scalar] = F.global_field
     while True:
         value, slope = f[0] + x * (f[1] + x * f[2]), f[1] + x * (f[2] + f[2])
         n = F.order_of(slope)

@@ -36,7 +36,7 @@ def coordinates(field: QuadraticField, x: Surd) -> tuple[Fraction, Fraction]:
     return (s - t, 2 * t) if field.d % 4 == 1 else (s, t)
 
 
-def conjugate(field: QuadraticField, x: Surd) -> Any:
+def conjugate(field: QuadraticField, x: Surd) -> Surd:
     """Return x with −√d in the place of √d."""
     return field(2 * x.terms.get(1, 0)) - x
 
@@ -92,7 +92,7 @@ class DegreeOne(PrimePlace):
         self.uniformiser = pi
         self.inverse_uniformiser = conjugate(field, pi) * Fraction(1, p)
 
-    def lift(self, x: int) -> Any:
+    def lift(self, x: int) -> Surd:
         """Return a residue as a number of the field."""
         return self.number_field(x)
 
@@ -145,16 +145,16 @@ class Inert(ResidueField):
         self.index, self.below = 1, p
 
     @property
-    def uniformiser(self) -> Any:
+    def uniformiser(self) -> Surd:
         """p."""
         return self.number_field(self.prime)
 
     @property
-    def inverse_uniformiser(self) -> Any:
+    def inverse_uniformiser(self) -> Surd:
         """1/p."""
         return self.number_field(Fraction(1, self.prime))
 
-    def lift(self, x: flint.nmod_poly) -> Any:
+    def lift(self, x: flint.nmod_poly) -> Surd:
         """Return a residue as a number of the field."""
         return self.number_field(int(x[0])) + omega(self.number_field) * int(x[1])
 

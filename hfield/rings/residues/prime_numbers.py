@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.factorisation import remove
 
 if TYPE_CHECKING:
+    from hfield.product import Scalar
     from hfield.rings.flint_types import Rational
 
 
@@ -24,13 +25,17 @@ class PrimePlace:
     zero, one = 0, 1
     index = 1  # the valuation of p
 
-    def __init__(self, p: int, number: Callable[..., Any] = Fraction) -> None:
+    def __init__(self, p: int, number: Callable[..., Scalar] = Fraction) -> None:
         self._number = number
         self.below = self.modulus = self.order = p
         self.even = p == 2
         self.uniformiser, self.inverse_uniformiser = number(p), number(1, p)
 
-    def lift(self, x: int) -> Any:
+    def over_prime_field(self) -> list[int]:
+        """Return a basis of the residue field over that with p elements."""
+        return [self.one]
+
+    def lift(self, x: int) -> Scalar:
         """Return a residue as a rational number."""
         return self._number(x)
 

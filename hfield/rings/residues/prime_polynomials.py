@@ -14,6 +14,7 @@ import flint
 from hfield.errors import UndecidedError
 from hfield.product import Scalar
 from hfield.rings.base import Ring
+from hfield.rings.finite import FiniteField
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Polynomial, SparsePolynomial
@@ -75,6 +76,16 @@ class ResidueField:
     def valuation(self, x: Any) -> int:
         """Return the order of a nonzero rational function at π."""
         return valuation(x, self.modulus)
+
+    def over_prime_field(self) -> list[Polynomial]:
+        """Return a basis over the prime field, where k is finite."""
+        k, t = self.base, self.field.gen.num
+        assert isinstance(k, FiniteField)
+        return [
+            self.scalar(k.power(k.gen, m) if m else k.one) * t**n
+            for m in range(k.degree)
+            for n in range(self.degree)
+        ]
 
     def scalar(self, x: Scalar) -> Polynomial:
         """Return an element of k as a polynomial."""

@@ -80,7 +80,7 @@ class FunctionArithmetic(GlobalField):
         """Return the places with a residue that is not trivial, by degree, infinity last."""
         return ramified_places_functions(self.ring, form)
 
-    def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Any:
+    def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
         """Return the product of the polynomials."""
         product = self.ring.one
         for v in ramified:
@@ -139,7 +139,7 @@ class OverEven(FunctionArithmetic):
         """Return w and r by comparing parts."""
         return as_norm(self.ring, x, s)
 
-    def artin_schreier(self, x: Quotient) -> Any:
+    def artin_schreier(self, x: Quotient) -> Quotient | None:
         """Return y from the leading terms down."""
         return artin_schreier(self.ring, x)
 

@@ -90,11 +90,11 @@ def _bad_primes(field: Any, form: Form) -> list[Polynomial]:
     return list(found.values())
 
 
-def inverted(field: FunctionField, x: Quotient) -> Any:
+def inverted(field: FunctionField, x: Quotient) -> Quotient:
     """Return x with the variable replaced by its inverse."""
     one = field.one.num
 
-    def reverse(poly: Polynomial) -> Any:
+    def reverse(poly: Polynomial) -> Quotient:
         result = field.zero.num
         for coefficient in poly.coeffs():
             result = result * field.gen.num + field.constant(field.base(coefficient)).num

@@ -12,7 +12,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError, shorten
 from hfield.product import Constants
@@ -160,7 +160,9 @@ def _isotropic(form: list[Fraction]) -> bool:
 # --- roots ----------------------------------------------------------------------------------------
 
 
-def _quadratic(field: FunctionField, a: Quotient, b: Quotient, f: Quotient) -> Any:
+def _quadratic(
+    field: FunctionField, a: Quotient, b: Quotient, f: Quotient
+) -> tuple[Quotient, ...] | None:
     """Answer for a constant algebra and degree at most 2: (X, Y, Z), or () if there is none; else None."""
     if f.num.degree() > 2:
         return None

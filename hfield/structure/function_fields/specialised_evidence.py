@@ -5,7 +5,7 @@ from contextlib import suppress
 from typing import Any
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import is_prime
+from hfield.primality import primes
 from hfield.product import Constants
 from hfield.rings.integers import QQ
 from hfield.structure.forms import discriminant, normal_form
@@ -14,7 +14,7 @@ from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramif
 from hfield.structure.rationals.whole_numbers import square_class
 
 POINTS, FEW = 400, 5  # values tried for a specialisation; those at which all primes are looked for
-SMALL = [p for p in range(2, 1_000) if is_prime(p)]
+SMALL = list(primes(1_000))
 
 Evidence = Mapping[str, Any]
 

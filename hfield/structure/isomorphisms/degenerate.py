@@ -67,20 +67,21 @@ def _artin_schreier(ring: Ring, x: Scalar) -> Any:
 def _inseparable(ring: Ring, c: Constants, other: Constants) -> Pair | None:
     """Map commutative algebras of characteristic 2, t = 0."""
     o = ring.zero
-    roots, others = ([ring.sqrt(x) for x in (y.a, y.b)] for y in (c, other))
-    if None not in roots and None not in others:
-        (m, n), (p, q) = roots, others
+    (m, n), (p, q) = ([ring.sqrt(x) for x in (y.a, y.b)] for y in (c, other))
+    if m is not None and n is not None:
+        if p is None or q is None:
+            return None
         return (m + p, ring.one, o, o), (n + q, o, ring.one, o)
-    if None not in roots or None not in others:
+    if p is not None and q is not None:
         return None
     field = known_field(ring)  # finite fields of characteristic 2 have all square roots
-    turn = others[0] is not None  # then j is the one whose square is no square
+    turn = p is not None  # then j is the one whose square is no square
     s, rest = (other.b, other.a) if turn else (other.a, other.b)
     w, r = field.as_norm(rest, s)
     images = []
     for n, x in enumerate((c.a, c.b)):
         u, v = field.as_norm(x, s)
-        null = ring.one if (n == 1) == (roots[0] is None) else o  # one image has a nilpotent added
+        null = ring.one if (n == 1) == (m is None) else o  # one image has a nilpotent added
         pair = (v + null * r, null)
         y, z = pair[::-1] if turn else pair
         images.append((u + null * w, y, z, o))

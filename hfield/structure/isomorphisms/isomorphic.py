@@ -116,7 +116,7 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
 def _same(ring: Ring, c: Constants, other: Constants) -> bool:
     """Tell whether the constants are known to be the same."""
     try:
-        return all(ring.equal(x, y) for x, y in zip(c, other, strict=True))
+        return all(x is y or ring.equal(x, y) for x, y in zip(c, other, strict=True))
     except UndecidedError:
         return False
 

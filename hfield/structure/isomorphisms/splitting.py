@@ -11,7 +11,13 @@ from typing import Any
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Constants, Coordinates, Scalar, multiply
 from hfield.rings.base import Ring
-from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
+from hfield.structure.forms import (
+    discriminant,
+    from_pairings,
+    normal_form,
+    pairing_matrix,
+    root_if_known,
+)
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 from hfield.structure.norm_forms.zero_norms import zero_norm
@@ -56,7 +62,7 @@ class Splitting:
         )
         return (a, b), (c, d)
 
-    def from_matrix(self, matrix: Sequence[Sequence[Any]]) -> Coordinates:
+    def from_matrix(self, matrix: Sequence[Sequence[object]]) -> Coordinates:
         """Return the coordinates of the element whose matrix is given, two rows of two entries.
 
         Raises :class:`CoercionError` for another shape or for entries that are not in the field.
@@ -103,10 +109,7 @@ def _from_square_root(ring: Ring, c: Constants) -> Splitting | None:
         return None
     o, e = ring.zero, ring.one
     for swapped, (a, b) in enumerate((form.constants, form.constants[::-1])):
-        try:
-            r = ring.sqrt(a)
-        except UndecidedError:
-            continue
+        r = root_if_known(ring, a)
         if r is not None:
             diagonal, other = ((r, o), (o, o - r)), ((o, b), (e, o))
             i, j = (other, diagonal) if swapped else (diagonal, other)
@@ -188,7 +191,7 @@ def product(m: Matrix, n: Matrix) -> Matrix:
 def _relations(ring: Ring, c: Constants, one: Matrix, i: Matrix, j: Matrix, k: Matrix) -> bool:
     """Tell whether the matrices satisfy ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``."""
 
-    def combine(*terms: tuple[Any, Matrix]) -> Matrix:
+    def combine(*terms: tuple[Scalar, Matrix]) -> Matrix:
         (a, b), (d, e) = (
             [
                 sum((x * m[r][s] for x, m in terms[1:]), terms[0][0] * terms[0][1][r][s])

@@ -12,8 +12,9 @@ from typing import Any
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, Scalar, norm
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
 from hfield.rings.modular import Modular
+from hfield.rings.powers import power
 from hfield.structure.forms import pairing_matrix
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.syzygies import TRIALS, Row, generators, modulo

@@ -34,8 +34,8 @@ class InfiniteArithmetic(CompletionArithmetic):
     ) -> int:
         """Return −1 if a and b are negative real numbers, else 1."""
         self.read_place(place)
-        a, b = self._nonzero(a, b)
-        return 1 if self.ring.is_square(a) or self.ring.is_square(b) else -1
+        squares = map(self.ring.is_square, self._nonzero(a, b))
+        return 1 if any(squares) else -1
 
     def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
         """Return the place, or nothing."""

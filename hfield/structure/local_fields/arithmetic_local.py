@@ -13,6 +13,7 @@ from hfield.rings.local.field import DIGITS, LocalField
 from hfield.rings.local.roots import hensel
 from hfield.structure.forms import NormalForm
 from hfield.structure.local_fields.arithmetic_completion import CompletionArithmetic
+from hfield.structure.local_fields.refinements import check_refinements
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
 
@@ -49,26 +50,30 @@ class LocalArithmetic(CompletionArithmetic):
         return (self.ring.place,) if self._is_division(c) else ()
 
     def _is_division(self, c: Constants) -> bool:
-        return self.below.unit_and_prime(self._values(c), self.ring.place) is not None
+        """Decide for all numbers that the constants may be. Raises :class:`UndecidedError`."""
+        if not (c.a.is_exact and c.b.is_exact):
+            check_refinements(self.ring, c.a, c.b, lambda x, y: self._ramifies(x, c.t.value, y))
+        return self._ramifies(*(x.value for x in c))
 
-    def _values(self, c: Constants) -> Constants:
-        """Return elements of the global field that make the same algebra, with t = 0, or t = 1 if 2 = 0.
+    def _ramifies(self, a: Scalar, t: Scalar, b: Scalar) -> bool:
+        return self.below.unit_and_prime(Constants(a, t, b), self.ring.place) is not None
 
-        Raises :class:`UndecidedError` naming the digits that the classes of a and b take.
+    def _check_classes(self, c: Constants) -> None:
+        """Check that square classes are known; a plane with a zero for one number serves for all then.
+
+        Raises :class:`UndecidedError` naming the digits.
         """
-        F = self.ring
+        F, what = self.ring, "an element of norm 0"
         if F.characteristic != 2:
             for x in (c.a, c.b):
-                F.check_digits(x, F.square_digits, "its square class")
+                F.check_digits(x, F.square_digits, what)
         elif not (c.a.is_exact and c.b.is_exact):
             # y² + y takes all values in the prime ideal, and 1 + π^n is a norm for n beyond the pole of a
             if c.a.precision is not None and c.a.precision < 1:
                 raise UndecidedError(
-                    f"the class of {c.a} hangs on its digits up to {F.big_o(1)}: give it up to there"
+                    f"{what} hangs on the digits of {c.a} up to {F.big_o(1)}: give it up to there"
                 )
-            pole = max(-F.order_of(c.a.value), 0) if c.a.has_value else 0
-            F.check_digits(c.b, pole + 1, f"whether {c.b} is a norm")
-        return Constants(*(x.value for x in c))
+            F.check_digits(c.b, F.pole(c.a) + 1, what)
 
     def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
         """Say by which symbol."""
@@ -100,9 +105,15 @@ class LocalArithmetic(CompletionArithmetic):
         """Return an element of norm 0 to some digits, and the plane on which Hensel's lemma finds it."""
         F = self.ring
         normal = Constants(form.a, F(form.kind == "artin-schreier"), form.b)
-        plane = self.below.hyperbolic_plane(self._values(normal), F.place)
+        self._check_classes(normal)
+        plane = self.below.hyperbolic_plane(Constants(*(x.value for x in normal)), F.place)
         assert plane is not None, "an algebra that does not ramify splits"
-        q, u = (tuple(F(F.global_field(x)) for x in v) for v in plane)
+
+        def lifted(v: Vector) -> Coordinates:
+            w, x, y, z = (F(F.global_field(s)) for s in v)
+            return w, x, y, z
+
+        q, u = map(lifted, plane)
         x = root_on_plane(F, normal, q, u)
         zero = tuple(r + x * s for r, s in zip(q, u, strict=True))
         first, second = (_written(F, form.back(v)) for v in (q, u))

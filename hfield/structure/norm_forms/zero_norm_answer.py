@@ -42,6 +42,6 @@ def found(ring: Ring, c: Constants, q: Iterable[Scalar], method: str, reason: st
     return ZeroNorm(element, method, reason)
 
 
-def none(method: str, reason: str, places: tuple[Any, ...] = (), *assumes: str) -> ZeroNorm:
+def none(method: str, reason: str, places: tuple[object, ...] = (), *assumes: str) -> ZeroNorm:
     """Wrap a proof that only 0 has norm 0."""
     return ZeroNorm(None, method, reason, places, assumes)

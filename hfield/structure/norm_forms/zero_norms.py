@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
-from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.forms import NormalForm, discriminant, normal_form, root_if_known
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms import zeros_infinite_fields, zeros_over_rings
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
@@ -36,12 +36,18 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
         )
     if not ring.is_field:
         return zeros_over_rings.zero_norm_integral(ring, c, zero_norm)
-    if ring.is_zero(discriminant(c)):
+    degenerate = _is_degenerate(ring, c)
+    if degenerate:
         return _degenerate(ring, c)
     if ring.order is not None:
         reason = "over a finite field the norm form of every quaternion algebra is isotropic"
         return found(ring, c, _scaled(ring, zero_norm_finite(ring, c)), "finite field", reason)
     form = normal_form(ring, c)
+    if degenerate is None:
+        answer = _squares(ring, c, form)
+        if answer is not None:
+            return answer
+        ring.is_zero(discriminant(c))  # says what is missing
     tried = ["elements with coordinates 0, 1, −1"]
     for name, procedure in _PROCEDURES:
         answer = procedure(ring, c, form)
@@ -66,7 +72,7 @@ def is_division(ring: Ring, c: Constants) -> bool:
         )
     if not ring.is_field:
         return False
-    if ring.order is None and not ring.is_zero(discriminant(c)):
+    if ring.order is None and _is_degenerate(ring, c) is False:
         field = global_field(ring)
         try:
             places = None if field is None else field.ramified(normal_form(ring, c))
@@ -109,6 +115,14 @@ def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
     return w, x, y, z
 
 
+def _is_degenerate(ring: Ring, c: Constants) -> bool | None:
+    """Tell whether ``(t² + 4a)·b = 0`` in a field; None where too few digits of the constants are known."""
+    try:
+        return ring.is_zero(discriminant(c))
+    except UndecidedError:
+        return None
+
+
 def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
     """Answer for an algebra whose norm form is degenerate: (t² + 4a)·b = 0, over a field."""
     _, t, b = c
@@ -133,10 +147,7 @@ def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
         (b, (zero, one, zero), "b"),
         (zero - a * b, (zero, zero, one), "−ab"),
     ):
-        try:
-            root = ring.sqrt(square)
-        except UndecidedError:
-            continue
+        root = root_if_known(ring, square)
         if root is not None:
             reason = f"{name} = {ring.text(square)} is a square in {ring.name}"
             return found(ring, c, form.back((root, *unit)), "square root", reason)

@@ -12,7 +12,7 @@ from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring
 from hfield.rings.polynomials import PolynomialRing
-from hfield.structure.forms import discriminant
+from hfield.structure.forms import discriminant, root_if_known
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.structure.rationals.whole_numbers import fraction
 
@@ -172,10 +172,7 @@ def _roots(ring: PolynomialRing, c: Constants) -> ZeroNorm | None:
             (zero - square * b, (zero, zero, zero - t, two)),
         ]
     for x, (w, *vector) in trials:
-        try:
-            root = ring.sqrt(x)
-        except UndecidedError:
-            continue
+        root = root_if_known(ring, x)
         if root is not None:
             reason = f"{ring.text(x)} is a square in {ring.name}"
             return found(ring, c, (w + root, *vector), "square root", reason)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from hfield.factorisation import Factors, is_prime
+from hfield.factorisation import Factors
+from hfield.primality import primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
@@ -65,8 +66,7 @@ class NumberFieldArithmetic(GlobalField):
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals above primes below 50 with a symbol of −1."""
-        primes = {p for p in range(2, SMALL_PRIMES) if is_prime(p)}
-        return tuple(finite_ramified(form.a, form.b, primes))
+        return tuple(finite_ramified(form.a, form.b, set(primes(SMALL_PRIMES))))
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic ``z² = a·x² + b·y²``, searched within a bound."""
@@ -77,7 +77,7 @@ class NumberFieldArithmetic(GlobalField):
         """Return the prime ideal with its residue field."""
         return local_place(place) if isinstance(place, PrimeIdeal) else None
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+    def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
         """Yield the evidence; where ℤ[s] is not maximal at a place, in other generators as well."""
         for place in places:
             for data in super().evidence(c, [place]):
@@ -108,10 +108,9 @@ class NumberFieldArithmetic(GlobalField):
 def _finite_orders(degree: int) -> Mapping[int, int]:
     """Return the primes of a number that the order of every root of unity of such a degree divides."""
     orders = {}
-    for p in range(2, degree + 2):
-        if is_prime(p):
-            k = 0
-            while p**k * (p - 1) <= degree:
-                k += 1
-            orders[p] = k
+    for p in primes(degree + 2):
+        k = 0
+        while p**k * (p - 1) <= degree:
+            k += 1
+        orders[p] = k
     return orders

@@ -30,6 +30,7 @@ MAX_DEGREE = 12
 WALKED = 60
 COMBINATIONS = 60_000
 CLOSE = 1e-5
+MOST = 50  # of the combinations at which the form is nearly 0: at so many it is computed exactly
 SCALE = 2.0**40
 
 
@@ -143,14 +144,12 @@ class Walk:
             steps = _lll(self._rounded(self._turned(rng)))
             points = [_combine_points(u, points) for u in steps]
         values = np.array(points)
-        n_places = self.field.embeddings.count
         chosen = _small_combinations(self.rank)
-        form = np.zeros(len(chosen))
+        at = chosen @ values.real + 1j * (chosen @ values.imag)
+        form = np.abs((at**2).reshape(len(chosen), -1, 3).sum(axis=2)).sum(axis=1)
         scale = max(1.0, float(np.abs(values).max()) ** 2)
-        for k in range(n_places):
-            at = chosen @ values[:, 3 * k : 3 * k + 3]
-            form = form + np.abs((at**2).sum(axis=1))
-        for index in np.flatnonzero(form < CLOSE * scale):
+        nearest = np.argpartition(form, MOST)[:MOST] if len(form) > MOST else np.arange(len(form))
+        for index in sorted(nearest[form[nearest] < CLOSE * scale], key=form.__getitem__):
             u = [int(x) for x in chosen[index]]
             if steps is not None:
                 u = [sum(x * s[j] for x, s in zip(u, steps, strict=True)) for j in range(self.rank)]
@@ -239,5 +238,5 @@ def _small_combinations(rank: int) -> Any:
                     break
             if len(rows) >= COMBINATIONS:
                 break
-        _KNOWN[rank] = np.array(rows, dtype=np.int8)
+        _KNOWN[rank] = np.array(rows, dtype=np.float64)
     return _KNOWN[rank]

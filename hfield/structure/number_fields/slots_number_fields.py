@@ -14,7 +14,8 @@ from collections.abc import Collection, Iterator, Sequence
 import flint
 
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import is_probable_prime, remove
+from hfield.factorisation import remove
+from hfield.primality import is_probable_prime
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_field_places import Place, RealPlace, place_of_number_field

@@ -18,7 +18,8 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import factorise, is_prime, remove
+from hfield.factorisation import factorise, remove
+from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.quadratic_places import QuadraticPlace, places_above

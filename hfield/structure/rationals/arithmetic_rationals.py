@@ -7,7 +7,8 @@ from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
-from hfield.factorisation import WORD, Factors, is_prime, known_primes, shared_primes
+from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.primality import WORD, primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.rings.residues.prime_numbers import PrimePlace
@@ -54,8 +55,7 @@ class RationalArithmetic(GlobalField):
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[int, ...]:
         """Return the primes below 200 with a symbol of −1."""
-        primes = (p for p in range(2, 200) if is_prime(p))
-        return tuple(p for p in primes if hilbert_symbol_q(form.a, form.b, p) < 0)
+        return tuple(p for p in primes(200) if hilbert_symbol_q(form.a, form.b, p) < 0)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic ``z² = a·x² + b·y²``."""

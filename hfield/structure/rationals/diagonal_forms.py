@@ -13,7 +13,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import factorise, is_prime, remove
+from hfield.factorisation import factorise, remove
+from hfield.primality import is_prime
 from hfield.rings.rational_places import INFINITE, Place
 from hfield.structure.rationals.conic_rationals import solve_conic
 from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q

@@ -12,15 +12,19 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-import flint
+from flint import fmpz
 
 from hfield.errors import RingError
-from hfield.factorisation import WORD, Factors, factorise, is_prime, known_primes, remove
+from hfield.factorisation import Factors, factorise, known_primes, remove
+from hfield.primality import WORD, is_prime
 from hfield.rings.rational_places import INFINITE, Place, place_of_q
 from hfield.structure.rationals.whole_numbers import crt, square_class
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Rational
+
+
+_LEAST = -WORD
 
 
 def hilbert_symbol_q(a: Rational, b: Rational, place: object) -> int:
@@ -50,7 +54,7 @@ def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
         u = -u * v if beta & 1 else v
     elif not beta & 1:
         return 1
-    return int(flint.fmpz(u).jacobi(p))
+    return int(fmpz(u).jacobi(p))
 
 
 def ramified_places_q(
@@ -61,17 +65,22 @@ def ramified_places_q(
     ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
     :class:`UnfactoredError`.
     """
-    m, n = square_class(a), square_class(b)
-    m_, n_ = flint.fmpz(m), flint.fmpz(n)
-    if factors is None and -WORD < m < WORD and -WORD < n < WORD:
+    m = a if type(a) is int and a else square_class(a)
+    n = b if type(b) is int and b else square_class(b)
+    m_, n_ = fmpz(m), fmpz(n)
+    if factors is None and _LEAST < m < WORD and _LEAST < n < WORD:
         in_m, in_n = m_.factor(), n_.factor()
     else:
         with known_primes(factors, ""):
             in_m, in_n = _prime_powers(m), _prime_powers(n)
     # the odd primes p; the number of ramified places is even (reciprocity), which decides about 2
+    if not m & 1:
+        del in_m[0]
+    if not n & 1:
+        del in_n[0]
     primes = []
     symbol = n_.jacobi
-    for p, alpha in in_m if m & 1 else in_m[1:]:
+    for p, alpha in in_m:
         sign = symbol(p)
         if sign < 0:
             if alpha & 1:
@@ -81,7 +90,7 @@ def ramified_places_q(
             if _symbol(p, *remove(m, p), *remove(n, p)) < 0:
                 primes.append(p)
     symbol = m_.jacobi
-    for p, beta in in_n if n & 1 else in_n[1:]:
+    for p, beta in in_n:
         if beta & 1 and symbol(p) < 0:
             primes.append(int(p))
     infinite = m < 0 and n < 0
@@ -93,7 +102,7 @@ def ramified_places_q(
 
 def _prime_powers(n: int) -> list[tuple[Any, int]]:
     """Return the primes of n, as FLINT's integers, with their exponents, ascending."""
-    return [(flint.fmpz(p), e) for p, e in sorted(factorise(n).items())]
+    return [(fmpz(p), e) for p, e in sorted(factorise(n).items())]
 
 
 def discriminant_q(places: Iterable[Place]) -> int:
@@ -138,4 +147,4 @@ def from_ramification_q(primes: Iterable[object], infinite: bool) -> tuple[int, 
 
 def non_residue(p: int) -> int:
     """Return the least quadratic non-residue modulo an odd prime."""
-    return next(r for r in range(2, p) if flint.fmpz(r).jacobi(p) == -1)
+    return next(r for r in range(2, p) if fmpz(r).jacobi(p) == -1)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from hfield.factorisation import is_prime, known_primes
+from hfield.factorisation import known_primes
+from hfield.primality import is_prime
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.rational_places import INFINITE, Place

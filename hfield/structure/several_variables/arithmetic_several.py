@@ -185,7 +185,7 @@ class SeveralArithmetic(GlobalField):
         over, under = (p(*point) for p in (x.num, x.den))
         return over / under if over and under else None
 
-    def residues(self, place: Any) -> None:
+    def residues(self, place: PolynomialPlace) -> None:
         """Return None: the residue fields are infinite."""
         return
 
@@ -207,7 +207,7 @@ class SeveralArithmetic(GlobalField):
         raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
 
-def _has_odd_degree(x: Any) -> bool:
+def _has_odd_degree(x: Quotient) -> bool:
     """Tell whether a rational function has a positive odd degree, so that it is no y² + y."""
     n = int(x.num.total_degree()) - int(x.den.total_degree())
     return n > 0 and n % 2 == 1

@@ -32,7 +32,7 @@ BITS = 2**14
 Enclosure = Callable[[int], Any]
 
 
-def closed_order(ring: Ring, t: Any, n: Any, scalar: Any = None) -> int | None:
+def closed_order(ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Any = None) -> int | None:
     """Return the order of an element with trace t and norm n, or of a scalar; None if it is infinite.
 
     Raises :class:`UndecidedError` where a number is neither seen to be algebraic, nor to be no root of
@@ -75,7 +75,7 @@ def closed_order(ring: Ring, t: Any, n: Any, scalar: Any = None) -> int | None:
     )
 
 
-def _shown(t: Any, n: Any, scalar: Any) -> str:
+def _shown(t: Surd | Closed, n: Surd | Closed, scalar: Any) -> str:
     if scalar is not None:
         return f"the value {shorten(scalar)}"
     return f"trace {shorten(t)} and norm {shorten(n)}"
@@ -163,7 +163,7 @@ def _agrees(
     return bool(n == _unit_root(sum(angles))) and bool(t == _unit_root(*angles))
 
 
-def _unit_root(*angles: Any) -> Surd | Closed:
+def _unit_root(*angles: Fraction) -> Surd | Closed:
     """Return the sum of the ``exp(2πi·r)``."""
     import sympy
 

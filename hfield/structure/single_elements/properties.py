@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
-from hfield.rings.base import Ring, power
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.structure.linear_algebra.kernels import kernel

@@ -188,7 +188,7 @@ def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
             yield form.back((o, x, y, z))
 
 
-def _pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
+def _pairs(ring: Ring) -> Iterator[tuple[Scalar, Scalar]]:
     """Run through the pairs of elements, square by square: for x = 0 alone there may be no solution."""
     seen: list[Any] = []
     for n, x in enumerate(ring.elements()):

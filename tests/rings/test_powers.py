@@ -7,7 +7,7 @@ import pytest
 
 from hfield import H, ring
 from hfield.errors import TooLargeError
-from hfield.rings.growth import bits
+from hfield.rings.powers import bits
 
 HUGE = 10**30
 INFINITE = (

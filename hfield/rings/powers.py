@@ -1,10 +1,18 @@
-"""How many bits a value takes, so that a power ends before it fills the memory."""
+"""Powers by repeated squaring, which end before they fill the memory: how many bits a value takes."""
+
+from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from hfield.errors import TooLargeError
+from hfield.product import Arithmetic
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import AnyPolynomial
+
+M = TypeVar("M", bound=Arithmetic)
 
 FEW = 16  # a power up to this is computed whatever comes of it
 MOST_BITS = 1 << 20
@@ -13,6 +21,8 @@ TIMES = 8  # as much as this a value may grow in any case
 COEFFICIENT = 4  # bits that one counts for at least, even a 0
 SLOW = 1_000  # bits that a node of a symbolic expression counts for
 
+# Polynomials over finite rings: nobody need look at their coefficients.
+_OVER_FINITE = ("nmod_poly", "fmpz_mod_poly", "fq_default_poly")
 # What our own elements are made of; their rings are no part of their size.
 _INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_held")
 
@@ -43,13 +53,25 @@ def bits(x: Any) -> int:
 
 def _flint_bits(x: Any) -> int:
     if hasattr(x, "monoms"):
-        return sum(map(bits, x.coeffs())) + sum(bits(tuple(map(int, m))) for m in x.monoms())
+        exponents = sum(int(n).bit_length() for exponents in x.monoms() for n in exponents)
+        return exponents + _bits_of_alike(x.coeffs())
+    if type(x).__name__ in _OVER_FINITE:
+        return (1 + COEFFICIENT) * len(x)
     if hasattr(x, "coeffs"):
         coefficients = x.coeffs()
-        return sum(map(bits, coefficients)) + COEFFICIENT * len(coefficients)
-    if hasattr(x, "height_bits"):
-        return int(x.height_bits())
-    return int(x.p.height_bits()) + int(x.q.height_bits()) if hasattr(x, "q") else 1
+        return _bits_of_alike(coefficients) + COEFFICIENT * len(coefficients)
+    return _bits_of_alike([x])
+
+
+def _bits_of_alike(numbers: list[Any]) -> int:
+    """Return the bits of numbers of one type of flint's; elements of a finite ring count 1 each."""
+    if numbers and isinstance(numbers[0], int):
+        return sum(map(int.bit_length, numbers))
+    if numbers and hasattr(numbers[0], "height_bits"):
+        return sum(int(x.height_bits()) for x in numbers)
+    if numbers and hasattr(numbers[0], "q"):
+        return sum(int(x.p.height_bits()) + int(x.q.height_bits()) for x in numbers)
+    return len(numbers)
 
 
 def _symbolic_bits(expr: Any) -> int:
@@ -59,12 +81,12 @@ def _symbolic_bits(expr: Any) -> int:
     return SLOW * len(parts) + sum(bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational)
 
 
-def is_quick(x: Any, n: int) -> bool:
+def is_quick(x: object, n: int) -> bool:
     """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
     return n <= FEW or bits(x) * n <= QUICK
 
 
-def check_growth(start: int, power: Any) -> None:
+def check_growth(start: int, power: object) -> None:
     """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
     reached = bits(power)
     if reached > MOST_BITS and reached > TIMES * start:
@@ -72,3 +94,27 @@ def check_growth(start: int, power: Any) -> None:
             f"the power is too large: a square on the way to it has {reached} bits, and none with more "
             f"than {MOST_BITS} is squared again; use a smaller exponent, or a finite ring such as ZZ/n"
         )
+
+
+def polynomial_power(one: AnyPolynomial, x: AnyPolynomial, n: int) -> AnyPolynomial:
+    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
+    return x**n if is_quick(x, n) else power(one, x, n)
+
+
+def power(one: M, x: M, n: int) -> M:
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
+
+    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
+    unity, has powers of any size.
+    """
+    result = one
+    start = bits(x) if n > FEW else None
+    while n:
+        if n & 1:
+            result = result * x
+        n >>= 1
+        if n:
+            if start is not None:
+                check_growth(start, x)
+            x = x * x
+    return result

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from hfield.errors import UndecidedError
-from hfield.factorisation import is_prime
 from hfield.lattices.ideal import Ideal
+from hfield.primality import is_prime
 from hfield.quaternion import Quaternion
 
 DOUBLINGS = 12

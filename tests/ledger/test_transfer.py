@@ -2,8 +2,8 @@
 
 import pytest
 
-from hfield.ledger.carried import carried
 from hfield.ledger.propositions import Statement
+from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
 from hfield.rings import ring
 

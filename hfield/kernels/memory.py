@@ -1,0 +1,60 @@
+"""Memory for large results, handed on from one that nobody holds any longer to the next.
+
+What is large comes from the system page by page, each cleared when it is first touched: that takes about as
+long again as many a product. So the memory of results that are gone is kept for the next ones of their size,
+`KEPT` bytes of it at most.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from math import prod
+from typing import Any
+from weakref import finalize
+
+import numpy as np
+
+Array = np.ndarray[Any, np.dtype[Any]]
+
+LARGE = 24_000_000  # bytes; below that Python's allocator keeps what it is given back
+KEPT = 1 << 26
+_kept: deque[Array] = deque()  # the last given back at the end
+
+
+class _Lent:
+    """What an array in memory that will be handed on has for its base: it is gone when all views are."""
+
+    def __init__(self, memory: Array) -> None:
+        self.__array_interface__ = memory.__array_interface__
+        finalize(self, _give_back, memory).atexit = False
+
+
+def block(shape: Sequence[int], dtype: str) -> tuple[Array, bool]:
+    """Return an array whose entries are not set yet, and whether its memory has been used before."""
+    size = prod(shape) * np.dtype(dtype).itemsize
+    if not LARGE <= size <= KEPT:
+        return np.empty(shape, dtype), False
+    used = _taken(size)
+    memory = np.empty(size, np.uint8) if used is None else used
+    return np.asarray(_Lent(memory))[:size].view(dtype).reshape(shape), used is not None
+
+
+def _taken(size: int) -> Array | None:
+    """Take memory of that size, or little more, from what is kept."""
+    for _ in range(len(_kept)):
+        try:
+            memory = _kept.pop()
+        except IndexError:  # another thread took it
+            return None
+        if size <= memory.nbytes <= size + size // 4:
+            return memory
+        _kept.appendleft(memory)
+    return None
+
+
+def _give_back(memory: Array) -> None:
+    """Keep memory, in place of what has been kept longest."""
+    _kept.append(memory)
+    while sum(m.nbytes for m in tuple(_kept)) > KEPT:
+        _kept.popleft()

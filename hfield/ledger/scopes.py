@@ -1,0 +1,146 @@
+"""Propositions about rings of their own choice: one that is named, some, all of the panel, or all at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from hfield.certificates.glossary import (
+    NO_MEANING,
+    NOT_APPLICABLE,
+    PROVED,
+    REFUTED,
+    THE_PANEL,
+    UNDECIDED,
+    WITNESS,
+)
+from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
+from hfield.proving.decision import Decision
+from hfield.rings import ring
+from hfield.rings.base import Ring
+
+TRUE = ("proved", "vacuous")
+
+
+@dataclass(frozen=True)
+class Negation:
+    """``proposition`` does not hold in every field: proved by the fields of the panel in which it fails."""
+
+    proposition: Proposition
+
+    @property
+    def text(self) -> str:
+        """The denial in words."""
+        return f"not in every field: {self.proposition.text}"
+
+    @property
+    def statement(self) -> str:
+        """The denial, in the vocabulary of certificates."""
+        return f"not-everywhere{{{self.proposition.statement}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Go through the panel (or look at the one field given) and show what was found in each."""
+        names = [field.name] if field else [name for name in PANEL if name != UNIVERSAL]
+        found = {name: self.proposition.decide(ring(name)) for name in names}
+        steps = [
+            f"{name}: {d.verdict}"
+            + (f", {witness_text(d.witness)}" if d.witness else "")
+            + (f" — {d.steps[-1]}" if d.steps else "")
+            for name, d in found.items()
+        ]
+        fails = {name: d for name, d in found.items() if d.verdict == "refuted"}
+        if fails:
+            name, first = next(iter(fails.items()))
+            witness = {"F": [name], **(first.witness or {})}
+            evidence = {"kind": "over", "field": name, "evidence": first.evidence}
+            return Decision(PROVED, WITNESS, witness=witness, steps=tuple(steps), evidence=evidence)
+        settled = all(d.verdict in TRUE for d in found.values())
+        return Decision(REFUTED if settled else UNDECIDED, THE_PANEL, steps=tuple(steps))
+
+
+@dataclass(frozen=True)
+class Over:
+    """A proposition about one ring, the one named, whatever the column: what claims of no field are.
+
+    A witness names that ring under the key ``F``.
+    """
+
+    field: str
+    proposition: Proposition
+
+    @property
+    def text(self) -> str:
+        """The proposition itself."""
+        return self.proposition.text
+
+    @property
+    def statement(self) -> str:
+        """The proposition with its field, in the vocabulary of certificates."""
+        return f"over{{{self.field}; {self.proposition.statement}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it over the ring named; ``field`` does not matter."""
+        decision = self.proposition.decide(ring(self.field))
+        if decision.verdict != "refuted":
+            return decision
+        return replace(decision, witness={"F": [self.field], **(decision.witness or {})})
+
+
+@dataclass(frozen=True)
+class Only:
+    """A proposition that has a meaning over some fields only; ``fits`` are their names."""
+
+    proposition: Proposition
+    fits: tuple[str, ...]
+    reason: str
+    assumes: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The proposition itself."""
+        return self.proposition.text
+
+    @property
+    def statement(self) -> str:
+        """The proposition, marked as one about angles."""
+        return f"angles{{{self.proposition.statement}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Decide it where it means something."""
+        if field is None or field.name not in self.fits:
+            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(self.reason,))
+        decision = self.proposition.decide(field)
+        return replace(decision, assumes=(*decision.assumes, *self.assumes))
+
+
+def by_lemmas(everywhere: Proposition) -> Decision:
+    """Decide over all fields by what shows it there; the lemmas' proofs become the evidence."""
+    decision = everywhere.decide(None)
+    if decision.verdict != "proved" or decision.evidence is None:
+        return decision
+    proofs = [part["evidence"] for part in decision.evidence.get("parts", ())]
+    return replace(decision, evidence={"kind": "lemmas", "proofs": proofs})
+
+
+def search_panel(proposition: Proposition) -> Decision:
+    """Refute a proposition about all fields by a field of the panel, or leave it undecided."""
+    for name in PANEL:
+        if name == UNIVERSAL:
+            continue
+        decision = proposition.decide(ring(name))
+        if decision.verdict == "refuted":
+            witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
+            steps = (f"It fails over {name}:", *decision.steps)
+            evidence = {"kind": "over", "field": name, "evidence": decision.evidence}
+            return replace(decision, witness=witness, steps=steps, evidence=evidence)
+    return Decision(UNDECIDED, THE_PANEL, tried=("a counterexample in each field of the panel",))
+
+
+def witness_text(witness: Mapping[str, list[str]] | None) -> str:
+    """Write a witness in one line, such as ``p = (0,1,0,0), q = (0,0,1,0)``."""
+    parts = []
+    for name, values in (witness or {}).items():
+        shown = values[0] if len(values) == 1 else f"({','.join(values)})"
+        parts.append(f"{name} = {shown}")
+    return ", ".join(parts)
