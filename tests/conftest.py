@@ -2,6 +2,7 @@
 
 import doctest
 import gc
+import os
 import signal
 import sys
 import types
@@ -13,6 +14,8 @@ import pytest
 
 hypothesis.settings.register_profile("any machine", deadline=None)  # a busy one is slow, not wrong
 hypothesis.settings.load_profile("any machine")
+
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
 
 # Files whose tests take most of the time, as `--durations` shows; `-m "not slow"` leaves them out.
 SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_text().split())

@@ -58,13 +58,10 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
-    from importlib.metadata import entry_points
-
     from hfield.executors import collecting_rarely, open_executor
 
-    ledgers = [point.module for point in entry_points(group="hfield.claims")]
-    modules = ["hfield.ledger.run", *ledgers]
-    with collecting_rarely(), open_executor(args.jobs, args.dask, modules) as executor:
+    read = ["hfield.ledger.workers"]
+    with collecting_rarely(), open_executor(args.jobs, args.dask, read) as executor:
         return _verify(args, executor)
 
 

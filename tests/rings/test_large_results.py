@@ -104,6 +104,18 @@ def test_what_is_written_past_the_caches_is_the_same(bits: int) -> None:
                 used[:] = 0xA5
 
 
+@pytest.mark.parametrize("name", ["QQ", "GF(7)", "GF(9)", "GF(2^8)"])
+def test_other_rings_use_memory_again(name: str) -> None:
+    A, rng, count = H(name), np.random.default_rng(5), streaming.BLOCK + 3
+    p, q = (A(*(rng.integers(-6, 7, count) for _ in range(4))) for _ in range(2))
+    wanted = [p[n] * q[n] + p[n] for n in range(0, count, 40)]
+    for _ in range(3):
+        found = p * q + p
+        assert all(found[40 * n] == right for n, right in enumerate(wanted))
+        del found
+        assert memory._kept
+
+
 @pytest.mark.parametrize("where", [0, streaming.BLOCK, 3 * streaming.BLOCK - 1])
 def test_an_overflow_in_any_block_is_noticed(where: int) -> None:
     numbers = np.ones(3 * streaming.BLOCK, np.int64)

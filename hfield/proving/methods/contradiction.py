@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 SLICE = 150  # pairs between two looks at the rules
-FIRST_LOOKS = (0, 10)  # pairs between looks at what shall be in an ideal: often little is needed
+FIRST_LOOKS = (0, 10, 20, 50)  # pairs between the first looks: often little is needed
 MAX_ELEMENTS = 400
 MAX_TERMS = 6_000  # of all polynomials of conditions together
 MAX_CASES = 3  # how deep case distinctions nest
