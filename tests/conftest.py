@@ -23,7 +23,11 @@ PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 
 
 def pytest_configure() -> None:
-    """Let commands that tests start hear Ctrl-C: under a shell's `&` it is ignored, by children too."""
+    """Give tests what a plain command has: no width of lines, which pytest's workers set, and Ctrl-C.
+
+    Under a shell's ``&`` Ctrl-C is ignored, by the commands that tests start too.
+    """
+    os.environ.pop("COLUMNS", None)
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         with suppress(ValueError):  # not in the main thread
             signal.signal(signal.SIGINT, signal.default_int_handler)
