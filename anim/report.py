@@ -27,12 +27,49 @@ _WORDS = {
     ),
 }
 
+PLAYER = {  # what the page says, and where: tags and quotes tell a word from the same word in the script
+    "pl": {
+        ' lang="en"': ' lang="pl"',
+        "<title>The spinning top<": "<title>Wirujący bąk<",
+        "A spinning top in three dimensions: drag to orbit, scroll to zoom": (
+            "Wirujący bąk w trzech wymiarach: przeciągnij, by obejść, przewiń, by przybliżyć"
+        ),
+        "<dt>space<": "<dt>spacja<",
+        ">play or pause<": ">odtwórz lub zatrzymaj<",
+        ">one frame back or on; ten with shift<": ">klatka wstecz lub dalej; z klawiszem shift dziesięć<",
+        ">faster, slower<": ">szybciej, wolniej<",
+        ">first and last frame<": ">pierwsza i ostatnia klatka<",
+        ">zoom (or scroll, or pinch)<": ">przybliż (albo przewiń lub rozsuń palce)<",
+        ">orbit (or drag)<": ">obejdź (albo przeciągnij)<",
+        ">all tops, or one alone<": ">wszystkie bąki lub jeden<",
+        ">look from where we began<": ">widok początkowy<",
+        ">this list<": ">ta lista<",
+        'aria-label="play"': 'aria-label="odtwórz"',
+        '? "pause" : "play"': '? "zatrzymaj" : "odtwórz"',
+        'aria-label="frame"': 'aria-label="klatka"',
+        "<label>speed <": "<label>tempo <",
+        'title="look from where we began (r)" aria-label="reset the view"': 'title="widok początkowy (r)"'
+        ' aria-label="przywróć widok"',
+        'title="keys (?)" aria-label="show the keys"': 'title="klawisze (?)" aria-label="pokaż klawisze"',
+        "This page draws with WebGL, which this browser does not have or has switched off. Another "
+        "browser, or hardware acceleration in its settings, will show the top.": (
+            "Ta strona rysuje przez WebGL, którego ta przeglądarka nie ma lub który jest wyłączony. Bąka "
+            "pokaże inna przeglądarka albo włączenie przyspieszenia sprzętowego w ustawieniach."
+        ),
+        "The graphics were taken away for a moment.": "Grafika jest chwilowo niedostępna.",
+        '"label":"quaternions"': '"label":"kwaterniony"',
+    },
+}
+
 
 def top(language: str) -> Chapter:
     """Return the chapter in which the thesis's top spins."""
     title, text = _WORDS[language]
     top = Top()
-    frame = f'<iframe srcdoc="{escape(top.page())}" title="{title}" loading="lazy"></iframe>'
+    page = top.page()
+    for said, ours in PLAYER.get(language, {}).items():
+        page = page.replace(said, ours)
+    frame = f'<iframe srcdoc="{escape(page)}" title="{title}" loading="lazy"></iframe>'
     still = f'<img class="printed" src="data:image/png;base64,{_still(top)}" alt="{title}">'
     return Chapter("3.3", title, f"<figure>{frame}{still}<figcaption>{text}</figcaption></figure>")
 

@@ -93,6 +93,10 @@ def transforms(r: Rotation, s: Any, v: Any) -> dict[str, Pair]:
         "rigid mul": (lambda: ours * ours, lambda: scipys * scipys),
         "rigid inv": (lambda: ours.inv(), lambda: scipys.inv()),
         "rigid as_matrix": (lambda: ours.as_matrix(), lambda: scipys.as_matrix()),
+        "rigid made, as_matrix": (
+            lambda: kind.from_components(v, r).as_matrix(),
+            lambda: ScipyTransform.from_components(v, s).as_matrix(),
+        ),
         "rigid from_matrix": (lambda: kind.from_matrix(m), lambda: ScipyTransform.from_matrix(m)),
         "rigid as_exp_coords": (lambda: ours.as_exp_coords(), lambda: scipys.as_exp_coords()),
         "rigid from_exp_coords": (

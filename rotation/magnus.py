@@ -65,7 +65,9 @@ def refined(values: Values, times: Array, frame: str, tolerance: float) -> tuple
     """
     xp = namespace(times)
     number = times.shape[0] - 1
-    each = -(-_AT_LEAST // max(number, 1))
+    if not number:
+        return times, [0]
+    each = -(-_AT_LEAST // number)
     row, start = np.divmod(np.arange(number * each), each)
     start, share = start / each, np.full(number * each, 1.0 / each)
     errors = _differences(values, times, frame, row, start, share)
@@ -102,6 +104,8 @@ def _differences(
     steps = _at(times, row, start + share) - _at(times, row, start)
     by_other = _by_simpson(early, middle, late, steps, frame)
     difference = by_gauss(first, second, steps, frame) - by_other
+    if 0 in difference.shape:
+        return np.zeros(len(row))
     sizes = xp.reshape(length(xp, split(difference)), (len(row), -1))
     return np.array([float(x) for x in xp.max(sizes, axis=-1)])
 

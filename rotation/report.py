@@ -16,6 +16,22 @@ from hfield.report.markup import table
 MOST_SECONDS = 300.0
 WIDE = 7.0  # inches, from where a figure takes the whole width
 
+LETTERING = {  # of figures 2.4 and 2.5; the others have formulas alone
+    "pl": {
+        "the original": "oryginał",
+        "(a) as printed, O(θ) of example 3\n[cos θ, sin θ; sin θ, cos θ]": "(a) w druku, O(θ) z przykładu 3\n"
+        "[cos θ, sin θ; sin θ, cos θ]",
+        "(b) as printed for determinant −1\n[cos θ, −sin θ; sin θ, −cos θ]": "(b) w druku, wyznacznik −1\n"
+        "[cos θ, −sin θ; sin θ, −cos θ]",
+        "(c) as it should be: reflections\n[cos θ, sin θ; sin θ, −cos θ]": "(c) poprawnie: odbicia\n"
+        "[cos θ, sin θ; sin θ, −cos θ]",
+        "(c) as it should be: always 10": "(c) poprawnie: zawsze 10",
+        "as printed,\n(a) and (b):\n10 |cos 2θ|": "w druku,\n(a) i (b):\n10 |cos 2θ|",
+        "(d) area of the image of the T, whose own area is 10": "(d) pole obrazu litery T, której"
+        " pole jest równe 10",
+        "area": "pole",
+    },
+}
 _FIGURES: dict[str, tuple[str, str, dict[str, str]]] = {
     "en": ("The figures of chapter 2", "Figure {number}. {title}", {}),
     "pl": (
@@ -71,7 +87,9 @@ def figures(language: str) -> Chapter:
     title, caption, names = _FIGURES[language]
     shown = []
     for number, drawing in FIGURES.items():
-        data = b64encode(picture(drawing.draw, drawing.size, "svg")).decode()
+        data = b64encode(
+            picture(drawing.draw, drawing.size, "svg", words=LETTERING.get(language))
+        ).decode()
         text = escape(caption.format(number=number, title=names.get(number, drawing.title)))
         wide = ' class="wide"' if drawing.size[0] > WIDE else ""
         shown.append(

@@ -43,7 +43,7 @@ class Formula:
         Which of the arrays always have one row: it is read once for all rows of the others.
     """
 
-    __slots__ = ("_formula", "_function", "_parameters", "_row", "_shapes", "_single")
+    __slots__ = ("_axes", "_formula", "_function", "_parameters", "_row", "_shapes", "_single")
 
     def __init__(
         self,
@@ -54,6 +54,7 @@ class Formula:
     ) -> None:
         self._single = single
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
+        self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
         self._function: Callable[..., int] | None = None
         self._row: tuple[int, ...] = ()
         _made.append(self)
@@ -64,17 +65,16 @@ class Formula:
 
     def told(self, *arrays: Array) -> tuple[Array, bool]:
         """Return the values, and whether a row may be one of which the formula has something to tell."""
-        for a in arrays:
+        batch: tuple[int, ...] = ()
+        for a, axes in zip(arrays, self._axes, strict=True):
             if type(a) is not np.ndarray or a.dtype is not _FLOAT64:
                 return self._plainly(arrays), True
+            own = a.shape[:axes]
+            if own != batch:
+                batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
         function = self._function or self._compiled()
         if function is None:
             return self._plainly(arrays), True
-        batch: tuple[int, ...] = ()
-        for a, shape in zip(arrays, self._shapes, strict=True):
-            own = a.shape[: a.ndim - len(shape)]
-            if own != batch:
-                batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
         out = np.empty(batch + self._row)
         if out.size > _MUCH:
             status = self._shared(function, arrays, batch, out)

@@ -2,6 +2,7 @@
 
 import doctest
 import gc
+import os
 import signal
 import sys
 import types
@@ -14,13 +15,19 @@ import pytest
 hypothesis.settings.register_profile("any machine", deadline=None)  # a busy one is slow, not wrong
 hypothesis.settings.load_profile("any machine")
 
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
+
 # Files whose tests take most of the time, as `--durations` shows; `-m "not slow"` leaves them out.
 SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_text().split())
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 
 
 def pytest_configure() -> None:
-    """Let commands that tests start hear Ctrl-C: under a shell's `&` it is ignored, by children too."""
+    """Give tests what a plain command has: no width of lines, which pytest's workers set, and Ctrl-C.
+
+    Under a shell's ``&`` Ctrl-C is ignored, by the commands that tests start too.
+    """
+    os.environ.pop("COLUMNS", None)
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         with suppress(ValueError):  # not in the main thread
             signal.signal(signal.SIGINT, signal.default_int_handler)

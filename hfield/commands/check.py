@@ -10,7 +10,7 @@ from hfield.certificates.check import Established, Pin, check_text
 from hfield.certificates.json_text import MAX_BYTES
 from hfield.certificates.rejection import Rejected, one_line
 from hfield.commands.many import LINES, Lines, add_inputs, check_given, texts
-from hfield.commands.output import gone_on, open_output
+from hfield.commands.output import open_output
 from hfield.commands.parser import UsageError, add_output
 from hfield.commands.second_judge import FLAG_HELP, Verdict, coq_verdicts, exit_status
 from hfield.errors import HFieldError, shorten
@@ -85,14 +85,8 @@ def run(args: Namespace) -> int:
         elif args.format == "json":
             out.write_json({"schema": "hfield-check/1", "results": results})
         else:
-            width = out.style().width
-            out.write(
-                "\n".join(
-                    gone_on(line, width, "    ")
-                    for name, outcome in outcomes
-                    for line in _told(name, outcome, coq.get(name))
-                )
-            )
+            told = (_told(name, outcome, coq.get(name)) for name, outcome in outcomes)
+            out.write_lines([line for each in told for line in each], "    ")
     return exit_status(coq, _exit_status(outcomes, args.allow_assumptions))
 
 

@@ -48,6 +48,12 @@ class Sink:
         STATUS.erase()
         print(encodable(text.rstrip("\n"), self.stream), file=self.stream)
 
+    def write_lines(self, lines: Iterable[str], below: str) -> None:
+        """Write lines, whole in a pipe or a file; where they have to fit they go on, set in, in the next."""
+        if _has_width(self.stream):
+            lines = [gone_on(line, terminal_width(), below) for line in lines]
+        self.write("\n".join(lines))
+
     def write_json(self, data: Mapping[str, object]) -> None:
         """Write JSON, each entry on a line of its own, in letters where the encoding has them."""
         STATUS.erase()

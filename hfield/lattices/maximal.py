@@ -144,15 +144,12 @@ def zero_divisor(order: Order, p: int, e: int) -> list[int]:
 def zero_on_line(order: Order, v: list[int], n: int, p: int, e: int) -> list[int] | None:
     """Return v with another n-th coordinate in place of 0, not in p·O, whose norm pᵉ divides; or None.
 
-    The norm is a quadratic polynomial in that coordinate.
+    The norm is a quadratic polynomial in that coordinate, and its simple roots give no element of p·O.
     """
     gram = order._integral_gram
     b = sum(gram[n][m] * v[m] for m in range(4))
     root = simple_root(gram[n][n] // 2, b, order._trace_and_norm(v)[1], p, e)
-    if root is None:
-        return None
-    found = [*v[:n], root, *v[n + 1 :]]
-    return found if any(x % p for x in found) else None
+    return None if root is None else [*v[:n], root, *v[n + 1 :]]
 
 
 def _lines() -> Iterator[tuple[int, tuple[int, ...]]]:

@@ -43,7 +43,8 @@ class Claim:
     ``note`` says how the print was read, or why it fails. ``spoilt`` is the twin with one sign,
     index or hypothesis changed, whose verdicts must differ. ``corrected`` is the true statement
     behind a refuted one. ``section`` is part of the id if it is not given; ``fields`` are the columns
-    in which the claim has a row, ``("-",)`` for a claim that is about no field.
+    in which the claim has a row, ``("-",)`` for a claim that is about no field. ``source`` is the document
+    that it comes from: a package and a file in it, or nothing and a path.
     """
 
     id: str
@@ -58,6 +59,7 @@ class Claim:
     headline: bool = False
     section: str = ""
     fields: tuple[str, ...] = PANEL
+    source: tuple[str, str] = ("", "")
 
     def __post_init__(self) -> None:
         if not self.section:

@@ -55,7 +55,7 @@ def read_ledger(path: str | Path) -> tuple[Claim, ...]:
         text = content.decode("utf-8")
     except UnicodeDecodeError as error:
         raise LedgerError(f"{path} is not text in UTF-8 (byte {error.start + 1})") from None
-    return _Document(text, str(path)).claims({}, verify=True)
+    return _Document(text, str(path), ("", str(path))).claims({}, verify=True)
 
 
 def read_title(path: str | Path) -> str:
@@ -84,14 +84,14 @@ def load(
 ) -> tuple[Claim, ...]:
     """Load a ledger that lies in a package; ``computed`` has by id what Python decides there."""
     text = (files(package) / file).read_text(encoding="utf-8")
-    return _Document(text, file).claims(computed or {}, verify=False)
+    return _Document(text, file, (package, file)).claims(computed or {}, verify=False)
 
 
 class _Document:
     """One file: its text, for the numbers of lines, and its tables."""
 
-    def __init__(self, text: str, name: str) -> None:
-        self.text, self.name = text, name
+    def __init__(self, text: str, name: str, source: tuple[str, str] = ("", "")) -> None:
+        self.text, self.name, self.source = text, name, source
         try:
             data = tomllib.loads(text)
         except (tomllib.TOMLDecodeError, RecursionError) as error:
@@ -198,6 +198,7 @@ class _Document:
             data.get("headline", False),
             data["section"],
             self._fields(data, algebra),
+            self.source,
         )
 
     def _proposition(self, data: Mapping[str, Any], key: str) -> Proposition | None:

@@ -6,50 +6,50 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from itertools import groupby
 
-from hfield.errors import shorten
 from hfield.ledger.claim import Row, by_claim
 from hfield.ledger.matrix import tally
 from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.report.certified import Certificates
-from hfield.report.markup import Words, anchor, field_html, field_text, formula, prose, verdict_html
+from hfield.report.language import Language
+from hfield.report.markup import anchor, field_html, field_text, verdict_html
 from hfield.report.terms import term
 
 MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
 Alike = tuple[str, str, str, str]
 
 
-def claims_html(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+def claims_html(rows: Sequence[Row], certificates: Certificates, words: Language) -> str:
     """Set all claims, by section."""
     sections = groupby(by_claim(rows), key=lambda own: own[0].claim.section)
     return "\n".join(_section(name, own, certificates, words) for name, own in sections)
 
 
 def _section(
-    name: str, claims: Iterable[Sequence[Row]], certificates: Certificates, words: Words
+    name: str, claims: Iterable[Sequence[Row]], certificates: Certificates, words: Language
 ) -> str:
     title = f'<section class="of-section"><h3>{words["section"]} {escape(name)}</h3>'
     articles = (_article(own, certificates, words) for own in claims)
     return "\n".join([title, *articles, "</section>"])
 
 
-def _article(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+def _article(rows: Sequence[Row], certificates: Certificates, words: Language) -> str:
     claim = rows[0].claim
     name = anchor(claim.id)
     refuted = any(row.as_printed.verdict == REFUTED for row in rows)
-    facts = [(words["statement"], f'<p lang="en">{escape(claim.statement)}</p>')]
+    facts = [(words["statement"], words.html(claim.statement, "p"))]
     if claim.printed not in ("", "—", claim.statement):
-        facts.append((words["printed"], f'<p lang="pl">{escape(claim.printed)}</p>'))
+        facts.append((words["printed"], words.printed(claim)))
     if claim.as_printed is not None:
-        facts.append((words["read_as"], formula(claim.as_printed.text)))
+        facts.append((words["read_as"], words.statement(claim.as_printed.text)))
     if claim.note:
-        facts.append((words["note"], f'<p lang="en">{escape(claim.note)}</p>'))
+        facts.append((words["note"], words.html(claim.note, "p")))
     if refuted and claim.corrected is not None:
-        facts.append((words["corrected"], formula(claim.corrected.text)))
+        facts.append((words["corrected"], words.statement(claim.corrected.text)))
     return (
         f'<article class="claim" id="{name}" aria-labelledby="{name}-name">'
-        f'<h4 id="{name}-name"><a href="#{name}">{escape(claim.id)}</a> <span lang="en">'
-        f"{escape(claim.name)}</span> <small>{term(claim.kind, words)}</small></h4>"
+        f'<h4 id="{name}-name"><a href="#{name}">{escape(claim.id)}</a> {words.name(claim)}'
+        f" <small>{term(claim.kind, words)}</small></h4>"
         f"{description(facts)}{_decisions(rows, certificates, words)}</article>"
     )
 
@@ -63,7 +63,7 @@ def description(facts: Sequence[tuple[str, str]]) -> str:
     )
 
 
-def _decisions(rows: Sequence[Row], certificates: Certificates, words: Words) -> str:
+def _decisions(rows: Sequence[Row], certificates: Certificates, words: Language) -> str:
     """Set the decisions of a claim in a table, those that are alike in one line; closed at first."""
     alike: dict[Alike, list[Row]] = {}
     for row in rows:
@@ -92,14 +92,14 @@ def _alike(row: Row) -> Alike:
     return decision.verdict, decision.method, witness_text(decision.witness, row.field), after
 
 
-def _line(rows: Sequence[Row], width: int, certificates: Certificates, words: Words) -> str:
+def _line(rows: Sequence[Row], width: int, certificates: Certificates, words: Language) -> str:
     first = rows[0]
     verdict, method, witness, _ = _alike(first)
     fields = " ".join(_field(row, certificates.number(row)) for row in rows)
     cells = [
         fields,
         term(method, words),
-        prose(shorten(witness, MOST_LETTERS)),
+        words.html(witness, most=MOST_LETTERS),
     ]
     if width > 4:
         after = first.as_corrected
@@ -123,15 +123,13 @@ def _field(row: Row, number: int | None, which: str = "") -> str:
     return f'<button type="button" data-c="{number}" data-f="{field_text(row.field)}{which}">{shown}</button>'
 
 
-def _reasons(decision: Decision, words: Words) -> str:
+def _reasons(decision: Decision, words: Language) -> str:
     """Set the steps of a decision, what it cites and what was tried, as lines."""
-    steps = [f"<li>{prose(shorten(step.strip(), MOST_LETTERS))}</li>" for step in decision.steps]
+    steps = [words.html(step.strip(), "li", MOST_LETTERS) for step in decision.steps]
     if len(steps) > MOST_STEPS:
         more = words["more_steps"].format(n=len(steps) - MOST_STEPS + 1)
         steps = [*steps[: MOST_STEPS - 1], f"<li>{more}</li>"]
-    out = f'<ol lang="en">{"".join(steps)}</ol>' if steps else ""
+    out = f"<ol>{''.join(steps)}</ol>" if steps else ""
     for key, texts in (("assumes", decision.assumes), ("tried", decision.tried)):
-        out += "".join(
-            f'<p><i>{words[key]}</i> <span lang="en">{prose(text)}</span></p>' for text in texts
-        )
+        out += "".join(f"<p><i>{words[key]}</i> {words.html(text)}</p>" for text in texts)
     return out

@@ -9,11 +9,12 @@ from hfield.ledger.claim import Row
 from hfield.ledger.errata import Erratum, errata
 from hfield.proving.decision import REFUTED
 from hfield.report.claims import description
-from hfield.report.markup import Words, anchor, field_html, formula, prose, verdict_html
+from hfield.report.language import Language
+from hfield.report.markup import anchor, field_html, verdict_html
 from hfield.report.terms import term
 
 
-def errata_html(rows: Sequence[Row], words: Words) -> str:
+def errata_html(rows: Sequence[Row], words: Language) -> str:
     """Set every erratum, numbered."""
     found = errata(rows)
     if not found:
@@ -21,13 +22,13 @@ def errata_html(rows: Sequence[Row], words: Words) -> str:
     return f'<ol class="errata">{"".join(_erratum(one, words) for one in found)}</ol>'
 
 
-def _erratum(erratum: Erratum, words: Words) -> str:
+def _erratum(erratum: Erratum, words: Language) -> str:
     claim = erratum.claim
     facts = []
     if claim.printed not in ("", "—"):
-        facts.append((words["printed"], f'<p lang="pl">{escape(claim.printed)}</p>'))
+        facts.append((words["printed"], words.printed(claim)))
     else:
-        facts.append((words["statement"], f'<p lang="en">{escape(claim.statement)}</p>'))
+        facts.append((words["statement"], words.html(claim.statement, "p")))
     facts.append((words["refuted_over"], _fields(erratum.refuted)))
     rest = [row for row in erratum.rows if row.as_printed.verdict != REFUTED]
     if rest:
@@ -38,12 +39,11 @@ def _erratum(erratum: Erratum, words: Words) -> str:
         )
         facts.append((words["elsewhere"], "; ".join(told)))
     if claim.note:
-        facts.append((words["note"], f'<p lang="en">{escape(claim.note)}</p>'))
+        facts.append((words["note"], words.html(claim.note, "p")))
     if erratum.witness:
-        facts.append((words["witness"], prose(erratum.witness)))
+        facts.append((words["witness"], words.html(erratum.witness)))
     if erratum.failures:
-        lines = "".join(f"<p>{prose(text)}</p>" for text in erratum.failures)
-        facts.append((words["there"], f'<div lang="en">{lines}</div>'))
+        facts.append((words["there"], "".join(words.html(text, "p") for text in erratum.failures)))
     if claim.corrected is not None:
         after = {
             row.as_corrected.verdict: None
@@ -51,10 +51,10 @@ def _erratum(erratum: Erratum, words: Words) -> str:
             if row.as_corrected is not None
         }
         marks = " ".join(verdict_html(verdict, words) for verdict in after)
-        facts.append((words["corrected"], f"{formula(claim.corrected.text)}{marks}"))
+        facts.append((words["corrected"], f"{words.statement(claim.corrected.text)}{marks}"))
     return (
-        f'<li><h3><a href="#{anchor(claim.id)}">{escape(claim.id)}</a> <span lang="en">'
-        f"{escape(claim.name)}</span> <small>{term(claim.kind, words)}</small></h3>{description(facts)}</li>"
+        f'<li><h3><a href="#{anchor(claim.id)}">{escape(claim.id)}</a> {words.name(claim)}'
+        f" <small>{term(claim.kind, words)}</small></h3>{description(facts)}</li>"
     )
 
 

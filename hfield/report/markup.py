@@ -13,19 +13,22 @@ from hfield.proving.statements.trees import conjuncts
 from hfield.syntax import parse
 
 _LETTERS = {"QQ": "ℚ", "ZZ": "ℤ", "RR": "ℝ", "CC": "ℂ"}
+_INDEX = re.compile(r"(?<![^\W_])([^\W\d_])_([a-zA-Z0-9Δπ]{1,3})(?![a-zA-Z0-9_])")  # e_i, R_zyx
+_INDICES = re.compile(r"(?<=[\w}])_\{([^{}]*)\}")  # a_{n+1}
+_POWER = re.compile(r"\^\{?((?<=\{)[^{}]*(?=\})|(?<=\^)(?:-?\d+|[^\W\d_]|⊥))\}?")
 Words = dict[str, str]
 
 
 def formula(text: str) -> str:
-    """Set a statement of the language as formulas, a line for each that ``and`` joins; words stay words.
+    """Set a statement of the language as formulas, a line for each that ``and`` joins; nothing for words.
 
     >>> formula("the top has 2002 points")
-    '<p lang="en">the top has 2002 points</p>'
+    ''
     """
     try:
         parts = conjuncts(parse(text))
     except NotationError:
-        return f'<p lang="en">{escape(text)}</p>'
+        return ""
     lines = [f"<p>{to_mathml(part)}</p>" for part in parts]
     return f'<div class="formula">{"".join(lines)}</div>'
 
@@ -38,12 +41,20 @@ def field_html(name: str) -> str:
 
 
 def prose(text: str) -> str:
-    """Set a text, the names of fields in it as mathematics: ``p = i over QQ``."""
+    """Set a text, names of fields, indices and powers in it as mathematics: ``p = i over QQ``, ``e_i``.
+
+    >>> prose("{e_{i_1}}_{i=1}^k, R_zyx and rotation_axis")
+    '{e<sub>i<sub>1</sub></sub>}<sub>i=1</sub><sup>k</sup>, R<sub>zyx</sub> and rotation_axis'
+    """
     text = escape(text)
     text = re.sub(r"\bGF\((\d+)\^(\d+)\)", r"F<sub>\1<sup>\2</sup></sub>", text)
     text = re.sub(r"\bGF\((\d+)\)", r"F<sub>\1</sub>", text)
     text = re.sub(r"\bsqrt\((-?\w+)\)", lambda found: "√" + found[1].replace("-", "−"), text)
     text = text.replace("(I)", "(i)")
+    text = _INDEX.sub(r"\1<sub>\2</sub>", text)
+    for signs, tag in ((_INDICES, "sub"), (_POWER, "sup")):
+        while (after := signs.sub(rf"<{tag}>\1</{tag}>", text)) != text:
+            text = after
     return re.sub(r"\b(QQ|ZZ|RR|CC)(?!\w)", lambda found: _LETTERS[found[0]], text)
 
 

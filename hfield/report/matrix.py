@@ -10,6 +10,7 @@ from hfield.ledger.claim import Claim, Row
 from hfield.ledger.matrix import MARKS, columns_of, tally
 from hfield.ledger.run import contradictions
 from hfield.proving.decision import UNDECIDED, VERDICTS
+from hfield.report.language import Language
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
 
 
@@ -86,7 +87,7 @@ def _select(name: str, label: str, every: str, options: Sequence[tuple[str, str]
     return f'<label>{label}<select id="{name}"><option value="">{every}</option>{listed}</select></label>'
 
 
-def matrix_html(rows: Sequence[Row], words: Words) -> str:
+def matrix_html(rows: Sequence[Row], words: Language) -> str:
     """Set the matrix: a line a claim, a column a field; a cell has its mark, and its word for readers."""
     fields = columns_of(rows)
     verdicts = {(row.claim.id, row.field): row.as_printed.verdict for row in rows}
@@ -105,7 +106,7 @@ def matrix_html(rows: Sequence[Row], words: Words) -> str:
         )
         for claim in own:
             cells = (_cell(verdicts.get((claim.id, field)), words) for field in fields)
-            bodies += f"{_line(claim)}{''.join(cells)}</tr>"
+            bodies += f"{_line(claim, words)}{''.join(cells)}</tr>"
         bodies += "</tbody>"
     legend = " ".join(verdict_html(v, words) for v in VERDICTS)
     return (
@@ -116,10 +117,10 @@ def matrix_html(rows: Sequence[Row], words: Words) -> str:
     )
 
 
-def _line(claim: Claim) -> str:
+def _line(claim: Claim, words: Language) -> str:
     return (
         f'<tr data-id="{anchor(claim.id)}"><th scope="row"><a href="#{anchor(claim.id)}">'
-        f'{escape(claim.id)} <span lang="en">{escape(claim.name)}</span></a></th>'
+        f"{escape(claim.id)} <span>{words.name(claim)}</span></a></th>"
     )
 
 

@@ -11,8 +11,8 @@ from hfield.report.certified import Certificates
 from hfield.report.chapters import Chapter
 from hfield.report.claims import claims_html
 from hfield.report.errata import errata_html
+from hfield.report.language import Language
 from hfield.report.matrix import filters_html, matrix_html, summary_html
-from hfield.report.words import LANGUAGES
 
 
 def page(
@@ -28,7 +28,7 @@ def page(
     """
     from hfield import __version__
 
-    words = LANGUAGES[language]
+    words = Language(language, rows)
     title = words["thesis"] if ledger is None else f"{ledger}: {words['title']}"
     places = ["summary", "matrix", "claims", "errata"]
     links = [(f"#{key}", words[key]) for key in places]

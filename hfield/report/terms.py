@@ -69,10 +69,11 @@ def term(text: str, words: Words) -> str:
     >>> term("lemma 3 proof", POLISH), term("identity; implication", POLISH)
     ('lemat 3, dowód', 'tożsamość; implikacja')
     """
-    if words["lang"] == "pl":
-        said = [_polish(part) for part in text.split("; ")]
-        if all(said):
-            return escape("; ".join(said))
+    if words["lang"] == "en":
+        return escape(text)
+    said = [_polish(part) for part in text.split("; ")]
+    if all(said):
+        return escape("; ".join(said))
     return f'<span lang="en">{escape(text)}</span>'
 
 

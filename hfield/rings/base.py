@@ -116,9 +116,7 @@ class Ring(ABC, Generic[E]):
         """Refuse the number of an ordering that the ring does not have."""
         known = self.orderings.value
         if ordering < 0 or (known is not None and ordering >= known):
-            raise UndecidedError(
-                f"{self.name} has no ordering number {ordering}; there are {known}"
-            )
+            raise RingError(f"{self.name} has no ordering number {ordering}; there are {known}")
 
     def is_zero(self, x: E) -> bool:
         """Tell whether x is 0."""

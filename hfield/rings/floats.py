@@ -7,7 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
+from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.rings.base import Known
 from hfield.rings.printing import number_text
 from hfield.rings.rational import rational, unwrap
@@ -106,9 +106,9 @@ class Floats(ValueRing):
         return Known(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
 
     def sign(self, x: float, ordering: int = 0) -> int:
-        """Return the sign of the float. Raises :class:`UndecidedError` for a second ordering."""
+        """Return the sign of the float. Raises :class:`RingError` for a second ordering."""
         if ordering:
-            raise UndecidedError(f"RDF has no ordering number {ordering}, only the usual one, 0")
+            raise RingError(f"RDF has no ordering number {ordering}, only the usual one, 0")
         return int(x > 0) - int(x < 0)
 
     def names(self) -> dict[str, float]:

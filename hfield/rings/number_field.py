@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError, shorten
+from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.product import Constants
 from hfield.rings.base import Known, Ring
 from hfield.rings.holding import Holding
@@ -23,6 +23,9 @@ from hfield.rings.values import ValueRing
 if TYPE_CHECKING:
     from hfield.rings.number_field_places import ComplexPlace, Place, RealPlace
     from hfield.rings.number_primes import PrimeIdeal
+
+
+MAX_DIGITS = 300_000  # of a complex value
 
 
 class NumberField(ValueRing[FieldElement]):
@@ -212,10 +215,14 @@ class NumberField(ValueRing[FieldElement]):
     def embed(self, x: FieldElement, place: int | None = None, digits: int = 15) -> flint.acb:
         """Return the value of x at an infinite place, a complex ball of flint. Raises :class:`RingError`."""
         index = self.principal if place is None else place
-        if not 0 <= index < self.embeddings.count:
+        if not isinstance(index, int) or not 0 <= index < self.embeddings.count:
             raise RingError(
-                f"{shorten(self.name)} has no embedding number {index}: there are {self.embeddings.count}, "
-                "real ones first, one of two that are conjugate"
+                f"{shorten(self.name)} has no embedding number {shorten(index)}: there are "
+                f"{self.embeddings.count}, real ones first, one of two that are conjugate"
+            )
+        if not isinstance(digits, int) or not 0 < digits <= MAX_DIGITS:
+            raise CoercionError(
+                f"expected a number of digits from 1 to {MAX_DIGITS}, not {shorten(digits)}"
             )
         return self.embeddings.close(self(x).poly, index, digits)
 
@@ -237,7 +244,7 @@ class NumberField(ValueRing[FieldElement]):
         """Refuse the number of a real place that the field does not have."""
         real = self.signature[0]
         if not 0 <= ordering < real:
-            raise UndecidedError(
+            raise RingError(
                 f"{shorten(self.name)} has no real place number {ordering}; there are {real}"
             )
 

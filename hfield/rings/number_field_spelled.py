@@ -20,10 +20,19 @@ from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
-from hfield.rings.number_field_specs import LARGEST_DEGREE, MAX_CONDUCTOR, MAX_DEGREE
+from hfield.rings.number_field_specs import (
+    LARGEST_DEGREE,
+    MAX_CONDUCTOR,
+    MAX_DEGREE,
+    NUMBER,
+    is_balanced,
+    power_sum,
+)
 from hfield.rings.number_sums import Value, common_root, evaluate, factor_at, sums_of_roots
 from hfield.rings.printing import number_text, sum_text
 from hfield.rings.rational import rational
+
+_POLYNOMIAL = "for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
 
 
 @dataclass(frozen=True)
@@ -181,6 +190,8 @@ class SpelledField(NumberField):
 def adjoined(s: str, inner: str) -> Ring:
     """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
     texts = _split(inner)
+    if len(texts) == 1 and not _is_number(inner):
+        return _generated(s, inner)
     once = {n.text: n for n in (read_number(s, text) for text in texts)}
     numbers = list(once.values())
     quadratic = [n.radicand for n in numbers if n.radicand is not None and n.radicand[1] == 2]
@@ -191,6 +202,32 @@ def adjoined(s: str, inner: str) -> Ring:
     numbers.sort(key=lambda n: n.text.isidentifier())  # roots first
     name = f"QQ({','.join(n.text for n in numbers)})"
     return SpelledField(name, numbers)
+
+
+def _is_number(text: str) -> bool:
+    """Tell whether a text is one number with a name."""
+    m = re.fullmatch(r"(?:sqrt|cbrt|root)\((.*)\)", text)
+    return is_balanced(m[1]) if m else not re.search("[-+*/^]", text)
+
+
+def _generated(s: str, text: str) -> Ring:
+    """Return the field that a text such as ``sqrt(2)+sqrt(3)`` generates, as that of the numbers in it.
+
+    Raises :class:`RingError` for what cannot be read, and where these generate more.
+    """
+    whole = adjoined(s, ",".join(dict.fromkeys(re.findall(NUMBER, text))))
+    try:
+        x = whole(text)
+    except HFieldError as error:
+        raise RingError(f"{shorten(s)}: {error}; {_POLYNOMIAL}") from error
+    if isinstance(whole, NumberField):
+        found = x.minimal_polynomial()
+        if len(found) - 1 < whole.degree:
+            shown = f"QQ[s]/({power_sum(found, 's')})" if len(found) > 2 else "QQ"
+            raise RingError(f"{shorten(s)} is smaller than {whole}: write {shown}")
+    elif set(x.terms) <= {1}:
+        raise RingError(f"{shorten(s)} is QQ itself: write QQ")
+    return whole
 
 
 def real_cyclotomic(n: int) -> Ring:
@@ -231,7 +268,7 @@ def read_number(field: str, text: str) -> Number:
     if m is None:
         raise RingError(
             f"{shorten(field)}: {shorten(text)!r} is none of the numbers that make a field here: "
-            "sqrt(2), root(2,3), zeta5, I; for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
+            f"sqrt(2), root(2,3), zeta5, I; {_POLYNOMIAL}"
         )
     n = int(m[5]) if m[3] else {"sqrt": 2, "cbrt": 3}[m[1]]
     try:

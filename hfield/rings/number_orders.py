@@ -56,8 +56,11 @@ class LocalOrder:
 
     def content(self, x: FieldElement) -> int:
         """Return the greatest k for which x/pᵏ lies in the order at p, x ≠ 0."""
-        numerators, below = self.coordinates(x)
-        common = math.gcd(*numerators)
+        if self.plain:
+            common, below = int(x.poly.numer().content()), int(x.poly.denom())
+        else:
+            numerators, below = self.coordinates(x)
+            common = math.gcd(*numerators)
         return remove(common, self.p)[0] - remove(below, self.p)[0]
 
     def element(self, coordinates: Iterable[int | flint.fmpq]) -> FieldElement:

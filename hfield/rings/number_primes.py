@@ -110,7 +110,7 @@ class PrimeIdeal:
             raise RingError("0 has no valuation: it lies in every power of a prime ideal")
         order, p = self.order, self.p
         twice = order.content(x) // 2
-        y = x * flint.fmpq(p) ** (-2 * twice)
+        y = x * flint.fmpq(p) ** (-2 * twice) if twice else x
         v = 2 * twice * self.e
         while True:
             z = y * self.inverse_uniformiser

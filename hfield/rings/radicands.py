@@ -60,9 +60,7 @@ def product(m: int, n: int) -> tuple[int, int]:
             s = _exact_root(part)
             if s is not None:
                 factor, root = factor * s, root // part
-        if not is_long(
-            (root,)
-        ):  # a square that nobody found in a long radicand is found in a short one
+        if abs(root) < PROVED_BELOW:  # short now: a square that was hidden is found
             s, root = reduced(root)
             factor *= s
     return factor, root

@@ -15,7 +15,7 @@ from hfield.rings.variables import variables
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
-    "QQ(I)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]", "Qp(5)", "GF(9)((t))",
+    "QQ(I)", "QQ(zeta5)", "QQ[s]/(s^3-2)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]", "Qp(5)", "GF(9)((t))",
 )  # fmt: skip
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
 

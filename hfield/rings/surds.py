@@ -114,9 +114,7 @@ class Surd:
             raise NotInvertibleError("cannot divide by 0")
         top, bottom = ONE, self
         while not bottom.is_rational():
-            base = independent(
-                frozenset(bottom.terms)
-            )  # anew: products may show squares in radicands
+            base = independent(frozenset(bottom.terms))  # anew: squares may have come out
             n = next(n for n in bottom.terms if n != 1)
             conjugate = bottom.conjugate_at(-1 if n < 0 else next(b for b in base if odd(n, b)))
             top, bottom = top * conjugate, bottom * conjugate

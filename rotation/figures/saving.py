@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -27,22 +27,29 @@ _DATELESS: dict[str, dict[str, None]] = {
 
 
 def picture(
-    draw: Callable[[Figure], None], size: tuple[float, float], suffix: str = "png", dpi: int = 150
+    draw: Callable[[Figure], None],
+    size: tuple[float, float],
+    suffix: str = "png",
+    dpi: int = 150,
+    words: Mapping[str, str] | None = None,
 ) -> bytes:
     """Return what ``draw`` draws on ``size`` inches as a file's bytes; they depend on no date or settings.
 
-    ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone.
+    ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone; ``words`` replace lettering.
     """
     import_matplotlib()
     from matplotlib import style
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
+    from matplotlib.text import Text
 
     out = BytesIO()
     with style.context(["default", STYLE]):  # whatever the user's matplotlibrc says
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         draw(figure)
+        for text in figure.findobj(Text):
+            text.set_text((words or {}).get(text.get_text(), text.get_text()))
         figure.savefig(out, format=suffix, dpi=dpi, metadata=_DATELESS[suffix])
     return out.getvalue()
 

@@ -120,6 +120,15 @@ def test_two_sided_primes() -> None:
         H("QQ").lipschitz_order().two_sided_prime(2)
 
 
+@pytest.mark.parametrize("n", [4, 8, 9, 36])
+def test_random_ideals_of_powers_lie_in_no_multiple_of_the_order(n: int) -> None:
+    O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
+    for seed in range(20):
+        I = O.random_ideal(n, seed=seed)
+        assert I.norm() == n
+        assert I.primitive_part() == (I, 1)
+
+
 def test_inverses_products_and_conjugates() -> None:
     rng = Random(4)
     for _ in range(25):

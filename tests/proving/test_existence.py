@@ -1,11 +1,13 @@
 """What exists linearly is decided; what exists over ℝ and ℂ by a theorem; what does not over rings."""
 
+import contextlib
 import random
 from dataclasses import replace
 
 import pytest
 
 from hfield import prove
+from hfield.errors import HFieldError
 from hfield.proving.decide import decide
 from hfield.proving.existence.case_distinction import by_linear_algebra
 from hfield.proving.existence.linear_systems import linear_cases
@@ -228,3 +230,24 @@ def test_a_place_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
 )
 def test_letters_that_the_constants_divide_by_are_units(statement, algebra, verdict):
     assert decide(statement, algebra=algebra, timeout=5).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("statement", "field", "verdict"),
+    [
+        ("exists s: y == sqrt(2)", "QQ(sqrt(2))", "refuted"),
+        ("exists s: y == s + sqrt(2)", "QQ(sqrt(2))", "proved"),
+        ("exists s: y == sqrt(-1)", "Qp(5)", "refuted"),
+        ("exists s: s*y == s + zeta5", "QQ(zeta5)", "refuted"),
+        ("y != 1 => (exists s: s*y == s + zeta5)", "QQ(zeta5)", "proved"),
+        ("exists t: y == g", "QQ[g]/(g^3-2)", "refuted"),
+    ],
+)
+def test_constants_of_the_field_in_linear_equations(statement, field, verdict):
+    assert decide(statement, field=field, timeout=5).verdict == verdict
+
+
+def test_numbers_known_to_some_digits_in_linear_equations():
+    for statement in ("exists s: y == O(2)", "exists s: z != x*(1+O(2))"):
+        with contextlib.suppress(HFieldError):
+            decide(statement, field="Qp(2)", timeout=2)

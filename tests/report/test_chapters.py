@@ -2,13 +2,15 @@
 
 import re
 from base64 import b64decode
+from html import unescape
 from io import BytesIO
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from anim.report import top
+from anim.report import PLAYER, top
+from anim.top import Top
 from rotation.report import benchmark_html, figures
 from tests.report.test_page import Outline
 
@@ -61,6 +63,21 @@ def test_the_top_stands_in_a_frame_of_its_own(language):
     picture = np.asarray(Image.open(BytesIO(b64decode(still))).convert("RGB"))
     assert picture.shape == (480, 480, 3)
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 100  # a top, not an empty sheet
+
+
+def test_the_player_speaks_polish():
+    """Each text that is replaced is there, and none that a reader meets is left."""
+    page = Top().page()
+    assert [text for text in PLAYER["pl"] if page.count(text) != 1] == []
+    body = unescape(re.search('srcdoc="([^"]*)"', top("pl").body)[1])
+    told = re.findall(
+        r'(?:aria-label|title)="([^"]*)"|<(?:dd|dt|title|label)>([^<]*)<|say\("([^"]*)"', body
+    )
+    met = {text.strip() for found in told for text in found if len(text.strip()) > 2}
+    ours = " ".join(PLAYER["pl"].values())
+    assert len(met) > 15
+    worded = {text for text in met if re.search("[a-z]{3}", text)}
+    assert {text for text in worded if text not in ours} == {"home, end"}  # names of keys
 
 
 def test_what_the_benchmark_says_is_said_in_polish():

@@ -10,8 +10,9 @@ from flint import arb
 
 from hfield import NumberField, QuaternionAlgebra, ring
 from hfield.embedding import embedding
-from hfield.errors import CoercionError, NotInvertibleError, RingError, UndecidedError
+from hfield.errors import CoercionError, NotInvertibleError, RingError
 from hfield.rings.number_field_places import place_of_number_field
+from hfield.rings.printing import from_unicode
 from tests.structure.number_field_cases import cases, field, prime
 
 FIELDS = cases("number_fields")
@@ -159,7 +160,7 @@ def test_elements_are_values() -> None:
         K("sqrt(s)")
     with pytest.raises(NotInvertibleError):
         K.inverse(K.zero)
-    with pytest.raises(UndecidedError, match="no real place number 1"):
+    with pytest.raises(RingError, match="no real place number 1"):
         K.sign(s, 1)
     with pytest.raises(RingError, match="no embedding number 2"):
         K.embed(s, 2)
@@ -300,3 +301,55 @@ def test_fields_that_do_not_map_say_so() -> None:
     for target in ("QQ(x)", "GF(7)"):
         with pytest.raises(CoercionError, match="has no image"):
             embedding(ring("QQ[s]/(s^3-2)"), ring(target))(ring("QQ[s]/(s^3-2)").gen)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("QQ(sqrt(2)+sqrt(3))", "QQ(sqrt(2),sqrt(3))"),
+        ("QQ(√2 - √3/2)", "QQ(sqrt(2),sqrt(3))"),
+        ("QQ((1+sqrt(5))/2)", "QQ(sqrt(5))"),
+        ("QQ(1+root(2,3))", "QQ(root(2,3))"),
+        ("QQ(zeta5^2)", "QQ(zeta5)"),
+        ("QQ(-I)", "QQ(I)"),
+        ("QQ(I+sqrt(2))", "QQ(sqrt(2),I)"),
+    ],
+)
+def test_a_sum_of_roots_generates_their_field(text, name):
+    K = ring(text)
+    assert K.name == name
+    if isinstance(K, NumberField):
+        x = K(from_unicode("".join(text.split()))[3:-1])
+        assert len(x.minimal_polynomial()) == K.degree + 1
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("QQ(sqrt(2)*sqrt(3))", r"smaller than .*: write QQ\[s\]/\(s\^2-6\)"),
+        ("QQ(zeta5+1/zeta5)", r"smaller than .*: write QQ\[s\]/\(s\^2\+s-1\)"),
+        ("QQ(sqrt(2)^2)", "is QQ itself"),
+        ("QQ(root(2,3)^3)", "write QQ$"),
+        ("QQ(x+sqrt(2))", "'x' means nothing.*write its polynomial"),
+        ("QQ(1/0+sqrt(2))", "cannot divide by 0"),
+        ("QQ(sqrt(2)+)", "write its polynomial"),
+    ],
+)
+def test_a_sum_that_generates_less_or_is_not_read(text, why):
+    with pytest.raises(RingError, match=why):
+        ring(text)
+
+
+def test_embeddings_and_digits_that_there_are_not():
+    x = ring("QQ[s]/(s^4-s-1)").gen
+    for digits in (0, -3, 1.5, "5", 10**9):
+        with pytest.raises(CoercionError, match="number of digits from 1"):
+            x.complex(0, digits=digits)
+    for place in (3, -1, "a", 2.0):
+        with pytest.raises(RingError, match="has no embedding number"):
+            x.complex(place)
+    for place in (2, -1):
+        with pytest.raises(RingError, match="no real place number"):
+            x.sign(place)
+    with pytest.raises(RingError, match=r"QQ\(zeta5\) QQ\[s\]/\(s\^3-2\)"):
+        ring("foo")

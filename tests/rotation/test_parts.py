@@ -84,6 +84,10 @@ def test_integration_to_a_tolerance(frame: str) -> None:
     calls = []
     integrate(lambda t: calls.append(t) or omega(t), times, tolerance=1e-3)
     assert len(calls) < 300
+    assert integrate(omega, [2.0], tolerance=1e-3).shape == (1,)
+    assert integrate(lambda _: np.ones((0, 3)), times, tolerance=1e-3).shape == (3, 0)
+    assert integrate(lambda _: np.ones((2, 4, 3)), times, tolerance=1e-3).shape == (3, 2, 4)
+    assert np.isnan(integrate(lambda _: [np.nan, 0, 0], times, tolerance=1e-3)[1:].as_quat()).all()
     for bad in (0.0, -1.0, np.nan):
         with pytest.raises(RotationError, match="tolerance"):
             integrate(omega, times, tolerance=bad)

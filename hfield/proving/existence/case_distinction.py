@@ -131,12 +131,12 @@ def _few(problem: Problem, cases: list[Case]) -> list[Case]:
     returned: then that is a place where nothing exists.
     """
     field = problem.field
-    worlds: list[PrimeScalars | RingScalars] = [
-        PrimeScalars(p) for p in ((0, 2, 3) if field is None else (field.characteristic,))
-    ]
+    applies = {case: _applies(problem, case) for case in cases}
+    worlds: list[PrimeScalars | RingScalars] = []
+    if not any(case.statement.constants for case in applies.values()):  # modulo p they mean nothing
+        worlds += map(PrimeScalars, (0, 2, 3) if field is None else (field.characteristic,))
     if field is not None:
         worlds.append(RingScalars(field))
-    applies = {case: _applies(problem, case) for case in cases}
     chosen: list[Case] = []
     for world in worlds:
         while len(chosen) < len(cases):

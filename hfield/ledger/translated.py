@@ -1,0 +1,199 @@
+"""Texts of a ledger in another language: what its claims say, and patterns for what decisions say.
+
+Beside a ledger ``sheet.toml`` lies ``sheet.pl.toml`` with a table for each claim and a table of phrases,
+``"over {F} it is false" = "nad {F} jest to fałsz"``. What stands in braces is a formula, which stays, or is
+a phrase itself. A text that no phrase fits stays untranslated; nothing is guessed. ``names`` lists words that
+formulas have in them.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from hfield.errors import NotationError
+from hfield.ledger.claim import Claim
+from hfield.ledger.document import LedgerError
+from hfield.proving.statements.printing import to_unicode
+from hfield.syntax import parse
+
+Source = tuple[str, str]
+"""A package and a file in it; or nothing and a path."""
+
+SIGNS = frozenset(
+    {"sqrt", "norm", "conj", "inv", "trace", "comm", "scalar", "vector", "mod", "Vec"}
+    | {"det", "dim", "cos", "sin", "arctg", "tan", "diag", "max", "min"}
+)
+_WORD = re.compile(r"\b(?:is|it|in|of|to|so|as|by|if|on|or|at|an|no|be)\b|[A-Za-z]{3,}")
+_NAME = re.compile(
+    "[eijk]+|[a-z]+[A-Z][A-Za-z]*"
+)  # products of the basis, names as programs have them
+_SLOT = re.compile(r"\{(\w+)\}")
+_DEEPEST = 6  # phrases within phrases
+
+
+@dataclass(frozen=True)
+class Told:
+    """What a claim says; ``holds`` and ``corrected`` are what is decided, where that is said in words."""
+
+    name: str
+    statement: str
+    note: str = ""
+    holds: str = ""
+    corrected: str = ""
+
+
+class Translation:
+    """Texts of claims by their ids, whole texts by what they say in English, and phrases with slots.
+
+    Raises :class:`LedgerError` for a document of texts that cannot be read.
+    """
+
+    def __init__(self, claims: Iterable[Claim], language: str, more: Sequence[Source] = ()) -> None:
+        listed = list(claims)
+        sources = dict.fromkeys((*(claim.source for claim in listed), *more))
+        documents = [_document(source, language) for source in sources]
+        self._names = SIGNS.union(*(d.get("names", ()) for d in documents))
+        self._told = {
+            key: Told(**data) for d in documents for key, data in d.get("claims", {}).items()
+        }
+        self._whole = dict(pair for claim in listed for pair in self._pairs(claim))
+        self._phrases: list[tuple[re.Pattern[str], str]] = []
+        for document in documents:
+            for text, said in document.get("phrases", {}).items():
+                if _SLOT.search(text):
+                    self._phrases.append((_pattern(text), said))
+                else:
+                    self._whole[text] = said
+        self._said: dict[str, str | None] = {}
+
+    def told(self, claim: Claim) -> Told | None:
+        """Return what a claim says, or None."""
+        return self._told.get(claim.id)
+
+    def printed(self, claim: Claim) -> str:
+        """Return what is printed, in the ledger's words where it is not quoted."""
+        return self._whole.get(claim.printed, claim.printed)
+
+    def _pairs(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        told = self.told(claim)
+        if told is None:
+            return
+        yield claim.statement, told.statement
+        pairs = [(claim.note, told.note)]
+        for proposition, said in (
+            (claim.as_printed, told.holds),
+            (claim.corrected, told.corrected),
+        ):
+            pairs += [] if proposition is None else [(proposition.text, said)]
+        yield from ((text, said) for text, said in pairs if text and said)
+
+    def say(self, text: str, depth: int = _DEEPEST) -> str | None:
+        """Return a text in the language, formulas as they are; None where something has no translation."""
+        if depth < _DEEPEST:
+            return self._say(text, depth)
+        if text not in self._said:
+            self._said[text] = self._say(text, depth)
+        return self._said[text]
+
+    def _say(self, text: str, depth: int) -> str | None:
+        if text in self._whole:
+            return self._whole[text]
+        if is_formula(text, self._names):
+            return _in_signs(text)
+        for pattern, said in self._phrases if depth else ():
+            if found := pattern.fullmatch(text):
+                parts = {key: self.say(part, depth - 1) for key, part in found.groupdict().items()}
+                if None not in parts.values():
+                    return _SLOT.sub(lambda slot, parts=parts: parts[slot[1]], said)  # type: ignore[misc]
+        return None
+
+
+def is_formula(text: str, names: frozenset[str] = SIGNS) -> bool:
+    """Tell whether a text has no words: letters, products of the basis, names, or a statement's syntax.
+
+    >>> is_formula("q = 1 + ijk"), is_formula("p == 0 or q == 0"), is_formula("q is 0")
+    (True, True, False)
+    """
+    if all(word in names or _NAME.fullmatch(word) for word in _WORD.findall(text)):
+        return True
+    if not re.search("==|!=", text):
+        return False
+    try:
+        parse(text)
+    except NotationError:
+        return False
+    return True
+
+
+def _in_signs(text: str) -> str:
+    """Write a statement of the language without its English words; leave every other formula."""
+    if not re.search(r"\b(and|or|not|exists)\b", text):
+        return text
+    text = to_unicode(parse(text))
+    for word, sign in (("and", "∧"), ("or", "∨"), ("not", "¬"), ("exists", "∃")):
+        text = re.sub(rf"\b{word}\b", sign, text)
+    return text
+
+
+def _pattern(text: str) -> re.Pattern[str]:
+    """Return a pattern whose slots take as little as they can; a slot that comes twice takes the same."""
+    seen: set[str] = set()
+    out = ""
+    for n, part in enumerate(_SLOT.split(text)):
+        if n % 2 == 0:
+            out += re.escape(part)
+        else:
+            out += f"(?P={part})" if part in seen else f"(?P<{part}>.+?)"
+            seen.add(part)
+    return re.compile(out, re.DOTALL)
+
+
+@cache
+def _document(source: Source, language: str) -> Mapping[str, Any]:
+    """Read the texts beside a ledger; nothing where there are none."""
+    package, ledger = source
+    name = f"{ledger.removesuffix('.toml')}.{language}.toml"
+    path = files(package) / name if package else Path(name)
+    if not ledger or not path.is_file():
+        return {}
+    try:
+        found = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError, OSError) as error:
+        raise LedgerError(f"{name} cannot be read: {error}") from None
+    _check(found, name)
+    return found
+
+
+def _check(document: Mapping[str, Any], name: str) -> None:
+    """Raise :class:`LedgerError` unless a document has claims, phrases and names as they have to be."""
+    kinds: dict[str, type] = {"claims": dict, "phrases": dict, "names": list}
+    for key, value in document.items():
+        if not isinstance(value, kinds.get(key, ())):
+            raise LedgerError(
+                f"{name}: {key!r} is no table of claims or phrases, nor a list of names"
+            )
+    for key, texts in document.get("claims", {}).items():
+        keys = set(texts) if isinstance(texts, dict) else {"?"}
+        if not {"name", "statement"} <= keys <= set(Told.__dataclass_fields__):
+            known = ", ".join(Told.__dataclass_fields__)
+            raise LedgerError(
+                f"{name}, claim {key!r}: expected name and statement; there are {known}"
+            )
+        _check_texts(texts, f"{name}, claim {key!r}")
+    _check_texts(document.get("phrases", {}), f"{name}, phrases")
+    for text, said in document.get("phrases", {}).items():
+        if not set(_SLOT.findall(said)) <= set(_SLOT.findall(text)):
+            raise LedgerError(f"{name}, phrase {text!r}: {said!r} has another slot")
+
+
+def _check_texts(texts: Mapping[str, object], where: str) -> None:
+    for key, value in texts.items():
+        if not isinstance(value, str):
+            raise LedgerError(f"{where}, key {key!r}: expected a text in quotes")
