@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from hfield.errors import TooLargeError
+from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.clock import Clock
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
 from hfield.proving.definedness import algebra_exists
@@ -63,7 +63,7 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
             found = decide_in_subfields(problem, lambda p: chosen(p)(p))
             found = _never_false(problem) if found is None else found
             decision = decision if found is None else found
-    except TooLargeError as error:
+    except (TooLargeError, UndecidedError) as error:  # such as digits that are not known
         return Decision(UNDECIDED, "none", tried=(str(error),))
     if exists is None and decision.verdict in (PROVED, VACUOUS):
         tried = ("values of the letters for which the structure constants are defined",)

@@ -123,3 +123,17 @@ TERMS = [
 def test_terms_that_are_undefined_make_a_comparison_false(statement, field, verdict):
     decision = decide(statement, field)
     assert decision.verdict == verdict or (verdict is None and decision.verdict != "refuted")
+
+
+@pytest.mark.parametrize("text", ["inv(b)", "conj(b)", "norm(b)", "comm(a,b)", "a[1]", "norm(2)"])
+@pytest.mark.parametrize("field", ["F", "QQ", "ZZ"])
+def test_structure_constants_are_made_of_scalars(text, field):
+    with pytest.raises(NotationError, match="is about quaternions"):
+        decide("p*p == 3", algebra=f"({text},-1|{field})")
+
+
+@pytest.mark.parametrize("statement", ["O(2^3) == 0", "s == 0 => s == O(2^3)", "1/O(2) == 1/O(4)"])
+def test_digits_that_are_not_known_leave_a_statement_undecided(statement):
+    found = decide(statement, "Qp(2)")
+    assert found.verdict == "undecided"
+    assert "is 0 is not decided" in found.tried[0]

@@ -89,13 +89,13 @@ def _at_units(problem: Problem) -> Decision | None:
 
 
 def _factors(node: Node) -> tuple[str, ...]:
-    """Return names of factors of a product."""
+    """Return names of factors of a product; x**0 is 1, whatever x is."""
     match node:
         case Name(name=name):
             return (name,)
         case Binary("*", x, y):
             return (*_factors(x), *_factors(y))
-        case Power(x, _):
+        case Power(x, exponent) if exponent:
             return _factors(x)
     return ()
 

@@ -9,12 +9,12 @@ from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertib
 from hfield.notation import split_algebra
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.statements.language import BASIS, QUATERNIONS, generators
+from hfield.proving.statements.language import BASIS, QUATERNIONS, RESULT, generators
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import divides_in, substitute, walk
 from hfield.rings import ring
 from hfield.rings.base import Ring
-from hfield.syntax import Call, Name, Node, parse, weight
+from hfield.syntax import Call, Index, Name, Node, parse, weight
 
 HAMILTON = ("-1", "0", "-1")
 UNNAMED = "F"
@@ -133,6 +133,11 @@ def _letters(text: str, field: Ring | None) -> list[str]:
     node = parse(text)
     if weight(node) > MAX_CONSTANT_WEIGHT:
         raise NotationError(f"the structure constant {text[:60]!r} is too large")
+    for n in walk(node):
+        if isinstance(n, Index) or (isinstance(n, Call) and n.function in RESULT):
+            raise NotationError(
+                f"the structure constant {text!r} may use scalars only: {to_text(n)} is about quaternions"
+            )
     known = generators(field) if field is not None else frozenset()
     names = [n.name for n in walk(node) if isinstance(n, Name) and n.name not in known]
     for name in names:
