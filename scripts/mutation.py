@@ -97,7 +97,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
                 ),
                 *(
                     "batches_of_any_ring",
-                    "growth",
+                    "powers",
                     "told",
                     "places_and_ideals",
                     "words_for_rings",

@@ -23,7 +23,7 @@ from hfield.straight_line import Program
 Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
-PIECE = 1 << 18  # elements that a thread takes at a time
+PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
 MANY = 500_000  # from so many elements on a second thread is woken
 SHORTEST = 1 << 16  # elements for which one more thread is woken
 _lock = Lock()

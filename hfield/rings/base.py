@@ -109,7 +109,11 @@ class Ring(ABC, Generic[E]):
         return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
 
     def sign(self, x: E, ordering: int = 0) -> int:
-        """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0)."""
+        """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
+
+        Raises :class:`RingError` where there is no such ordering.
+        """
+        self.check_ordering(ordering)
         raise UndecidedError(f"{self.name} has no ordering that is known")
 
     def check_ordering(self, ordering: int) -> None:
