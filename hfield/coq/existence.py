@@ -10,6 +10,7 @@ from hfield.coq.cofactors import MismatchError
 from hfield.coq.rooms import FIELDS, RINGS, Room, of_characteristic, room_of
 from hfield.coq.sentences import COMPUTED, Proved, Sentence
 from hfield.coq.terms import NotCoveredError, Terms
+from hfield.proving.existence.terms import put_in
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.trees import substitute
 from hfield.rings import ring
@@ -72,7 +73,7 @@ def _instance(
     j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: Mapping[str, Any]
 ) -> tuple[Proved, Judgement]:
     """Prove the statement with terms put in, under the hypotheses ``more``."""
-    whole = substitute(j.statement.conclusion, trees)
+    whole = put_in(j.statement.conclusion, trees)
     for h in reversed([*more, *j.statement.hypotheses]):
         whole = Logic("=>", h, whole)
     other = j.about(whole)

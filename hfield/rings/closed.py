@@ -13,6 +13,7 @@ import flint
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint
 from hfield.rings.radicals import FUNCTIONS, check_size, surd_of, sympy_of, times
+from hfield.rings.radicands import is_long
 from hfield.rings.surds import ONE, Surd, as_surd, from_rational
 
 if TYPE_CHECKING:
@@ -281,6 +282,10 @@ def root(x: Surd | Closed, n: int) -> Surd | Closed:
     expr = to_sympy(x)
     if expr == 0 or (isinstance(x, Closed) and x.is_zero()):
         return from_rational(0)
+    if isinstance(x, Surd) and len(x.terms) > 1 and is_long(x.terms):  # sympy would factor them
+        raise TooLargeError(
+            "a root of a sum of roots of numbers so large is not taken; compute in parts"
+        )
     taken = sympy.root(expr, n)
     return number(sympy.sqrtdenest(taken) if n == 2 and expr.is_real else taken)
 

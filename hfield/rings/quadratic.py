@@ -115,7 +115,7 @@ class QuadraticField(ValueRing[Surd]):
 
     def roots(self, coefficients: Sequence[Surd]) -> list[Surd]:
         """Return all roots of a polynomial with rational coefficients. Raises :class:`UndecidedError`."""
-        rationals = [rational(x.terms.get(1, 0)) for x in coefficients if set(x.terms) <= {1}]
+        rationals = [x.terms.get(1, flint.fmpq(0)) for x in coefficients if set(x.terms) <= {1}]
         if len(rationals) < len(coefficients):
             return super().roots(coefficients)
         out: list[Surd] = []

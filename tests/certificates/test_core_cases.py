@@ -92,7 +92,9 @@ def test_terms_and_cases() -> None:
     for term in ("p", "q", "m", "norm(p)", "r"):
         rejects({**data, "evidence": {**terms, "terms": {"q": term}}}, ".")
     denied = {**data, "statement": "norm(p) != 0 => (exists q: not (p*q != 1))"}
-    rejects(denied, "may be undefined")
+    assert check(denied).scope == FIELDS
+    denied["statement"] = "norm(p) == 0 or norm(p) == 1 => (exists q: not (p*q != q*p))"
+    rejects(denied, "not covered")  # true where inv(p) is not defined, but that names no q
     scalar = {"kind": "terms", "terms": {"s": "p"}, "proof": IDENTITY}
     rejects(certified("exists s: s == p", None, "witness", scalar), "does not fit")
     linear = certified("exists s: y*s == y*t", "QQ", "witness", {})

@@ -144,8 +144,11 @@ def test_exhaustion_is_repeated() -> None:
 def test_terms_must_be_defined() -> None:
     # 1/s is not defined at s = 0, where "not (1/s == 1)" is true: that makes no y exist.
     evidence = {"kind": "terms", "terms": {"y": "1/s"}, "proof": {"kind": "identity"}}
-    data = with_(statement="exists y: not (y == s*y + 1 + y - s*y - y)", evidence=evidence)
-    rejects(data, "may be undefined")
+    for conclusion in ("not (y == s*y + 1 + y - s*y - y)", "y*s == 1 => y == 1/s"):
+        data = with_(statement=f"exists y: {conclusion}", evidence=evidence)
+        rejects(data, "does not hold by expanding")
+    data = with_(statement="s*s == 1 => (exists y: not (y != s))", evidence=evidence)
+    rejects(data, "does not hold by expanding")
 
 
 def test_presentations() -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from hfield import prove
+from hfield.certificates.check import check
 from hfield.errors import HFieldError
 from hfield.proving.decide import decide
 from hfield.proving.existence.case_distinction import by_linear_algebra
@@ -256,3 +257,25 @@ def test_numbers_known_to_some_digits_in_linear_equations():
     for statement in ("exists s: y == O(2)", "exists s: z != x*(1+O(2))"):
         with contextlib.suppress(HFieldError):
             decide(statement, field="Qp(2)", timeout=2)
+
+
+@pytest.mark.parametrize(
+    ("statement", "field", "verdict"),
+    [
+        ("exists y: y*0 == s + 2 => y == s/t", "QQ", "refuted"),  # at s = -2, t = 0
+        ("exists y: y*0 == t => 1/y == s", None, "refuted"),
+        ("exists y: s*y != t + 2 => y*0 == trace(q)", "GF(5)", "refuted"),
+        ("exists u: q*u*q == s*q => u*q == q + t", "GF(2)", "refuted"),
+        ("s + t == 0 => (exists y: y**0 == norm(q) => t*y != s + s)", "ZZ/4", "refuted"),
+        ("exists y, z: not (y == s/t) or not (s*z == y + 1) <=> y == z", "GF(3)", "proved"),
+        ("s != 0 => (exists y: not (s*y != 1))", "QQ", "proved"),
+        ("s != 0 => (exists y: not (s*y != 1))", None, "proved"),
+        ("norm(q) != 0 => (exists u: not (q*u != i) and not (u == 0))", None, "proved"),
+    ],
+)
+def test_what_is_not_defined_does_not_exist(statement, field, verdict):
+    """Where a term has no value a denied comparison with it is true, and yet nothing is there."""
+    found = prove(statement, field)
+    assert found.verdict == verdict
+    assert found.certificate is not None
+    assert check(found.certificate).verdict == verdict

@@ -275,3 +275,20 @@ def test_the_degree_of_a_root_is_an_integer(field: str, degree: str) -> None:
     with pytest.raises(CoercionError, match="integer n from 1 to 64"):
         ring(field)(f"root(3,{degree})")
     assert ring(field)("root(3,2+sqrt(5)-sqrt(5))") == ring(field)("sqrt(3)")
+
+
+@pytest.mark.parametrize(
+    "name", ["QQ", "QQ(I)", "QQ(sqrt(2))", "QQ(sqrt(-3))", "QQ(zeta5)", "QQ[s]/(s^3-2)"]
+)
+def test_roots_of_polynomials_whose_coefficients_are_fractions(name: str) -> None:
+    F, rng = ring(name), Random(5)
+    for _ in range(20):
+        roots = [F(Fraction(rng.randint(-9, 9), rng.randint(1, 9))) for _ in range(3)]
+        f = [F(Fraction(rng.randint(1, 9), rng.randint(1, 9)))]
+        for r in roots:
+            f = [low - r * high for low, high in zip([F.zero, *f], [*f, F.zero], strict=True)]
+        assert {F.key(r) for r in F.roots(f)} == {F.key(r) for r in roots}
+    half = F(Fraction(1, 2))
+    quarter = F(Fraction(-1, 4)) * F.gen * F.gen if name == "QQ(sqrt(2))" else -half * half
+    assert all(r * r + quarter == 0 for r in F.roots([quarter, F.zero, F.one]))
+    assert len(F.roots([quarter, F.zero, F.one])) == 2

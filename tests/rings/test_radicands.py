@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from hfield.errors import CoercionError, NotInvertibleError, RingError
+from hfield.errors import CoercionError, NotInvertibleError, RingError, TooLargeError
 from hfield.rings import ring
 from hfield.rings.algebraic import CC, RR
 from hfield.rings.radicands import independent, odd, product, ratio, reduced
@@ -175,3 +175,10 @@ def test_short_radicands_stay_canonical():
     assert RR("sqrt(12)").terms == {3: flint.fmpq(2)}
     assert isinstance(RR("sqrt(8)*sqrt(3)"), Surd)
     assert RR("sqrt(8)*sqrt(3)").terms == {6: flint.fmpq(2)}
+
+
+def test_a_root_of_many_long_roots_is_refused_and_not_factored():
+    """Sympy tried to factor what is under them: that took for ever, or an OverflowError passed through."""
+    x = RR(f"sqrt({4 * P * Q * R})") - RR(f"sqrt({P**3 * S})") + RR(f"sqrt({5 * Q * R * S})")
+    with pytest.raises(TooLargeError, match="root of a sum"):
+        RR.sqrt(x * x)

@@ -55,20 +55,25 @@ def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:
     """Return the statement with terms for the names that "exists" binds.
 
     What is not defined does not exist; but it makes every comparison false. So a term that may be
-    undefined serves where nothing but comparisons, "and" and "or" follow.
+    undefined serves where nothing but comparisons, "and" and "or" follow; elsewhere it must be shown to
+    be defined, which a comparison with itself says.
     """
     data = an_object(raw, " ".join(statement.exists), "the terms")
     given, sorts = {name for name, _ in statement.given}, dict(statement.unknowns)
     chosen: dict[str, Tree] = {}
+    partial: list[Tree] = []
     for name in statement.exists:
         tree = parse(a_text(data[name], f"the term for {name}"))
         sort, unknowns, divides = sort_of(tree, setting)
         if not unknowns <= given or (sort == "q" and sorts[name] == "s"):
             reject(f"the term for {name} does not fit")
         if divides and not _is_monotone(statement.conclusion):
-            reject(f"the term for {name} may be undefined")
+            partial.append(tree)
         chosen[name] = tree
-    return substitute(statement.matrix, chosen)
+    conclusion = substitute(statement.conclusion, chosen)
+    for tree in partial:
+        conclusion = ("and", ("==", tree, tree), conclusion)
+    return replace(statement, conclusion=conclusion).matrix
 
 
 def _reach(setting: Setting) -> str:

@@ -11,12 +11,12 @@ from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
 from hfield.proving.evaluation.searcher import Searcher
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
-from hfield.proving.existence.terms import by_terms, combined
+from hfield.proving.existence.terms import by_terms, combined, put_in
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.trees import FALSE, implication, substitute
+from hfield.proving.statements.trees import FALSE, implication
 from hfield.rings import ring
 from hfield.syntax import Compare, Logic, Name, Node, Number, parse
 
@@ -87,7 +87,7 @@ def _isolated_cases(statement: Statement) -> Iterator[Case]:
     """Run through cases in which one of several names is solved for: where that serves."""
     for terms in isolated_alone(statement):
         own = tuple((name, terms[name]) for name in statement.exists)
-        node = substitute(statement.conclusion, {name: parse(text) for name, text in own})
+        node = put_in(statement.conclusion, {name: parse(text) for name, text in own})
         yield Case(to_text(node), own)
 
 
@@ -182,7 +182,8 @@ def _given(problem: Problem, node: Node) -> Problem:
 def _proof(problem: Problem, case: Case) -> Decision:
     """Prove that the terms of a case serve where it applies."""
     terms = {name: parse(text) for name, text in case.terms}
-    inside = substitute(problem.matrix, terms)
+    statement = problem.statement
+    inside = implication(statement.hypotheses, put_in(statement.conclusion, terms))
     return universal.decide(_given(problem, Logic("=>", parse(case.when), inside)))
 
 

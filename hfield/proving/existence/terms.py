@@ -1,6 +1,6 @@
 """Proving that something exists by naming it: a term in what is given, that serves everywhere."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, product
 from typing import Any
@@ -11,8 +11,8 @@ from hfield.proving.decision import FIELD, FIELDS, PROVED, Decision
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import BASIS, Sort
-from hfield.proving.statements.trees import substitute
-from hfield.syntax import Not, parse
+from hfield.proving.statements.trees import divides_in, implication, substitute
+from hfield.syntax import Compare, Logic, Node, Not, parse
 
 MAX_TERMS = 400
 
@@ -28,7 +28,8 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
         if problem.is_late:
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
-        instance = problem.about(substitute(problem.matrix, chosen), tuple(free))
+        node = implication(statement.hypotheses, put_in(statement.conclusion, chosen))
+        instance = problem.about(node, tuple(free))
         try:
             if true_place(instance.about(Not(instance.statement.node)), 30) is not None:
                 continue
@@ -53,6 +54,26 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
                 evidence=evidence,
             )
     return None
+
+
+def put_in(conclusion: Node, terms: Mapping[str, Node]) -> Node:
+    """Return a conclusion with terms for what is said to exist, which says that they are defined.
+
+    Comparisons with a term that is not defined are false. So where nothing but comparisons, "and" and "or" is
+    said, it is true of any value instead; anything else may be true of no value at all.
+    """
+    inside = substitute(conclusion, terms)
+    if not _is_monotone(conclusion):
+        for term in filter(divides_in, terms.values()):
+            inside = Logic("and", Compare("==", term, term), inside)
+    return inside
+
+
+def _is_monotone(node: Node) -> bool:
+    """Tell whether a statement is made of comparisons by "and" and "or" alone."""
+    if isinstance(node, Logic):
+        return node.op in ("and", "or") and _is_monotone(node.left) and _is_monotone(node.right)
+    return isinstance(node, Compare)
 
 
 def combined(kinds: Sequence[Sequence[str]], most: int) -> Iterator[tuple[str, ...]]:
