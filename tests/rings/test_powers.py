@@ -91,3 +91,7 @@ def test_bits_of_a_sum_of_roots_count_its_numbers():
 
 def test_a_fraction_takes_the_bits_of_both_its_parts():
     assert bits(Fraction(2**10, 3)) == 11 + 2 == bits(Fraction(3, 2**10))
+
+
+def test_a_polynomial_takes_the_bits_of_all_its_exponents():
+    assert bits(ring("ZZ[a,b]")("a*b**1000")) == 1 + 10 + 1
