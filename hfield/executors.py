@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 A = TypeVar("A")
 T = TypeVar("T")
+SCHEDULER_ANSWERS_WITHIN = "10s"
 
 
 class ExecutorError(HFieldError, RuntimeError):
@@ -199,7 +200,7 @@ def _dask(address: str) -> Iterator[Executor]:
             "run `pip install 'hfield[dask]'`, or use --jobs N"
         ) from None
     try:
-        client = distributed.Client(address, timeout="10s")
+        client = distributed.Client(address, timeout=SCHEDULER_ANSWERS_WITHIN)
     except (OSError, ValueError, TimeoutError) as error:
         raise ExecutorError(
             f"no Dask scheduler answers at {address!r} ({error}); "

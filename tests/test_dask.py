@@ -90,7 +90,8 @@ def test_a_survey_outlives_a_worker(cluster, tmp_path):
     assert sorted((row["discriminant"], row["level"]) for row in rows) == sorted(pairs)
 
 
-def test_a_cluster_that_is_not_there(capsys):
+def test_a_cluster_that_is_not_there(capsys, monkeypatch):
     pytest.importorskip("distributed")
+    monkeypatch.setattr("hfield.executors.SCHEDULER_ANSWERS_WITHIN", "1s")
     assert main(["survey", "2..9", "--dask", "tcp://127.0.0.1:1"]) == 2
     assert "no Dask scheduler answers" in capsys.readouterr().err
