@@ -8,11 +8,14 @@ has units give the same lattice.
 from __future__ import annotations
 
 from collections import Counter
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.lattice import Lattice
+
+if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
 
 Key = tuple[int, ...]
 

@@ -19,7 +19,8 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.hints import CLASSES, Hinted
-from hfield.lattices.answers import rows_json
+from hfield.lattices import brandt, certified, types_of_orders
+from hfield.lattices.as_json import rows_json
 from hfield.lattices.canonical import Key, canonical
 from hfield.lattices.class_number import mass
 from hfield.lattices.given import positive, prime
@@ -147,9 +148,7 @@ class ClassSet(Hinted):
 
         For a maximal or an Eichler order they are the orbits of the two-sided ideals.
         """
-        from hfield.lattices.types_of_orders import types
-
-        return types(self)
+        return types_of_orders.types(self)
 
     @property
     def type_number(self) -> int:
@@ -189,9 +188,7 @@ class ClassSet(Hinted):
         Each row sums to the number of integral ideals of norm n; and entry (i, j) times the units of j is
         entry (j, i) times those of i (Pizer, 1980; Gross, 1987). Raises :class:`LatticeError`.
         """
-        from hfield.lattices.brandt import brandt_matrix
-
-        return brandt_matrix(self, positive(n, "index"))
+        return brandt.brandt_matrix(self, positive(n, "index"))
 
     def hecke_polynomial(self, n: int) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
@@ -250,8 +247,6 @@ class ClassSet(Hinted):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        from hfield.lattices import certified
-
         return certified.of_class_set(self)
 
     @property

@@ -17,14 +17,14 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, UndecidedError
 from hfield.factorisation import factorise
 from hfield.lattices import hermite, ternary
-from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
+from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
+from hfield.lattices.as_json import element_json, rows_json
 from hfield.lattices.equivalence import element_of_norm, root
-from hfield.lattices.ideal import Ideal
-from hfield.lattices.lattice import Lattice
 from hfield.lattices.maximal import endpoints
-from hfield.lattices.order import Order
 
 if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
     from hfield.quaternion import Quaternion
 
 
@@ -119,7 +119,7 @@ def _content(matrix: fmpz_mat) -> int:
     return math.gcd(*(int(x) for x in matrix.entries()))
 
 
-def connecting_ideal(first: Order, second: Order) -> Ideal:
+def connecting_ideal(first: Order, second: Order) -> Lattice:
     """Return the primitive integral ideal with left order ``first`` and right order ``second``.
 
     For maximal orders it is the only one up to two-sided ideals. Raises :class:`LatticeError` unless both
@@ -153,8 +153,8 @@ def _ends(order: Order) -> list[Lattice]:
     return ends
 
 
-def _primitive(lattice: Lattice, order: Order) -> Ideal:
+def _primitive(lattice: Lattice, order: Order) -> Lattice:
     """Return the multiple of an ideal that is integral and divisible by no integer."""
     rows, d = hermite.in_coordinates(order._matrix, lattice._matrix)
     content = Fraction(_content(rows) * order._den, d * lattice._den)
-    return Ideal.of(lattice._scaled(1 / content), "left", order)
+    return lattice._scaled(1 / content)

@@ -34,10 +34,8 @@ LARGEST = 1000
 ATTEMPTS = 60
 
 
-def equivalent_of_power_norm(
-    ideal: Ideal, prime: int, seed: int = 0
-) -> tuple[Ideal, Quaternion, int]:
-    """Return (J, c, e) with J = I·c of norm primeᵉ, for a left ideal of a p-extremal order.
+def to_power_norm(ideal: Ideal, prime: int, seed: int = 0) -> tuple[Quaternion, int]:
+    """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
 
     Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
     """
@@ -70,9 +68,7 @@ def equivalent_of_power_norm(
         found = _from_prime(start, f, norm, prime, rng)
         if found is not None:
             beta, e = found
-            second = beta.conjugate() / norm
-            c = first * second
-            return ideal * c, c, e
+            return first * (beta.conjugate() / norm), e
     raise UndecidedError(
         f"no equivalent ideal of norm a power of {prime} was found in {tried} attempts"
     )

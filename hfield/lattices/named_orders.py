@@ -44,7 +44,7 @@ def eichler_order(algebra: Parent, level: object) -> Order:
     n = positive(level, "level")
     known: Any = algebra
     order = _maximal(known)
-    return order if n == 1 else eichler_suborder(order, n)
+    return order if n == 1 else Order._ring(eichler_suborder(order, n))
 
 
 def lipschitz_order(algebra: Parent) -> Order:

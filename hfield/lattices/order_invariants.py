@@ -12,12 +12,12 @@ from flint import fmpz_mat
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.given import natural, prime
-from hfield.lattices.lattice import Lattice
 from hfield.lattices.reduction import kronecker
+from hfield.lattices.short_vectors import NormedLattice
 
 
-class OrderInvariants(Lattice):
-    """A lattice that is known to be a ring with 1."""
+class OrderInvariants(NormedLattice):
+    """The part of an order's methods that need its rows and its norm only."""
 
     def discriminant(self) -> int:
         """Return the reduced discriminant; for a maximal order it is that of the algebra."""

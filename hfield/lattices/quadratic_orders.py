@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.lattices import enumeration, hermite
-from hfield.lattices.order import Order
+from hfield.lattices import certified, enumeration, hermite
 from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     from hfield.lattices.certified import Claim
+    from hfield.lattices.order import Order
 
 
 @dataclass(frozen=True)
@@ -51,8 +51,6 @@ class Embeddings:
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        from hfield.lattices import certified
-
         return certified.of_embeddings(self)
 
     def __len__(self) -> int:

@@ -34,6 +34,11 @@ class NormedLattice:
         return regular(self.algebra)
 
     @cached_property
+    def hnf(self) -> tuple[int, hermite.Rows]:
+        """The least denominator, and the rows of the Hermite normal form, integers."""
+        return self._den, hermite.tuples(self._matrix)
+
+    @cached_property
     def basis(self) -> tuple[Quaternion, ...]:
         """The rows of the normal form as elements: a basis, the same for equal lattices."""
         return self._elements(self._matrix)
