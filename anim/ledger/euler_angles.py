@@ -4,7 +4,7 @@ from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, names, negation, number
 from hfield.syntax import equal as same

@@ -7,10 +7,10 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
+from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Every, Statement, written
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, conj, names, norm, number
 from hfield.syntax import equal as same

@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from hfield.lattices import certified
+from hfield.lattices import certificates
 from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.certificates import Claim
     from hfield.lattices.lattice import Lattice
 
 
@@ -54,7 +54,7 @@ class Answer:
 
     @cached_property
     def _claim(self) -> Claim | None:
-        return certified.of_answer(self)
+        return certificates.of_answer(self)
 
     def __bool__(self) -> bool:
         """Tell whether it holds."""

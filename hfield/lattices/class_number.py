@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
-from hfield.lattices.reduction import kronecker
+from hfield.lattices.modulo_primes import kronecker
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

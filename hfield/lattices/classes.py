@@ -1,6 +1,6 @@
 """The right ideal classes of an order in a definite algebra, and what acts on them.
 
-A class is known by one lattice (:mod:`hfield.lattices.canonical`), so classes are looked up and not compared
+A class is known by one lattice (:mod:`hfield.lattices.class_keys`), so classes are looked up and not compared
 in pairs.
 
 Starting from O, neighbours at a prime are taken until the mass formula is used up: then no class is missing,
@@ -19,11 +19,11 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.hints import CLASSES, Hinted
-from hfield.lattices import brandt, certified, types_of_orders
+from hfield.lattices import brandt, certificates, types_of_orders
+from hfield.lattices.arguments import positive, prime
 from hfield.lattices.as_json import rows_json
-from hfield.lattices.canonical import Key, canonical
+from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
-from hfield.lattices.given import positive, prime
 from hfield.lattices.ideal import Ideal
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order import Order
@@ -31,7 +31,7 @@ from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subid
 from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.certificates import Claim
 
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
@@ -68,7 +68,7 @@ class ClassSet(Hinted):
 
     def _enumerate(self) -> None:
         left = self.mass
-        left -= self._add(*canonical(self.order))
+        left -= self._add(*key_and_units(self.order))
         discriminant = self.order._discriminant
         for p in primes():
             if not left:
@@ -100,7 +100,7 @@ class ClassSet(Hinted):
 
     def _neighbours(self, lattice: Lattice, p: int) -> Iterator[tuple[Key, int]]:
         for den, matrix in right_subideals(lattice, self.order, p):
-            yield canonical(Lattice(self.order.algebra, den, matrix))
+            yield key_and_units(Lattice(self.order.algebra, den, matrix))
 
     # --- the classes -------------------------------------------------------------------------------
 
@@ -136,7 +136,7 @@ class ClassSet(Hinted):
         return self._index(ideal)
 
     def _index(self, lattice: Lattice) -> int:
-        return self._keys[canonical(lattice)[0]]
+        return self._keys[key_and_units(lattice)[0]]
 
     def left_orders(self) -> list[Order]:
         """Return the left orders of the representatives, one a class."""
@@ -247,7 +247,7 @@ class ClassSet(Hinted):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certified.of_class_set(self)
+        return certificates.of_class_set(self)
 
     @property
     def evidence(self) -> dict[str, object]:

@@ -12,8 +12,8 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
-from hfield.lattices.given import element_row, listed
-from hfield.lattices.regular import Regular, regular
+from hfield.lattices.arguments import element_row, listed
+from hfield.lattices.regular_representation import Regular, regular
 from hfield.quaternion import Parent
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from hfield.errors import LatticeError, shorten
 from hfield.hints import IDEAL
 from hfield.lattices import (
-    certified,
+    certificates,
     compatible_products,
     equivalence,
     hermite,
@@ -19,14 +19,14 @@ from hfield.lattices import (
     small_ideals,
 )
 from hfield.lattices.answers import Answer
+from hfield.lattices.arguments import prime as checked_prime
 from hfield.lattices.as_json import rows_json
-from hfield.lattices.given import prime as checked_prime
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.one_sided import OneSidedIdeal
+from hfield.lattices.one_sided_ideals import OneSidedIdeal
 from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.certificates import Claim
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
@@ -149,7 +149,7 @@ class Ideal(OneSidedIdeal):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certified.of_ideal(self)
+        return certificates.of_ideal(self)
 
     @property
     def evidence(self) -> dict[str, object]:

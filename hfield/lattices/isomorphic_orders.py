@@ -16,11 +16,11 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.factorisation import factorise
-from hfield.lattices import hermite, ternary
+from hfield.lattices import hermite, ternary_reduction
 from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
 from hfield.lattices.as_json import element_json, rows_json
 from hfield.lattices.equivalence import element_of_norm, root
-from hfield.lattices.maximal import endpoints
+from hfield.lattices.maximal_orders import endpoints
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import Lattice
@@ -83,8 +83,8 @@ def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     """Return a primitive row x with ``x·first = second·x``, or None and why."""
     den, rows, gram = first._reduced_ternary
     other_den, other_rows, other_gram = second._reduced_ternary
-    steps, form = next(ternary.reduced_bases(gram))
-    images = list(ternary.reduced_bases(other_gram))
+    steps, form = next(ternary_reduction.reduced_bases(gram))
+    images = list(ternary_reduction.reduced_bases(other_gram))
     least, other_least = form[0] // 2, images[0][1][0] // 2
     if least != other_least:
         return None, (

@@ -18,9 +18,9 @@ from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.lattices import hermite
+from hfield.lattices.modulo_primes import kernel
 from hfield.lattices.norm_equations import in_frame
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
-from hfield.lattices.reduction import kernel
 from hfield.lattices.small_ideals import by_norm
 from hfield.primality import is_probable_prime
 from hfield.quaternion import Quaternion

@@ -11,11 +11,11 @@ from flint import fmpz_mat
 from hfield.errors import CoercionError, LatticeError
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
-from hfield.lattices.euclidean import HurwitzOrder
-from hfield.lattices.given import positive
-from hfield.lattices.maximal import eichler_suborder
+from hfield.lattices.arguments import positive
+from hfield.lattices.hurwitz_order import HurwitzOrder
+from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order
-from hfield.lattices.regular import regular
+from hfield.lattices.regular_representation import regular
 from hfield.quaternion import Parent
 from hfield.structure.clifford import maximal_basis
 

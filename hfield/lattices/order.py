@@ -13,26 +13,26 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError
 from hfield.hints import ORDER
 from hfield.lattices import (
-    certified,
+    certificates,
     class_number,
     hermite,
     isomorphic_orders,
-    maximal,
+    maximal_orders,
     norm_equations,
     quadratic_orders,
     subideals,
-    twosided,
+    two_sided_ideals,
 )
+from hfield.lattices.arguments import checked_side, integer, listed, positive, prime
 from hfield.lattices.as_json import rows_json
 from hfield.lattices.generated_orders import check_ring, generated
-from hfield.lattices.given import checked_side, integer, listed, positive, prime
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order_invariants import OrderInvariants
 from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.certificates import Claim
     from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.quadratic_orders import Embeddings
@@ -106,7 +106,7 @@ class Order(OrderInvariants, Lattice):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certified.of_order(self)
+        return certificates.of_order(self)
 
     @property
     def evidence(self) -> dict[str, object]:
@@ -123,7 +123,7 @@ class Order(OrderInvariants, Lattice):
 
     def maximal_overorder(self) -> Order:
         """Return a maximal order that contains this one, always the same."""
-        return maximal.overorder(self)
+        return maximal_orders.overorder(self)
 
     def gorenstein_closure(self) -> Order:
         """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
@@ -190,7 +190,7 @@ class Order(OrderInvariants, Lattice):
         Its square is pᵉ·O, the part of the discriminant at p; it is p·O where p does not divide that.
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
         """
-        return self._ideal(twosided.two_sided_prime(self, prime(p)), "two-sided")
+        return self._ideal(two_sided_ideals.two_sided_prime(self, prime(p)), "two-sided")
 
     def ideals_of_norm(self, n: int, side: str = "left") -> list[Ideal]:
         """Return all invertible integral ideals of norm n on a side: p + 1 where p is off the discriminant.

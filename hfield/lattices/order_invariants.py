@@ -11,9 +11,9 @@ from flint import fmpz_mat
 
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.given import natural, prime
-from hfield.lattices.reduction import kronecker
-from hfield.lattices.short_vectors import NormedLattice
+from hfield.lattices.arguments import natural, prime
+from hfield.lattices.modulo_primes import kronecker
+from hfield.lattices.normed_lattice import NormedLattice
 
 
 class OrderInvariants(NormedLattice):

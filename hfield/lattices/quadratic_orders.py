@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.lattices import certified, enumeration, hermite
+from hfield.lattices import certificates, enumeration, hermite
 from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.certificates import Claim
     from hfield.lattices.order import Order
 
 
@@ -51,7 +51,7 @@ class Embeddings:
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certified.of_embeddings(self)
+        return certificates.of_embeddings(self)
 
     def __len__(self) -> int:
         return len(self.elements)

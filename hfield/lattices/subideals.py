@@ -18,9 +18,15 @@ from flint import fmpz, fmpz_mat
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.lattices import hermite
-from hfield.lattices.maximal import above, endpoints, left_multiples, zero_divisor, zero_on_line
-from hfield.lattices.reduction import echelon, roots
-from hfield.lattices.twosided import two_sided_prime
+from hfield.lattices.maximal_orders import (
+    above,
+    endpoints,
+    left_multiples,
+    zero_divisor,
+    zero_on_line,
+)
+from hfield.lattices.modulo_primes import echelon, roots
+from hfield.lattices.two_sided_ideals import two_sided_prime
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import Lattice

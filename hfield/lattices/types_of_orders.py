@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from hfield.factorisation import factorise
-from hfield.lattices.twosided import generators
+from hfield.lattices.two_sided_ideals import generators
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import ClassSet

@@ -3,7 +3,7 @@
 from tests.test_layers import imports, sources
 
 ROOM = "hfield.lattices."
-OBJECTS = {"lattice", "order", "one_sided", "ideal", "classes"}
+OBJECTS = {"lattice", "order", "one_sided_ideals", "ideal", "classes"}
 """What a user holds; they make one another: a lattice its left order, an order its ideals and classes."""
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Key = tuple[int, ...]
 
 
-def canonical(lattice: Lattice) -> tuple[Key, int]:
+def key_and_units(lattice: Lattice) -> tuple[Key, int]:
     """Return the lattice of a right ideal class as a key, and how many units the left order has."""
     r = lattice._regular
     rows, gram = lattice._reduced
