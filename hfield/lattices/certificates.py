@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -65,6 +66,24 @@ class Claim:
             "assumes": list(self.assumes),
             "evidence": self.evidence,
         }
+
+
+class Certified:
+    """What makes a claim that can be certified."""
+
+    @property
+    @abstractmethod
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none where the checker would have to do too much, nor for an ideal that is not invertible;
+        ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate
 
 
 def of_order(order: Order) -> Claim:

@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpz_mat
 
@@ -22,6 +22,7 @@ from hfield.hints import CLASSES, Hinted
 from hfield.lattices import brandt, certificates, types_of_orders
 from hfield.lattices.arguments import positive, prime
 from hfield.lattices.as_json import rows_json
+from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
 from hfield.lattices.ideal import Ideal
@@ -30,14 +31,11 @@ from hfield.lattices.order import Order
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
 from hfield.primality import is_prime, primes
 
-if TYPE_CHECKING:
-    from hfield.lattices.certificates import Claim
-
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
-class ClassSet(Hinted):
+class ClassSet(Certified, Hinted):
     """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -235,14 +233,6 @@ class ClassSet(Hinted):
         for i, row in enumerate(self.neighbours(p)):
             for j in sorted(row):
                 yield i, j, {"weight": row[j]}
-
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
-
-        There is none for more classes than the checker reads; ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
 
     @cached_property
     def claim(self) -> Claim:

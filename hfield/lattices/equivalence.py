@@ -132,8 +132,7 @@ def _indefinite(lattice: Lattice, m: int) -> tuple[Quaternion | None, str]:
 def _among_short(lattice: Lattice, m: int, most: int) -> Quaternion | None:
     """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
     rows, gram = lattice._reduced
-    entries = [int(x) for x in (rows * lattice._regular.majorant * rows.transpose()).entries()]
-    size = [entries[n : n + 4] for n in (0, 4, 8, 12)]
+    size = hermite.tuples(rows * lattice._regular.majorant * rows.transpose())
     lines = hermite.tuples(rows)
     bound, tried = max(size[n][n] for n in range(4)), 0
     while tried < most:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError, shorten
 from hfield.hints import IDEAL
@@ -21,17 +20,15 @@ from hfield.lattices import (
 from hfield.lattices.answers import Answer
 from hfield.lattices.arguments import prime as checked_prime
 from hfield.lattices.as_json import rows_json
+from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.one_sided_ideals import OneSidedIdeal
 from hfield.quaternion import Quaternion
 
-if TYPE_CHECKING:
-    from hfield.lattices.certificates import Claim
-
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
-class Ideal(OneSidedIdeal):
+class Ideal(Certified, OneSidedIdeal):
     """A lattice with ``O·I = I`` for the order O (``side="left"``), or ``I·O = I``, or both.
 
     >>> from hfield import QuaternionAlgebra
@@ -87,10 +84,7 @@ class Ideal(OneSidedIdeal):
 
         Raises :class:`LatticeError` unless the ideal is integral.
         """
-        order = self.order
-        rows, d = hermite.in_coordinates(order._matrix, self._matrix)
-        content = math.gcd(*(int(x) for x in rows.entries()))
-        m = Fraction(content * order._den, d * self._den)
+        m = hermite.multiple(self.order._den, self.order._matrix, self._den, self._matrix)
         if m.denominator != 1:
             raise LatticeError("only an integral ideal has a primitive part, and this one is none")
         return self._scaled(1 / m), m.numerator
@@ -137,14 +131,6 @@ class Ideal(OneSidedIdeal):
                 "these are ideals of different orders: two ideals are compared over one order"
             )
         return other
-
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
-
-        There is none for an ideal that is not invertible; ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
 
     @cached_property
     def claim(self) -> Claim:

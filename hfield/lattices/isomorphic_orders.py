@@ -9,7 +9,6 @@ one lattice are compared with one of the other, whatever the orders are.
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
@@ -115,10 +114,6 @@ def _conjugating(order: Order, sources: fmpz_mat, targets: fmpz_mat) -> list[int
     raise AssertionError("an isometry, or its negative, is a conjugation")
 
 
-def _content(matrix: fmpz_mat) -> int:
-    return math.gcd(*(int(x) for x in matrix.entries()))
-
-
 def connecting_ideal(first: Order, second: Order) -> Lattice:
     """Return the primitive integral ideal with left order ``first`` and right order ``second``.
 
@@ -155,6 +150,5 @@ def _ends(order: Order) -> list[Lattice]:
 
 def _primitive(lattice: Lattice, order: Order) -> Lattice:
     """Return the multiple of an ideal that is integral and divisible by no integer."""
-    rows, d = hermite.in_coordinates(order._matrix, lattice._matrix)
-    content = Fraction(_content(rows) * order._den, d * lattice._den)
-    return lattice._scaled(1 / content)
+    m = hermite.multiple(order._den, order._matrix, lattice._den, lattice._matrix)
+    return lattice._scaled(1 / m)

@@ -15,6 +15,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
+from hfield.lattices.arguments import expect_coprime
 from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 
 if TYPE_CHECKING:
@@ -100,14 +101,8 @@ def eichler_suborder(order: Order, level: int) -> Lattice:
 
     Raises :class:`LatticeError` when the level is not prime to the discriminant.
     """
-    primes = factorise(level)
-    for p in primes:
-        if order._discriminant % p == 0:
-            raise LatticeError(
-                f"the level {level} and the discriminant {order._discriminant} have the factor {p} in "
-                "common: Eichler orders have a level prime to the discriminant"
-            )
-    rows = left_multiples(order, primes, zero_divisor)
+    expect_coprime(level, order._discriminant)
+    rows = left_multiples(order, factorise(level), zero_divisor)
     rows.append(order._from_coordinates(list(order._one)))
     return above(order, rows, level)
 

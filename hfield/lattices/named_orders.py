@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from functools import lru_cache
 from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.errors import CoercionError, LatticeError
+from hfield.errors import CoercionError
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
-from hfield.lattices.arguments import positive
+from hfield.lattices.arguments import expect_coprime, positive
 from hfield.lattices.hurwitz_order import HurwitzOrder
 from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order
@@ -72,8 +71,7 @@ def class_number(algebra: Parent, level: object) -> int:
     r = regular(algebra)
     if r.definite:
         return class_numbers.class_number(r.discriminant, n)
-    if math.gcd(n, r.discriminant) > 1:
-        raise LatticeError(f"the level {n} is not prime to the discriminant {r.discriminant}")
+    expect_coprime(n, r.discriminant)
     return 1  # strong approximation
 
 

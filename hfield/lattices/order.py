@@ -25,6 +25,7 @@ from hfield.lattices import (
 )
 from hfield.lattices.arguments import checked_side, integer, listed, positive, prime
 from hfield.lattices.as_json import rows_json
+from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.generated_orders import check_ring, generated
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order_invariants import OrderInvariants
@@ -32,7 +33,6 @@ from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
-    from hfield.lattices.certificates import Claim
     from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.quadratic_orders import Embeddings
@@ -41,7 +41,7 @@ UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
 
 
-class Order(OrderInvariants, Lattice):
+class Order(OrderInvariants, Certified, Lattice):
     """A lattice that is a ring with 1: ``q in O`` asks for membership.
 
     >>> from hfield import QuaternionAlgebra
@@ -94,14 +94,6 @@ class Order(OrderInvariants, Lattice):
         """Return the intersection with a lattice; that with another order is an order."""
         found = super().__and__(other)
         return Order._ring(found) if isinstance(other, Order) else found
-
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
-
-        There is none where the checker would have to do too much; ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
 
     @cached_property
     def claim(self) -> Claim:

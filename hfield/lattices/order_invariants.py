@@ -124,15 +124,14 @@ class OrderInvariants(NormedLattice):
         )
         den = self._den * d
         scale = r.scale * den * den
-        entries = [int(x) // scale for x in r.gram(rows).entries()]
-        return den, rows, [entries[0:3], entries[3:6], entries[6:9]]
+        gram = [[int(x) // scale for x in row] for row in r.gram(rows).tolist()]
+        return den, rows, gram
 
     @cached_property
     def _reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
         den, rows, gram = self._ternary
         reduced, steps = fmpz_mat(gram).lll(transform=True, rep="gram")
-        entries = [int(x) for x in reduced.entries()]
-        return den, steps * rows, [entries[0:3], entries[3:6], entries[6:9]]
+        return den, steps * rows, [[int(x) for x in row] for row in reduced.tolist()]
 
     def ternary_theta_series(self, n: int) -> list[int]:
         """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.

@@ -27,12 +27,17 @@ def two_sided_prime(order: Order, p: int) -> Lattice:
     e, _ = remove(order._discriminant, p)
     if e == 0:
         return order._scaled(Fraction(p))
-    if not (e == 1 or (order._regular.discriminant % p and order.eichler_symbol(p) == 1)):
+    if not is_maximal_or_eichler(order, p, e):
         raise LatticeError(
             f"the order is neither maximal nor an Eichler order at {p}: its two-sided ideals there are "
             "not known"
         )
     return order.dual()._scaled(Fraction(order._discriminant)) + order._scaled(Fraction(p**e))
+
+
+def is_maximal_or_eichler(order: Order, p: int, e: int) -> bool:
+    """Tell whether an order is maximal or Eichler at a prime, where pᵉ is the part of its discriminant."""
+    return e == 1 or bool(order._regular.discriminant % p and order.eichler_symbol(p) == 1)
 
 
 def generators(order: Order) -> list[Lattice]:
