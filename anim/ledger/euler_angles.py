@@ -10,8 +10,8 @@ from hfield.syntax import Node, both, names, negation, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal, product, times
 from rotation.ledger.matrix_functions import EULER
-from rotation.ledger.symbols import code, coordinates
-from rotation.ledger.symbols import equal as same_lists
+from rotation.ledger.symbolic_runs import code, coordinates
+from rotation.ledger.symbolic_runs import equal as same_lists
 
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))  # cos x and sin x for x = 0, π/2, π, 3π/2
 P, S, T, Y = names("p s t y")

@@ -17,8 +17,8 @@ from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, S, T, rodrigues
-from rotation.ledger.symbols import code, quaternion, read_as
-from rotation.ledger.symbols import equal as same_lists
+from rotation.ledger.symbolic_runs import code, quaternion, read_as
+from rotation.ledger.symbolic_runs import equal as same_lists
 
 ON_CIRCLE = "p[0]**2 + p[1]**2 == 1"
 ROOT = "z**2 == 1 - y**2"

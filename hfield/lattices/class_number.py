@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
-from hfield.lattices.arguments import expect_coprime
+from hfield.lattices.checked_arguments import expect_coprime
 from hfield.lattices.modulo_primes import kronecker
 
 if TYPE_CHECKING:

@@ -20,9 +20,9 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.hints import CLASSES, Hinted
 from hfield.lattices import brandt, certificates, types_of_orders
-from hfield.lattices.arguments import positive, prime
 from hfield.lattices.as_json import rows_json
 from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.checked_arguments import positive, prime
 from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
 from hfield.lattices.ideal import Ideal

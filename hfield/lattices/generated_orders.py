@@ -12,7 +12,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
-from hfield.lattices.arguments import element_row, listed
+from hfield.lattices.checked_arguments import element_row, listed
 from hfield.lattices.regular_representation import Regular, regular
 from hfield.quaternion import Parent
 

@@ -18,9 +18,9 @@ from hfield.lattices import (
     small_ideals,
 )
 from hfield.lattices.answers import Answer
-from hfield.lattices.arguments import prime as checked_prime
 from hfield.lattices.as_json import rows_json
 from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.checked_arguments import prime as checked_prime
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.one_sided_ideals import OneSidedIdeal
 from hfield.quaternion import Quaternion

@@ -15,7 +15,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
-from hfield.lattices.arguments import expect_coprime
+from hfield.lattices.checked_arguments import expect_coprime
 from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 
 if TYPE_CHECKING:

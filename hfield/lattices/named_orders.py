@@ -10,7 +10,7 @@ from flint import fmpz_mat
 from hfield.errors import CoercionError
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
-from hfield.lattices.arguments import expect_coprime, positive
+from hfield.lattices.checked_arguments import expect_coprime, positive
 from hfield.lattices.hurwitz_order import HurwitzOrder
 from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order

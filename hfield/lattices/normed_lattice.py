@@ -12,7 +12,7 @@ from flint import fmpq, fmpz_mat, fmpz_poly
 
 from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.arguments import natural
+from hfield.lattices.checked_arguments import natural
 from hfield.lattices.regular_representation import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction

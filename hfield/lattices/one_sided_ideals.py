@@ -11,7 +11,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
-from hfield.lattices.arguments import element_row, listed
+from hfield.lattices.checked_arguments import element_row, listed
 from hfield.lattices.lattice import Lattice
 from hfield.quaternion import Parent
 

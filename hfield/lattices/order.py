@@ -23,9 +23,9 @@ from hfield.lattices import (
     subideals,
     two_sided_ideals,
 )
-from hfield.lattices.arguments import checked_side, integer, listed, positive, prime
 from hfield.lattices.as_json import rows_json
 from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.checked_arguments import checked_side, integer, listed, positive, prime
 from hfield.lattices.generated_orders import check_ring, generated
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order_invariants import OrderInvariants

@@ -11,7 +11,7 @@ from flint import fmpz_mat
 
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.arguments import natural, prime
+from hfield.lattices.checked_arguments import natural, prime
 from hfield.lattices.modulo_primes import kronecker
 from hfield.lattices.normed_lattice import NormedLattice
 
