@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
@@ -25,11 +25,13 @@ from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import positive, prime
 from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
-from hfield.lattices.ideal import Ideal
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.order import Order
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
 from hfield.primality import is_prime, primes
+
+if TYPE_CHECKING:
+    from hfield.lattices.ideal import Ideal
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
 
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
@@ -94,11 +96,11 @@ class ClassSet(Certified, Hinted):
         return Fraction(2, units)
 
     def _lattice(self, key: Key) -> Lattice:
-        return Lattice(self.order.algebra, key[0], fmpz_mat(4, 4, key[1:]))
+        return self.order._in_form(key[0], fmpz_mat(4, 4, key[1:]))
 
     def _neighbours(self, lattice: Lattice, p: int) -> Iterator[tuple[Key, int]]:
         for den, matrix in right_subideals(lattice, self.order, p):
-            yield key_and_units(Lattice(self.order.algebra, den, matrix))
+            yield key_and_units(self.order._in_form(den, matrix))
 
     # --- the classes -------------------------------------------------------------------------------
 
@@ -107,12 +109,11 @@ class ClassSet(Certified, Hinted):
 
     def __getitem__(self, n: int) -> Ideal:
         """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
-        found = Ideal.of(self._lattices[n], "right", self.order)
-        return (
-            (found * found.norm().q).primitive_part()[0]
-            if n
-            else Ideal.of(self.order, "right", self.order)
-        )
+        if not n:
+            return self.order._ideal(self.order, "right")
+        found = self.order._ideal(self._lattices[n], "right")
+        primitive: Ideal = (found * found.norm().q).primitive_part()[0]
+        return primitive
 
     def __iter__(self) -> Iterator[Ideal]:
         return (self[n] for n in range(len(self)))
@@ -123,15 +124,10 @@ class ClassSet(Certified, Hinted):
 
     def index(self, ideal: object) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
-            ideal = Ideal.like(ideal, self.order, "right")
-        if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self.order:
-            raise LatticeError(
-                f"{shorten(repr(ideal))} is not a right ideal of {shorten(self.order)}"
-            )
-        if not ideal.is_invertible():
-            raise LatticeError(f"{shorten(ideal)} is not invertible, and belongs to no class")
-        return self._index(ideal)
+        found = self.order._right_ideal(ideal)
+        if not found.is_invertible():
+            raise LatticeError(f"{shorten(found)} is not invertible, and belongs to no class")
+        return self._index(found)
 
     def _index(self, lattice: Lattice) -> int:
         return self._keys[key_and_units(lattice)[0]]

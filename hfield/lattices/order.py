@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, overload
 
 from flint import fmpz_mat
 
-from hfield.errors import LatticeError
+from hfield.errors import LatticeError, shorten
 from hfield.hints import ORDER
 from hfield.lattices import (
     certificates,
@@ -26,6 +26,7 @@ from hfield.lattices import (
 from hfield.lattices.as_json import rows_json
 from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import checked_side, integer, listed, positive, prime
+from hfield.lattices.classes import ClassSet
 from hfield.lattices.generated_orders import check_ring, generated
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order_invariants import OrderInvariants
@@ -33,7 +34,6 @@ from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
-    from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.quadratic_orders import Embeddings
 
@@ -176,6 +176,16 @@ class Order(OrderInvariants, Certified, Lattice):
 
         return Ideal.of(lattice, side, self)
 
+    def _right_ideal(self, ideal: object) -> Ideal:
+        """Return a right ideal of this order, perhaps given as a lattice. Raises :class:`LatticeError`."""
+        from hfield.lattices.ideal import Ideal
+
+        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
+            return Ideal.like(ideal, self, "right")
+        if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self:
+            raise LatticeError(f"{shorten(repr(ideal))} is not a right ideal of {shorten(self)}")
+        return ideal
+
     def two_sided_prime(self, p: int) -> Ideal:
         """Return the two-sided ideal at a prime that generates, with the numbers, all those there.
 
@@ -252,8 +262,6 @@ class Order(OrderInvariants, Certified, Lattice):
 
         Raises :class:`IndefiniteError`; there the number of classes is 1 for an Eichler order.
         """
-        from hfield.lattices.classes import ClassSet
-
         return ClassSet(self)
 
     def mass(self) -> Fraction:

@@ -3,8 +3,8 @@
 from tests.test_layers import imports, sources
 
 ROOM = "hfield.lattices."
-OBJECTS = {"lattice", "order", "one_sided_ideals", "ideal", "classes"}
-"""What a user holds; they make one another: a lattice its left order, an order its ideals and classes."""
+OBJECTS = {"lattice", "order", "one_sided_ideals", "ideal"}
+"""They make one another: a lattice its left order, an order its ideals, an ideal its order."""
 
 
 def at_run_time(source: str) -> str:
