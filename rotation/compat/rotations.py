@@ -8,7 +8,7 @@ import numpy as np
 from rotation import davenport, quaternions
 from rotation import rotation as ours
 from rotation.compat import answers, checks, groups
-from rotation.compat.items import Items
+from rotation.compat.assignable import Assignable
 from rotation.errors import RotationError
 from rotation.euler import sequence
 from rotation.matrices import from_matrix
@@ -23,7 +23,7 @@ _LOCKED = (
 _LOCK = 1e-7
 
 
-class Rotation(Items):
+class Rotation(Assignable):
     """One rotation or an array of them: scalar last, and items can be assigned.
 
     Parameters

@@ -7,7 +7,7 @@ import numpy as np
 from rotation import rigid
 from rotation import rotation as ours
 from rotation.compat import answers, checks
-from rotation.compat.items import Items
+from rotation.compat.assignable import Assignable
 from rotation.compat.rotations import Rotation
 from rotation.errors import RotationError
 from rotation.namespaces import quiet
@@ -15,7 +15,7 @@ from rotation.namespaces import quiet
 Array = Any
 
 
-class RigidTransform(Items):
+class RigidTransform(Assignable):
     """One rigid motion or an array of them; items can be assigned."""
 
     _axes, _called = 2, "transform"

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Self
 Array = Any
 
 
-class Items:
+class Assignable:
     """One rotation or transform, or an array of them, each held in ``_axes`` axes of an array."""
 
     __array_ufunc__ = None
