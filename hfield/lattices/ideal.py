@@ -59,9 +59,7 @@ class Ideal(Certified, OneSidedIdeal):
 
     def inverse(self) -> Ideal:
         """Return ``conj(I)/N(I)``. Raises :class:`LatticeError` unless I is locally principal."""
-        if not self.is_invertible():
-            raise LatticeError(f"{shorten(self)} is not invertible: it is not locally principal")
-        return self.conjugate()._scaled(1 / self._norm)
+        return Ideal.of(super().inverse(), OTHER[self.side], self._order)
 
     def _scaled(self, x: Fraction) -> Ideal:
         return Ideal.of(super()._scaled(x), self.side, self._order)
