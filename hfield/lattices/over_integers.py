@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.lattices.dedekind_modules import coordinate_rows, hermite
+from hfield.lattices.dedekind_modules import hermite
 from hfield.lattices.integral_coordinates import Frame
 from hfield.rings.modular import WORD
 from hfield.rings.number_field import NumberField
@@ -28,6 +28,7 @@ from hfield.rings.quadratic import QuadraticField
 from hfield.rings.residue_polynomials import coefficients
 from hfield.rings.residues.number_ideals import local_place
 from hfield.structure.number_fields.hilbert_number_fields import candidates, finite_ramified
+from hfield.structure.number_fields.integral_basis import coordinate_rows
 
 if TYPE_CHECKING:
     from hfield.lattices.dedekind_modules import PseudoBasis
