@@ -7,7 +7,6 @@ from functools import lru_cache
 
 import flint
 
-from hfield.product import Scalar
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 
@@ -16,24 +15,25 @@ from hfield.rings.number_field import NumberField
 def _integral(field: NumberField) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
     """Return the matrix from coordinates in the integral basis to powers of s, and its inverse."""
     n = field.degree
-    rows = [c for w in field.integral_basis() for c in _padded(w, n)]
+    rows = [c for w in field.integral_basis() for c in coefficients(w)]
     matrix = flint.fmpq_mat(n, n, rows)
     return matrix, matrix.inv()
 
 
-def _padded(x: FieldElement, n: int) -> list[Scalar]:
-    coefficients = x.poly.coeffs()
-    return [*coefficients, *[0] * (n - len(coefficients))]
+def coefficients(x: FieldElement) -> list[flint.fmpq]:
+    """Return the coefficients of an element at 1, s, s² …, as many as the degree of the field."""
+    found = x.poly.coeffs()
+    return [*found, *[flint.fmpq(0)] * (x.field.degree - len(found))]
 
 
 def coordinate_rows(field: NumberField, elements: Sequence[FieldElement]) -> flint.fmpq_mat:
     """Return a matrix: the coordinates of elements in the integral basis, row by row."""
     n = field.degree
-    entries = [c for x in elements for c in _padded(x, n)]
+    entries = [c for x in elements for c in coefficients(x)]
     return flint.fmpq_mat(len(elements), n, entries) * _integral(field)[1]
 
 
 def element_of(field: NumberField, row: list[flint.fmpq]) -> FieldElement:
     """Return the element with the given coordinates in the integral basis."""
-    coefficients = flint.fmpq_mat(1, field.degree, row) * _integral(field)[0]
-    return FieldElement(field, flint.fmpq_poly(coefficients.entries()))
+    powers = flint.fmpq_mat(1, field.degree, row) * _integral(field)[0]
+    return FieldElement(field, flint.fmpq_poly(powers.entries()))
