@@ -128,9 +128,10 @@ def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
 def _p_adic(groups: Groups) -> Ring:
     if not groups:
         raise RingError("Qp needs its prime: write Qp(5) for the 5-adic numbers")
-    from hfield.rings.local.completions import p_adic_numbers
+    from hfield.rings.integers import QQ
+    from hfield.rings.local.rationals import p_adic_numbers
 
-    return p_adic_numbers(groups[0][1])
+    return p_adic_numbers(QQ, groups[0][1])
 
 
 def _residues(n: str) -> Ring:
@@ -142,10 +143,10 @@ def _residues(n: str) -> Ring:
 
 
 def _finite(inner: str) -> Ring:
-    from hfield.rings.field_specs import build as build_field
+    from hfield.rings.field_specs import GF
 
     q, comma, modulus = inner.partition(",")
-    return build_field(q, modulus if comma else None)
+    return GF(q, modulus if comma else None)
 
 
 def _extension(base: Ring, inner: str) -> Ring:
@@ -160,7 +161,7 @@ def _extension(base: Ring, inner: str) -> Ring:
         from hfield.rings.quadratic import build as build_quadratic
 
         return build_quadratic((m[1] or m[2]) if m else "-1")
-    from hfield.rings.functions import build as build_functions
+    from hfield.rings.function_specs import build as build_functions
 
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series
         names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)

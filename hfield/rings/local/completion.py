@@ -8,7 +8,7 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from hfield.product import Scalar
-from hfield.rings.base import E, Ring
+from hfield.rings.base import E, Ring, shared
 from hfield.rings.overfield import Overfield
 
 if TYPE_CHECKING:
@@ -28,6 +28,9 @@ class Completion(Overfield[E]):
         self.characteristic = global_field.characteristic
         self.gen_name = global_field.gen_name
         self.parse_limit = global_field.parse_limit
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (complete, self.global_field, str(self.place))
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -68,3 +71,8 @@ class Completion(Overfield[E]):
     def random(self, rng: Random) -> E:
         """Return a small random exact element; the same for the same seed."""
         return self.exact(self.global_field.random(rng))
+
+
+def complete(field: Ring, place: str) -> Ring:
+    """Return the completion of a field at the place of that text."""
+    return field.completion(place)
