@@ -202,8 +202,9 @@ def over_extended_constants(
     constants: ExtensionField, variables: tuple[str, ...]
 ) -> SimpleExtension:
     """Return GF(pⁿ)(s, t, …), as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
-    base = RationalFunctions(build_polynomials(PrimeField(constants.characteristic), variables))
+    polynomials = build_polynomials(shared(PrimeField, constants.characteristic), variables)
+    base = shared(RationalFunctions, polynomials)
     name = f"{constants.name}({','.join(variables)})"
     words = f"rational functions in {listed(variables)} over {constants.name}"
-    modulus = [base(c) for c in constants.coefficients]
-    return SimpleExtension(name, words, base, constants.gen_name, modulus)
+    modulus = tuple(base(c) for c in constants.coefficients)
+    return shared(SimpleExtension, name, words, base, constants.gen_name, modulus)

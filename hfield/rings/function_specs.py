@@ -1,7 +1,7 @@
 """Which field of rational functions a text means: in one variable or several, over ℚ or a finite field."""
 
 from hfield.errors import RingError, shorten
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, shared
 from hfield.rings.finite import ExtensionField, FiniteField
 from hfield.rings.functions import FunctionField
 
@@ -15,7 +15,7 @@ def build(base: Ring, variables: tuple[str, ...]) -> Ring:
             f"{shown}: rational functions are over QQ or a finite field, as in {example}"
         )
     if len(variables) == 1:
-        return FunctionField(base, variables[0])
+        return shared(FunctionField, base, variables[0])
     if isinstance(base, ExtensionField):
         from hfield.rings.extensions import over_extended_constants
 
@@ -23,4 +23,4 @@ def build(base: Ring, variables: tuple[str, ...]) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
     from hfield.rings.several_variables import RationalFunctions
 
-    return RationalFunctions(build_polynomials(base, variables))
+    return shared(RationalFunctions, build_polynomials(base, variables))

@@ -273,7 +273,7 @@ def Zmod(n: int) -> Modular:
         raise RingError(
             f"ZZ/{shorten(number, 20)}: the modulus must be at least 2; write ZZ/{shorten(-number, 20)}"
         )
-    return Residues(number)
+    return shared(Residues, number)
 
 
 ZZ = Integers()

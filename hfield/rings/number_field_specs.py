@@ -24,15 +24,13 @@ def build(s: str) -> Ring | None:
     if m := _QUOTIENT.fullmatch(s):
         (name,) = variables(f"QQ[{shorten(m[1])}]", m[1])
         return shared(NumberField, m[2], name)
-    if m := _REAL.fullmatch(s):
-        from hfield.rings.number_field_spelled import real_cyclotomic
+    if _REAL.fullmatch(s) or any(
+        (m := form.fullmatch(s)) and is_balanced(m[1]) and not _is_quadratic(m[1])
+        for form in (_SPELLED, _SUM)
+    ):
+        from hfield.rings.number_field_spelled import spelled
 
-        return real_cyclotomic(int(m[1].strip("()")))
-    for form in (_SPELLED, _SUM):
-        if (m := form.fullmatch(s)) and is_balanced(m[1]) and not _is_quadratic(m[1]):
-            from hfield.rings.number_field_spelled import adjoined
-
-            return adjoined(s, m[1])
+        return shared(spelled, s)
     return None
 
 

@@ -191,10 +191,10 @@ class SpelledField(NumberField):
 
 
 def spelled(name: str) -> Ring:
-    """Return the field of a name, ``QQ(sqrt(2),I)`` or ``QQ(zeta7)+``. Raises :class:`RingError`."""
+    """Return the field of a text, ``QQ(sqrt(2),I)`` or ``QQ(zeta7)+``. Raises :class:`RingError`."""
     if name.endswith("+"):
         return real_cyclotomic(int(re.sub(r"\D", "", name)))
-    return adjoined(name, name.removeprefix("QQ(").removesuffix(")"))
+    return adjoined(name, name[name.index("(") + 1 : -1])
 
 
 def adjoined(s: str, inner: str) -> Ring:

@@ -83,7 +83,7 @@ class PolynomialRing(Ring):
         variables(
             f"{base}({shorten(name)})", name, base, adjoined=True
         )  # not what reads like a constant
-        return FunctionField(base, name)
+        return shared(FunctionField, base, name)
 
     def names(self) -> dict[str, SparsePolynomial]:
         """The variables."""
@@ -242,7 +242,7 @@ def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
         )
     if len(variables) > MAX_VARIABLES:
         raise RingError(f"{shown}: {len(variables)} variables; at most {MAX_VARIABLES} are taken")
-    return PolynomialRing(base, variables)
+    return shared(PolynomialRing, base, variables)
 
 
 def _context(base: Ring, variables: tuple[str, ...]) -> Any:

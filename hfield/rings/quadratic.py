@@ -246,7 +246,7 @@ def build(text: str) -> QuadraticField:
         raise RingError(
             f"QQ(sqrt({shorten(text)})): {shorten(d)} is a square in QQ, so this is QQ itself: write QQ"
         )
-    return QuadraticField(free)
+    return shared(QuadraticField, free)
 
 
 def _from_sympy(x: object) -> Surd | Closed | None:
