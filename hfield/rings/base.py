@@ -365,7 +365,7 @@ class Ring(ABC, Generic[E]):
 
 
 def shared(kind: Callable[..., R], *arguments: Hashable) -> R:
-    """Return the ring that a class makes of some arguments, the same one each time, for pickles too."""
+    """Return the ring that a class or a method makes of some arguments, the same one each time."""
     made: R = _shared(kind, *arguments)
     return made
 

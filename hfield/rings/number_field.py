@@ -16,7 +16,6 @@ from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
-from hfield.rings.number_field_texts import irreducible, power_sum
 from hfield.rings.printing import blackboard, number_text, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import irreducible_factors
@@ -48,13 +47,15 @@ class NumberField(ValueRing[FieldElement]):
     arithmetic = "number_fields.arithmetic_number_fields.NumberFieldArithmetic"
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
+        from hfield.rings.number_field_texts import irreducible, power_sum
+
         self.gen_name = name
         self.polynomial = irreducible(polynomial, name)
         self.name = f"QQ[{name}]/({power_sum(self.polynomial.coeffs(), name)})"
 
     def __reduce__(self) -> tuple[object, ...]:
-        name = str(self.gen_name)
-        return shared, (type(self), power_sum(self.polynomial.coeffs(), name), name)
+        polynomial = self.name.partition("/")[2][1:-1]
+        return shared, (type(self), polynomial, self.gen_name)
 
     # --- what it is ----------------------------------------------------------------------------
 

@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from importlib import import_module
 
 from hfield.errors import RingError, shorten
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, shared
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
 
@@ -40,8 +40,8 @@ def build(text: str) -> Ring:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
     base, place = _completed(s)
     if place:
-        return build(base).completion(place)
-    if s.startswith("Q"):
+        return shared(build(base).completion, place)
+    if re.match(r"QQ?[(\[]", s):
         from hfield.rings.number_field_specs import build as build_number_field
 
         number_field = build_number_field(s)
@@ -131,7 +131,7 @@ def _p_adic(groups: Groups) -> Ring:
     from hfield.rings.integers import QQ
     from hfield.rings.local.rationals import p_adic_numbers
 
-    return p_adic_numbers(QQ, groups[0][1])
+    return shared(QQ.completion, str(p_adic_numbers(QQ, groups[0][1]).place))
 
 
 def _residues(n: str) -> Ring:
@@ -165,7 +165,7 @@ def _extension(base: Ring, inner: str) -> Ring:
 
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series
         names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
-        return build_functions(base, names).completion(names[0])
+        return shared(build_functions(base, names).completion, names[0])
     names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
     return build_functions(base, names)
 

@@ -30,7 +30,7 @@ class Completion(Overfield[E]):
         self.parse_limit = global_field.parse_limit
 
     def __reduce__(self) -> tuple[object, ...]:
-        return shared, (complete, self.global_field, str(self.place))
+        return shared, (self.global_field.completion, "".join(str(self.place).split()))
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -71,8 +71,3 @@ class Completion(Overfield[E]):
     def random(self, rng: Random) -> E:
         """Return a small random exact element; the same for the same seed."""
         return self.exact(self.global_field.random(rng))
-
-
-def complete(field: Ring, place: str) -> Ring:
-    """Return the completion of a field at the place of that text."""
-    return field.completion(place)
