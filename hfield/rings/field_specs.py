@@ -38,9 +38,9 @@ def GF(q: object, modulus: object = None) -> FiniteField:
     if n == 1:
         return shared(PrimeField, p)
     field = shared(ExtensionField, p, n)
-    return (
-        field if given in (None, field.coefficients) else shared(ExtensionField, p, n, tuple(given))
-    )
+    if given is None or given == field.coefficients:
+        return field
+    return shared(ExtensionField, p, n, tuple(given))
 
 
 def _order(q: object) -> tuple[int, int]:
