@@ -25,7 +25,6 @@ from hfield.rings.integers import QQ, ZZ
 from hfield.rings.powers import polynomial_power
 from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
-from hfield.rings.variables import variables
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient, SparsePolynomial
@@ -80,9 +79,6 @@ class PolynomialRing(Ring):
         if len(self.variables) > 1:
             return None
         base, name = self.base.fractions or self.base, self.variables[0]
-        variables(
-            f"{base}({shorten(name)})", name, base, adjoined=True
-        )  # not what reads like a constant
         return shared(FunctionField, base, name)
 
     def names(self) -> dict[str, SparsePolynomial]:

@@ -173,7 +173,7 @@ def _extension(base: Ring, inner: str) -> Ring:
 def _polynomials(base: Ring, inner: str) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
 
-    names = variables(f"{base}[{shorten(inner)}]", inner, base, adjoined=False)
+    names = variables(f"{base}[{shorten(inner)}]", inner, base, adjoined=True)
     return build_polynomials(base, names)
 
 
