@@ -10,6 +10,7 @@ from importlib import import_module
 
 from hfield.errors import RingError, shorten
 from hfield.rings.base import Ring, shared
+from hfield.rings.number_field_texts import NUMBER
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
 
@@ -173,7 +174,14 @@ def _extension(base: Ring, inner: str) -> Ring:
 def _polynomials(base: Ring, inner: str) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
 
-    names = variables(f"{base}[{shorten(inner)}]", inner, base, adjoined=True)
+    what = f"{base}[{shorten(inner)}]"
+    names = variables(what, inner, base, adjoined=False)
+    number = next((name for name in names if re.fullmatch(NUMBER, name)), None)
+    if number:
+        raise RingError(
+            f"{what}: {number} is a number, not the name of a variable such as x; the field that it "
+            f"generates is QQ({number})"
+        )
     return build_polynomials(base, names)
 
 

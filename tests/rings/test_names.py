@@ -159,8 +159,8 @@ REFUSED = {
     "RR(x,y)": "rational functions are over",
     "QQ(x,x)": "twice",
     "QQ(x,zeta5)": "reads like a constant",
-    "QQ[zeta5]": "reads like a constant",  # elsewhere a number field
-    "ZZ[x,pi]": "reads like a constant",
+    "QQ[zeta5]": "the field that it generates is QQ(zeta5)",
+    "ZZ[x,zeta_5]": "zeta_5 is a number",
     "GF(4)(s,x)": "already names the generator",
     "GF(3)(t)[u]/(u^2-t^2)": r"reducible.*t \+ u",
     "GF(3)(t)[u]/(u)": "degree from 2",
@@ -278,6 +278,11 @@ def test_what_reads_like_a_constant_is_no_variable_in_round_brackets(base, name)
 )
 def test_what_reads_like_a_variable_is_one(name):
     assert ring(f"QQ({name})").gen_name == name
+
+
+def test_square_brackets_hold_variables_also_if_they_read_like_constants():
+    assert ring("QQ[alpha,pi]").variables == ("alpha", "pi")
+    assert ring("ZZ[alpha]").fractions.names()["alpha"]
 
 
 @pytest.mark.parametrize("text", REFUSED, ids=lambda s: s[:30] or "empty")
