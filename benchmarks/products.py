@@ -2,7 +2,7 @@
 
     python benchmarks/products.py [RING…] [--count N] [--all]
 
-A line a ring, nanoseconds a product, the least of several runs taken in turns, one thread and its processor
+A line a ring, nanoseconds a product, the least of several runs in a row, one thread and its processor
 time, so that what else the machine does matters less:
 
 - ours: ``p * q`` on arrays of quaternions;
@@ -11,7 +11,8 @@ time, so that what else the machine does matters less:
 - bytes: numpy's sum of two arrays, which reads and writes as many bytes as ours and does little; ratio 1
   is as fast as they can be moved;
 - then ours for the norm and the inverse, and how many times faster two threads are than one by the wall's
-  clock (which takes two idle processors), on ten times as many products.
+  clock, on ten times as many products; behind it the same of that sum of two arrays: what the machine, and
+  who else is on it, allow just then.
 
 ``--all`` adds single elements: a Python loop over a part of the array. All products are compared first.
 """
@@ -19,6 +20,7 @@ time, so that what else the machine does matters less:
 import argparse
 import time
 from collections.abc import Callable
+from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -38,10 +40,10 @@ RUNS = 7
 def least(
     *works: Callable[[], object], runs: int = RUNS, clock: Callable[[], float] = time.thread_time
 ) -> list[float]:
-    """Return the least time of each, run in turns."""
+    """Return the least time of each, run several times in a row."""
     best = [float("inf")] * len(works)
-    for _ in range(runs):
-        for n, work in enumerate(works):
+    for n, work in enumerate(works):
+        for _ in range(runs):
             start = clock()
             work()
             best[n] = min(best[n], clock() - start)
@@ -122,7 +124,7 @@ def line(name: str, count: int, with_loop: bool) -> str:
         units = p[how.units(held)]
         norm, inverse = least(lambda: loop(held), units.inverse, runs=3)
         figures.append(f"{norm / count * 1e9:7.2f} {inverse / len(units) * 1e9:7.1f}")
-    figures.append(f"{two_threads(name, 10 * count):5.2f}×")
+    figures += [f"{times:5.2f}×" for times in two_threads(name, 10 * count)]
     if with_loop:
         pairs = [(p[n], q[n]) for n in range(PART)]
         (loop_time,) = least(lambda: [u * v for u, v in pairs], runs=3)
@@ -130,20 +132,29 @@ def line(name: str, count: int, with_loop: bool) -> str:
     return f"{name:>15} " + " ".join(figures)
 
 
-def two_threads(name: str, count: int) -> float:
-    """Return how many times faster two threads are than one."""
+def two_threads(name: str, count: int) -> tuple[float, float]:
+    """Return how many times faster two threads are than one: with our products, and with numpy's sum."""
     p, q = operands(name, count)
+    x, y, out = three_of_a_size(p, q, p * q)
+    half = len(x) // 2
 
-    def by(number: int) -> Callable[[], object]:
+    def ours(number: int) -> Callable[[], object]:
         def work() -> object:
             threads(number)
             return p * q
 
         return work
 
-    one, two = least(by(1), by(2), runs=10, clock=time.perf_counter)
+    def halves() -> None:
+        other = Thread(target=np.add, args=(x[:half], y[:half], out[:half]))
+        other.start()
+        np.add(x[half:], y[half:], out=out[half:])
+        other.join()
+
+    works = ours(1), ours(2), lambda: np.add(x, y, out=out), halves
+    one, two, whole, both = least(*works, runs=10, clock=time.perf_counter)
     threads(1)
-    return one / two
+    return one / two, whole / both
 
 
 def main() -> None:
@@ -156,7 +167,7 @@ def main() -> None:
     threads(1)
     print(
         f"{args.count} products in one call, ns each\n{'ring':>15} {'ours':>8} {'bytes':>7} {'ratio':>6} "
-        f"{'by hand':>9} {'ratio':>6} {'norm':>7} {'inverse':>7} {'2 thr':>6}"
+        f"{'by hand':>9} {'ratio':>6} {'norm':>7} {'inverse':>7} {'2 thr':>6} {'sum':>6}"
         + ("   single" if args.all else "")
     )
     for name in args.fields:

@@ -8,8 +8,9 @@ these are passed.
 from __future__ import annotations
 
 import gc
+import os
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import (
     BrokenExecutor,
     Executor,
@@ -19,12 +20,9 @@ from concurrent.futures import (
 )
 from contextlib import contextmanager
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 from hfield.errors import HFieldError
-
-if TYPE_CHECKING:
-    from multiprocessing.context import BaseContext
 
 P = ParamSpec("P")
 A = TypeVar("A")
@@ -93,33 +91,33 @@ def collecting_rarely() -> Iterator[None]:
 
 
 @contextmanager
-def open_executor(
-    jobs: int = 1, dask: str | None = None, imports: Sequence[str] = ()
-) -> Iterator[Executor]:
+def open_executor(jobs: int = 1, dask: str | None = None) -> Iterator[Executor]:
     """Yield an executor: this process, ``jobs`` processes, or the Dask cluster at ``dask``.
 
-    Processes are never forked from this one, so that no lock of a numerical library is copied. Where the
-    system can, one bare process reads the modules ``imports`` at once, while this one goes on, and the
-    workers are its forks; elsewhere they are spawned. On an interrupt they are ended at once. Raises
-    :class:`ExecutorError` when Dask is missing or silent, or when a worker dies.
+    Processes are forks, which have all that was read by now, if this process has a single thread; else they
+    are spawned, so that no lock of a numerical library is copied. On an interrupt they are ended at once.
+    Raises :class:`ExecutorError` when Dask is missing or silent, or when a worker dies.
     """
     if dask is not None:
         with _dask(dask) as executor:
             yield executor
     elif jobs > 1:
-        with _processes(jobs, imports) as executor:
+        with _processes(jobs) as executor:
             yield executor
     else:
         yield InProcess()
 
 
 @contextmanager
-def _processes(jobs: int, imports: Sequence[str]) -> Iterator[Executor]:
+def _processes(jobs: int) -> Iterator[Executor]:
     import multiprocessing
 
-    context = _serving(imports) if imports else multiprocessing.get_context("spawn")
+    forked = _only_one_thread()
+    context = multiprocessing.get_context("fork" if forked else "spawn")
     pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_as_a_worker)
     before = set(multiprocessing.active_children())
+    if forked:
+        _fork_now(pool)
     try:
         yield pool
     except BaseException as error:
@@ -140,34 +138,23 @@ def _processes(jobs: int, imports: Sequence[str]) -> Iterator[Executor]:
     pool.shutdown()
 
 
-def _serving(imports: Sequence[str]) -> BaseContext:
-    """Start the process that workers are forked from, with ``imports`` read, where there are such."""
-    import multiprocessing
-    import os
+def _only_one_thread() -> bool:
+    """Tell whether the system, which knows those of numerical libraries too, counts one thread here."""
+    try:
+        return len(os.listdir("/proc/self/task")) == 1
+    except OSError:  # no Linux
+        return False
+
+
+def _fork_now(pool: Executor) -> None:
+    """Let all workers be forked, as a pool does at its first task: later there may be more threads."""
     import signal
 
-    if "forkserver" not in multiprocessing.get_all_start_methods():
-        return multiprocessing.get_context("spawn")
-    from multiprocessing import resource_tracker
-    from multiprocessing.forkserver import ensure_running
-
-    resource_tracker.ensure_running()  # it would unblock what is blocked below
-    context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(list(imports))
-    before = os.environ.get("PYTHONSAFEPATH")
-    os.environ["PYTHONSAFEPATH"] = "1"  # else it would read modules from the current directory
-    signals = signal.pthread_sigmask(
-        signal.SIG_BLOCK, {signal.SIGINT}
-    )  # Ctrl-C is for this process
+    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # until they ignore it
     try:
-        ensure_running()
+        pool.submit(int)
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, signals)
-        if before is None:
-            del os.environ["PYTHONSAFEPATH"]
-        else:
-            os.environ["PYTHONSAFEPATH"] = before
-    return context
+        signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
 
 
 def _as_a_worker() -> None:
@@ -177,6 +164,8 @@ def _as_a_worker() -> None:
     from threading import Thread
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     parent = parent_process()
     if parent is not None:
         Thread(target=_end_with, args=(parent,), daemon=True).start()
@@ -184,8 +173,6 @@ def _as_a_worker() -> None:
 
 def _end_with(parent: Any) -> None:
     """End this process when its parent has, even by SIGKILL: it would wait for tasks for ever."""
-    import os
-
     parent.join()
     os._exit(1)
 

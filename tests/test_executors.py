@@ -54,23 +54,31 @@ def test_processes():
         assert dict(unordered(executor, abs, [-1, 2, -3])) == {0: 1, 1: 2, 2: 3}
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="workers are spawned there")
-def test_workers_have_the_modules_asked_for_and_none_of_the_current_directory(tmp_path):
-    (tmp_path / "colorsys.py").write_text("raise SystemExit('not this one')")
-    code = (
-        "from hfield.executors import open_executor\n"
-        "if __name__ == '__main__':\n"
-        "    with open_executor(2, imports=['colorsys']) as executor:\n"
-        "        there = executor.submit(eval, \"__import__('sys').modules['colorsys'].__file__\")\n"
-        "        print(there.result())\n"
-    )
-    script = tmp_path / "elsewhere" / "script.py"
-    script.parent.mkdir()
-    script.write_text(code)
+ONE_THREAD_OR_TWO = """
+import sys, threading
+from hfield.executors import open_executor
+
+if __name__ == "__main__":
+    import colorsys
+
+    done = threading.Event()
+    if sys.argv[1] == "2":
+        threading.Thread(target=done.wait).start()
+    with open_executor(2) as executor:
+        print(executor.submit(eval, "'colorsys' in __import__('sys').modules").result())
+    done.set()
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="workers are spawned there")
+@pytest.mark.parametrize(("threads", "shared"), [("1", "True"), ("2", "False")])
+def test_workers_are_forks_of_a_process_of_one_thread_only(tmp_path, threads, shared):
+    script = tmp_path / "script.py"
+    script.write_text(ONE_THREAD_OR_TWO)
     done = subprocess.run(
-        [sys.executable, str(script)], cwd=tmp_path, capture_output=True, text=True, check=True
+        [sys.executable, str(script), threads], capture_output=True, text=True, check=True
     )
-    assert Path(done.stdout.strip()).parent == Path(os.__file__).parent
+    assert done.stdout.split() == [shared]
 
 
 def test_a_worker_that_dies_is_told():

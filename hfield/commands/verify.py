@@ -12,8 +12,6 @@ from hfield.commands.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor
-
     from hfield.ledger.claim import Claim, Row
 
 HELP = (
@@ -58,15 +56,15 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
-    from hfield.executors import collecting_rarely, open_executor
+    from hfield.executors import collecting_rarely
 
-    read = ["hfield.ledger.workers"]
-    with collecting_rarely(), open_executor(args.jobs, args.dask, read) as executor:
-        return _verify(args, executor)
+    with collecting_rarely():
+        return _verify(args)
 
 
-def _verify(args: Namespace, executor: Executor) -> int:
-    """Read what is to be decided, while workers begin; decide and report."""
+def _verify(args: Namespace) -> int:
+    """Read what is to be decided, decide and report."""
+    from hfield.executors import open_executor
     from hfield.ledger.columns import split_columns
     from hfield.ledger.registry import find
     from hfield.ledger.run import contradictions, decide_rows
@@ -81,7 +79,7 @@ def _verify(args: Namespace, executor: Executor) -> int:
     own = len(names) < len(args.claims)
     _remark(fields)
     with open_output(args.output) as out:
-        with Progress("rows") as progress:
+        with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)
         paths = _certificates(rows, args.certificates)
         if args.format == "json":

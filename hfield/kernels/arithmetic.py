@@ -34,10 +34,12 @@ class Arithmetic(ABC):
     An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
     to run over several elements at a time; ``literal``: whether structure constants are written into
     the loop, which then serves one algebra, and not read by it; ``waits_for_memory``: whether little
-    is computed for each byte, so that large results are better written past the caches.
+    is computed for each byte, so that large results are better written past the caches; ``lanes``: how
+    many elements a value of the loop stands for.
     """
 
     vectorise = True
+    lanes = 1
     literal = False
     waits_for_memory = False
 
@@ -113,9 +115,10 @@ class Symbol:
         return self._made(self.arithmetic.negate(self.code, self.payload))
 
 
-def raw_type(dtype: str) -> str:
-    """Return LLVM's name for integers of a numpy type such as ``u2``."""
-    return f"i{8 * int(dtype[1])}"
+def raw_type(dtype: str, lanes: int = 1) -> str:
+    """Return LLVM's name for integers of a numpy type such as ``u2``, or for a vector of them."""
+    kind = f"i{8 * int(dtype[1])}"
+    return kind if lanes == 1 else f"<{lanes} x {kind}>"
 
 
 def unsigned(largest: int) -> str:

@@ -1,12 +1,13 @@
 """GF(pⁿ), p odd and pⁿ ≤ 2¹⁶, by logarithms: for high degrees, where products of polynomials take longer.
 
-A product is the entry of a table of powers at the sum of two logarithms; the entry of log 0 lies so high that
-every sum with it points to a zero. The table holds digits in base p in fields of a word, wide enough for
-the sum of a few, so sums are sums of words. A table of a few digits at a time turns a sum into a label.
+A product is the entry of a table of powers at the sum of two logarithms. The table holds digits in base p in
+fields of a word, wide enough for the sum of a few, so sums are sums of words. A table of a few digits at a
+time turns a sum into a label.
 """
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import NamedTuple
@@ -21,15 +22,15 @@ INDEX_BITS = 12  # of the table that turns fields into labels; it stays in the n
 
 
 class Logarithm(NamedTuple):
-    """The name of a number's logarithm, which is that of an i64, or the number if it is known."""
+    """The name of a number's logarithm, or that number if it is known."""
 
     name: str
 
 
 class Packed(NamedTuple):
-    """The name of a sum of packed digits, and the least and greatest value of a digit."""
+    """The names of the words of a sum of packed digits, and the least and greatest value of a digit."""
 
-    name: str
+    words: tuple[str, ...]
     low: int
     high: int
 
@@ -38,17 +39,112 @@ Number = Logarithm | Packed
 
 
 @dataclass(frozen=True)
-class LogarithmicField(OddExtension):
+class ByLogarithms(OddExtension):
     """The field by logarithms of labels; ``generator`` is the label of a primitive element."""
 
     generator: int
 
     vectorise = False
 
+    @property
+    @abstractmethod
+    def word(self) -> str:
+        """The integers that hold packed digits, by LLVM's name."""
+
+    @property
+    @abstractmethod
+    def room(self) -> int:
+        """How many values a digit of a sum may have."""
+
+    @abstractmethod
+    def biased(self, code: Code, words: tuple[str, ...], bias: int) -> tuple[str, ...]:
+        """Add a number to every digit."""
+
+    @abstractmethod
+    def logarithm(self, code: Code, label: str) -> Logarithm:
+        """Look the logarithm of a label up."""
+
+    @abstractmethod
+    def power(self, code: Code, *logarithms: Logarithm) -> Packed:
+        """Look the digits of the element up that has the sum of one or two logarithms."""
+
+    @abstractmethod
+    def label(self, code: Code, words: tuple[str, ...]) -> str:
+        """Look the label of a sum up, none of whose digits is negative."""
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def load(self, code: Code, raw: str) -> Logarithm:
+        """Read a label, as its logarithm."""
+        return self.logarithm(code, raw)
+
+    def store(self, code: Code, x: Number) -> str:
+        """Write the label: the sum of what a table says of each group of digits."""
+        x = self._packed(code, x)
+        bias = self._bias(x.low)
+        return self.label(code, self.biased(code, x.words, bias) if bias else x.words)
+
+    # --- + − × ---------------------------------------------------------------------------------
+
+    def add(self, code: Code, x: Number, y: Number) -> Packed:
+        """Return x + y."""
+        x, y = self._fitting(code, x, y, 1)
+        return Packed(self._together(code, "add", x, y), x.low + y.low, x.high + y.high)
+
+    def subtract(self, code: Code, x: Number, y: Number) -> Packed:
+        """Return x − y."""
+        x, y = self._fitting(code, x, y, -1)
+        return Packed(self._together(code, "sub", x, y), x.low - y.high, x.high - y.low)
+
+    def multiply(self, code: Code, x: Number, y: Number) -> Packed:
+        """Return x·y."""
+        factors = (z if isinstance(z, Logarithm) else self._read(code, z) for z in (x, y))
+        return self.power(code, *factors)
+
+    def negate(self, code: Code, x: Number) -> Packed:
+        """Return −x."""
+        x = self._packed(code, x)
+        zero = Packed(("zeroinitializer" if "<" in self.word else "0",) * len(x.words), 0, 0)
+        return self.subtract(code, zero, x)
+
+    # --- forms ---------------------------------------------------------------------------------
+
+    def _together(self, code: Code, operation: str, x: Packed, y: Packed) -> tuple[str, ...]:
+        pairs = zip(x.words, y.words, strict=True)
+        return tuple(code.value(f"{operation} {self.word} {a}, {b}") for a, b in pairs)
+
+    def _packed(self, code: Code, x: Number) -> Packed:
+        return self.power(code, x) if isinstance(x, Logarithm) else x
+
+    def _read(self, code: Code, x: Packed) -> Logarithm:
+        return self.logarithm(code, self.store(code, x))
+
+    def _fitting(self, code: Code, x: Number, y: Number, sign: int) -> tuple[Packed, Packed]:
+        """Return both packed, and reduced where a digit of ``x ± y`` would not fit its field."""
+        a, b = self._packed(code, x), self._packed(code, y)
+        low, high = (b.low, b.high) if sign > 0 else (-b.high, -b.low)
+        if self._bias(a.low + low) + a.high + high >= self.room:
+            a, b = (self.power(code, self._read(code, z)) for z in (a, b))
+        return a, b
+
+    def _bias(self, low: int) -> int:
+        """Return the multiple of p that makes digits from ``low`` on positive."""
+        return -(low // self.characteristic) * self.characteristic if low < 0 else 0
+
+
+@dataclass(frozen=True)
+class LogarithmicField(ByLogarithms):
+    """The field by tables in memory, an element at a time."""
+
     @cached_property
     def width(self) -> int:
         """The bits of a field."""
         return (TERMS * (self.characteristic - 1)).bit_length()
+
+    @property
+    def room(self) -> int:
+        """How many values a digit of a sum may have."""
+        return 1 << self.width
 
     @cached_property
     def word(self) -> str:
@@ -64,85 +160,33 @@ class LogarithmicField(OddExtension):
         """Return logarithms, packed powers, and labels of a group of fields."""
         return _tables(self)
 
-    # --- in and out ----------------------------------------------------------------------------
-
-    def load(self, code: Code, raw: str) -> Logarithm:
-        """Read a label, as its logarithm."""
-        return self._logarithm(code, raw)
-
-    def store(self, code: Code, x: Number) -> str:
-        """Write the label."""
-        return self._label(code, x)
-
     def constant(self, code: Code, value: int) -> Logarithm:
         """Return the element with a label."""
         return Logarithm(str(int(self.tables()[0][value])))
 
-    # --- + − × ---------------------------------------------------------------------------------
+    def biased(self, code: Code, words: tuple[str, ...], bias: int) -> tuple[str, ...]:
+        """Add a number to every digit."""
+        every = sum(bias << n * self.width for n in range(self.degree))
+        return (code.value(f"add {self.word} {words[0]}, {every}"),)
 
-    def add(self, code: Code, x: Number, y: Number) -> Packed:
-        """Return x + y."""
-        x, y = self._fitting(code, x, y, 1)
-        name = code.value(f"add {self.word} {x.name}, {y.name}")
-        return Packed(name, x.low + y.low, x.high + y.high)
-
-    def subtract(self, code: Code, x: Number, y: Number) -> Packed:
-        """Return x − y."""
-        x, y = self._fitting(code, x, y, -1)
-        name = code.value(f"sub {self.word} {x.name}, {y.name}")
-        return Packed(name, x.low - y.high, x.high - y.low)
-
-    def multiply(self, code: Code, x: Number, y: Number) -> Packed:
-        """Return x·y."""
-        a, b = (
-            z if isinstance(z, Logarithm) else self._logarithm(code, self._label(code, z))
-            for z in (x, y)
-        )
-        # two steps from the table's beginning: the processor takes the second while it loads
-        first = code.value(f"getelementptr {self.word}, ptr %table1, i64 {a.name}")
-        return self._power(code, b.name, first)
-
-    def negate(self, code: Code, x: Number) -> Packed:
-        """Return −x."""
-        return self.subtract(code, Packed("0", 0, 0), x)
-
-    # --- forms ---------------------------------------------------------------------------------
-
-    def _logarithm(self, code: Code, label: str) -> Logarithm:
+    def logarithm(self, code: Code, label: str) -> Logarithm:
+        """Look the logarithm of a label up."""
         index = code.value(f"zext {raw_type(self.dtype)} {label} to i64")
         at = code.value(f"getelementptr i32, ptr %table0, i64 {index}")
         found = code.value(f"load i32, ptr {at}")
         return Logarithm(code.value(f"zext i32 {found} to i64"))
 
-    def _power(self, code: Code, logarithm: str, start: str = "%table1") -> Packed:
-        at = code.value(f"getelementptr {self.word}, ptr {start}, i64 {logarithm}")
-        return Packed(code.value(f"load {self.word}, ptr {at}"), 0, self.characteristic - 1)
+    def power(self, code: Code, *logarithms: Logarithm) -> Packed:
+        """Look the digits up; the entry of log 0 lies so high that every sum with it points to a zero."""
+        # two steps from the table's beginning: the processor takes the second while it loads
+        at = "%table1"
+        for logarithm in logarithms:
+            at = code.value(f"getelementptr {self.word}, ptr {at}, i64 {logarithm.name}")
+        return Packed((code.value(f"load {self.word}, ptr {at}"),), 0, self.characteristic - 1)
 
-    def _packed(self, code: Code, x: Number) -> Packed:
-        return self._power(code, x.name) if isinstance(x, Logarithm) else x
-
-    def _fitting(self, code: Code, x: Number, y: Number, sign: int) -> tuple[Packed, Packed]:
-        """Return both packed, and reduced where a digit of ``x ± y`` would not fit its field."""
-        a, b = self._packed(code, x), self._packed(code, y)
-        low, high = (b.low, b.high) if sign > 0 else (-b.high, -b.low)
-        if self._bias(a.low + low) + a.high + high >= 1 << self.width:
-            a, b = (
-                self._power(code, self._logarithm(code, self._label(code, z)).name) for z in (a, b)
-            )
-        return a, b
-
-    def _bias(self, low: int) -> int:
-        """Return the multiple of p that makes digits from ``low`` on positive."""
-        return -(low // self.characteristic) * self.characteristic if low < 0 else 0
-
-    def _label(self, code: Code, x: Number) -> str:
-        """Return the label: the sum of what a table says of each group of digits."""
-        v, word = code.value, self.word
-        x = self._packed(code, x)
-        name, bias = x.name, self._bias(x.low)
-        if bias:
-            every = sum(bias << n * self.width for n in range(self.degree))
-            name = v(f"add {word} {name}, {every}")
+    def label(self, code: Code, words: tuple[str, ...]) -> str:
+        """Look the label of a sum up: the sum of what a table says of each group of digits."""
+        v, word, (name,) = code.value, self.word, words
         kind, bits = raw_type(self.dtype), self.width * self.group
         label = ""
         for start in range(0, self.degree, self.group):
@@ -160,25 +204,25 @@ class LogarithmicField(OddExtension):
 @lru_cache(maxsize=64)
 def _tables(field: LogarithmicField) -> tuple[np.ndarray, ...]:
     p, n, q = field.characteristic, field.degree, field.order
-    digits = _powers(field)
-    labels = digits @ p ** np.arange(n)
-    if len(set(labels.tolist()) - {0}) != q - 1:
-        raise ValueError(f"{field.generator} does not generate the units of the field")
+    digits = powers(field)
     logarithms = np.full(q, 2 * (q - 1), np.uint32)
-    logarithms[labels] = np.arange(q - 1)
+    logarithms[digits @ p ** np.arange(n)] = np.arange(q - 1)
     kind = np.uint32 if field.word == "i32" else np.uint64
     packed = (digits.astype(np.uint64) << (field.width * np.arange(n, dtype=np.uint64))).sum(axis=1)
-    powers = np.zeros(4 * (q - 1) + 1, kind)
-    powers[: q - 1] = powers[q - 1 : 2 * (q - 1)] = packed.astype(kind)
+    table = np.zeros(4 * (q - 1) + 1, kind)
+    table[: q - 1] = table[q - 1 : 2 * (q - 1)] = packed.astype(kind)
     index = np.arange(1 << field.width * field.group)
     fields = (index[:, None] >> field.width * np.arange(field.group)) % (1 << field.width) % p
     # for each group of digits, what it adds to the label; of digits beyond the last nothing is asked
     parts = [fields @ p ** (start + np.arange(field.group)) for start in range(0, n, field.group)]
-    return logarithms, powers, np.concatenate(parts).astype(field.dtype)
+    return logarithms, table, np.concatenate(parts).astype(field.dtype)
 
 
-def _powers(field: LogarithmicField) -> np.ndarray:
-    """Return the digits of 1, g, g², …, as rows: the first half times a power of g is the second."""
+def powers(field: ByLogarithms) -> np.ndarray:
+    """Return the digits of 1, g, g², …, the units of the field, as rows of shape (q − 1, n).
+
+    The first half times a power of g is the second. Raises ValueError where g does not generate the units.
+    """
     p, n = field.characteristic, field.degree
     shift = np.zeros((n, n), np.int64)  # rows times this: times x
     shift[np.arange(n - 1), np.arange(1, n)] = 1
@@ -191,4 +235,7 @@ def _powers(field: LogarithmicField) -> np.ndarray:
     while len(found) < field.order - 1:
         found = np.concatenate([found, found @ step % p])
         step = step @ step % p
-    return found[: field.order - 1]
+    found = found[: field.order - 1]
+    if len(set((found @ p ** np.arange(n)).tolist()) - {0}) != field.order - 1:
+        raise ValueError(f"{field.generator} does not generate the units of the field")
+    return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from hfield.kernels import streaming
+from hfield.kernels import lanes, streaming
 from hfield.kernels.arithmetic import Arithmetic, Code, Symbol, raw_type
 from hfield.straight_line import ONE, Program
 
@@ -27,7 +27,7 @@ def written(
 
     ``literals`` are the program's other inputs, known beforehand.
     """
-    code, kind = Code(), raw_type(arithmetic.dtype)
+    code = Code()
 
     def symbol(payload: object) -> Symbol:
         return Symbol(arithmetic, code, payload)
@@ -35,11 +35,9 @@ def written(
     known = {name: symbol(arithmetic.constant(code, x)) for name, x in literals.items()}
     known[ONE] = symbol(arithmetic.constant(code, 1))
     for operand in operands:
-        place = "0" if operand.single else "%i"
         for name in operand.names:
             if name in program.inputs:
-                at = code.value(f"getelementptr {kind}, ptr %{name}, i64 {place}")
-                raw = code.value(f"load {kind}, ptr {at}")
+                raw = lanes.read(code, arithmetic, name, operand.single)
                 known[name] = symbol(arithmetic.load(code, raw))
     results = program.evaluate(known, symbol(arithmetic.constant(code, 0)))
     return code, [arithmetic.store(code, x.payload) for x in results]
@@ -64,8 +62,7 @@ def module(
     outputs = [f"out{n}" for n in range(len(results))]
     pointers = [*(name for operand in operands for name in operand.names), *tables, *outputs]
     for name, result in zip(outputs, results, strict=True):
-        code.lines.append(f"%to_{name} = getelementptr {kind}, ptr %{name}, i64 %i")
-        code.lines.append(f"store {kind} {result}, ptr %to_{name}")
+        lanes.write(code, arithmetic, name, result)
     told = "%told"
     for n, flag in enumerate(code.flags):
         code.lines.append(f"%told{n} = or i64 {told}, {flag}")
@@ -73,6 +70,7 @@ def module(
     signature = ", ".join(f"ptr noalias %{name}" for name in pointers)
     lines = [
         *arithmetic.declarations,
+        *lanes.declarations(arithmetic),
         f"define internal i64 @loop(i64 %n, {signature}) noinline {{",
         "start:",
         "%some = icmp sgt i64 %n, 0",
@@ -81,7 +79,7 @@ def module(
         "%i = phi i64 [ 0, %start ], [ %next, %body ]",
         f"%told = phi i64 [ 0, %start ], [ {told}, %body ]",
         *code.lines,
-        "%next = add nuw nsw i64 %i, 1",
+        f"%next = add nuw nsw i64 %i, {arithmetic.lanes}",
         "%more = icmp slt i64 %next, %n",
         f"br i1 %more, label %body, label %end{'' if arithmetic.vectorise else ', !llvm.loop !0'}",
         "end:",

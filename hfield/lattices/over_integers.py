@@ -19,7 +19,7 @@ import flint
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.lattices.dedekind_modules import coordinate_rows, hermite
 from hfield.lattices.integral_coordinates import Frame
-from hfield.rings.modular import WORD
+from hfield.primality import WORD
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import left_kernel
 from hfield.rings.number_primes import PrimeIdeal, primes_above

@@ -27,8 +27,8 @@ def variables(
 ) -> tuple[str, ...]:
     """Read names of variables, none of which means anything else. Raises :class:`RingError`.
 
-    ``adjoined`` names stand in round brackets, where a number could stand as well: there a name that reads
-    like a constant, ``zeta5`` or ``pi``, is not taken for a variable.
+    ``adjoined`` names have no modulus behind them, and a number could stand there as well: a name that reads
+    like a constant, as in ``QQ(zeta5)`` or ``QQ[pi]``, is not taken for a variable.
     """
     names = tuple(inner.split(","))
     for name in names:
@@ -46,9 +46,9 @@ def variables(
             raise RingError(f"{what}: I is the imaginary unit, in QQ(I); choose another name")
         if adjoined and _CONSTANT.fullmatch(name):
             raise RingError(
-                f"{what}: {shorten(name)} reads like a constant, and is not taken for a variable; for "
-                f"rational functions name the variable x or t, as in {base}({_free(base)}); number fields "
-                "are written QQ(zeta5), QQ(root(2,3)) or QQ[s]/(s^3-2)"
+                f"{what}: {shorten(name)} reads like a constant, and is not taken for a variable; name the "
+                f"variable x or t, as in {base}({_free(base)}) or {base}[{_free(base)}]; number fields are "
+                "written QQ(zeta5), QQ(root(2,3)) or QQ[s]/(s^3-2)"
             )
         if base is not None and name in base.names():
             raise RingError(

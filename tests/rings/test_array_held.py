@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 
 from hfield import H, QuaternionAlgebra, ring
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.kernels import calling
+from hfield.kernels import calling, register_tables
 from hfield.kernels.extension_fields import ExtensionField
 from hfield.kernels.logarithms import LogarithmicField
+from hfield.kernels.register_tables import RegisterField
 from hfield.native import compiling
 from hfield.native.pool import threads
 from hfield.product import conjugate, multiply, norm, trace
@@ -109,6 +110,44 @@ def test_finite_rings(name):
     for a, b, t in constants(F, name):
         P, Q = (extremes(F) + elements(F, rng, COUNT) for _ in range(2))
         agrees(QuaternionAlgebra(F, a, b, t), P, Q)
+
+
+BYTES = [
+    "GF(4)",
+    "GF(2^8)",
+    "GF(9)",
+    "GF(3^3)",
+    "GF(3^4)",
+    "GF(3^5)",
+    "GF(5^2)",
+    "GF(5^3)",
+    "GF(13^2)",
+]
+
+
+@pytest.mark.parametrize("name", BYTES)
+@pytest.mark.parametrize("instruction", [True, False])
+def test_fields_whose_labels_are_bytes(name, instruction, monkeypatch):
+    if not instruction:
+        monkeypatch.setattr(compiling, "processor_has", lambda feature: False)
+    elif not (compiling.available() and compiling.processor_has(register_tables.PROCESSOR)):
+        pytest.skip("this processor has no instruction that looks bytes up in a table of 128")
+    F, rng = ring(name), Random(name)
+    for c in (*constants(F, name), (1, 1, 1), (F.random(rng), 0, -1), (0, 0, 0)):
+        A = QuaternionAlgebra(F, *c)
+        assert isinstance(A.array_holding.arithmetic, RegisterField) == instruction
+        P, Q = (elements(F, rng, 70) for _ in range(2))  # a turn of 64, and one that is not full
+        agrees(A, P, Q)
+
+
+@pytest.mark.parametrize("name", BYTES)
+def test_all_products_of_bytes(name):
+    F = ring(name)
+    every = np.arange(F.order, dtype="u1")
+    how = QuaternionAlgebra(F, -1, -1).array_holding
+    u, v = (x.ravel() for x in np.meshgrid(every, every))
+    expected = np.array(F.array_of_labels(u) * F.array_of_labels(v))
+    assert (how.kernel("scalar product")((u,), (v,))[0][0] == expected).all()
 
 
 @pytest.mark.parametrize("name", ["GF(2)", "GF(3)", "GF(4)", "ZZ/4"])

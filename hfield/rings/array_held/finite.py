@@ -9,6 +9,7 @@ from hfield.kernels.arithmetic import Arithmetic
 from hfield.kernels.binary_fields import binary_field
 from hfield.kernels.extension_fields import ExtensionField
 from hfield.kernels.logarithms import LogarithmicField
+from hfield.kernels.register_tables import ORDER, PROCESSOR, BinaryRegisterField, RegisterField
 from hfield.kernels.residues import Residues
 from hfield.native import compiling
 from hfield.product import Constants
@@ -39,11 +40,14 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     q, p, n = ring.order, ring.characteristic, getattr(ring, "degree", 1)
     if n == 1:
         return Residues.modulo(q) if q <= WORD else None
+    coefficients = tuple(ring.coefficients)
+    if q <= ORDER and compiling.available() and compiling.processor_has(PROCESSOR):
+        kind = BinaryRegisterField if p == 2 else RegisterField
+        return kind(p, coefficients, primitive(ring))
     if p == 2:
         bits = sum(c << m for m, c in enumerate(ring.coefficients))
         instruction = compiling.available() and compiling.processor_has("pclmul")
         return binary_field(bits, instruction) if n <= BITS else None
-    coefficients = tuple(ring.coefficients)
     if n >= LOGARITHMS_FROM and q <= LOGARITHMS_UP_TO:
         return LogarithmicField(p, coefficients, primitive(ring))
     if q <= WORD and n <= POLYNOMIALS_UP_TO:

@@ -153,7 +153,7 @@ class LabelArrays(RowArrays):
     def _scalar_inverses(self, row: Row) -> Row:
         """Return the inverses of labels of units."""
         if self.ring.order <= TABLE:
-            return np.asarray(self._inverse_table[row])
+            return np.asarray(self._inverse_table.take(row))
         return inverses(row.reshape(-1), self._multiplied, self._inverted).reshape(row.shape)
 
     @cached_property

@@ -21,13 +21,13 @@ from hfield.native import compiling
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects
-from hfield.rings.base import Ring
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.kernels.arithmetic import Arithmetic
     from hfield.rings.arrays import Index
+    from hfield.rings.base import Ring
 
 OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
 Sides = tuple[tuple[str, ...], ...]

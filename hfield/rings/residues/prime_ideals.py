@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING, Any
 from hfield.factorisation import remove
 from hfield.rings.field_specs import GF
 from hfield.rings.functions import FunctionField
-from hfield.rings.quadratic import QuadraticField
-from hfield.rings.quadratic_places import QuadraticPlace
 from hfield.rings.residues.prime_numbers import PrimePlace, truncated
 from hfield.rings.residues.prime_polynomials import ResidueField
 
@@ -21,6 +19,8 @@ if TYPE_CHECKING:
     import flint
 
     from hfield.rings.flint_types import Polynomial
+    from hfield.rings.quadratic import QuadraticField
+    from hfield.rings.quadratic_places import QuadraticPlace
     from hfield.rings.surds import Surd
 
 
