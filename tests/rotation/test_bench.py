@@ -10,7 +10,7 @@ import pytest
 from hfield.cli import main
 from rotation.bench import measure, ways
 from rotation.bench.measure import TOLERANCE, Settings, run_test
-from rotation.bench.report import as_json, ratios_of, table
+from rotation.bench.results import as_json, ratios_of, table
 from rotation.bench.tasks import TESTS
 from rotation.bench.ways import WAYS
 from rotation.bench.ways.way import Way

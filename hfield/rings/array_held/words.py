@@ -16,7 +16,7 @@ from hfield.errors import CoercionError
 from hfield.kernels import programs
 from hfield.kernels.calling import Kernel, Rows
 from hfield.kernels.loops import Operand, written
-from hfield.kernels.whole_numbers import CheckedWholeNumbers, TooWideError, holds, widest
+from hfield.kernels.machine_integers import CheckedWholeNumbers, TooWideError, holds, widest
 from hfield.native import compiling
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.rows import Row, RowArrays
