@@ -21,7 +21,7 @@ P, Q, R = (
 
 
 def digits(numbers):
-    parts = (Fraction(str(x)) for x in numbers)
+    parts = (x if isinstance(x, int | Fraction) else Fraction(str(x)) for x in numbers)
     return max(len(str(max(abs(x.numerator), x.denominator))) for x in parts)
 
 

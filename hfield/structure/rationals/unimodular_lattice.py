@@ -14,7 +14,6 @@ and nothing grows.
 """
 
 import itertools
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
@@ -190,15 +189,12 @@ def _steps(form: list[int], vectors: list[Row]) -> Integers:
 
 def _majorant(form: list[int], vectors: list[Row]) -> Integers:
     """Return the Gram matrix of the definite form, times the least integer that makes it integral."""
-    rows = [
-        [
-            sum((abs(f) * x * y for f, x, y in zip(form, u, v, strict=True)), Fraction(0))
-            for v in vectors
-        ]
-        for u in vectors
-    ]
-    m = math.lcm(*(x.denominator for row in rows for x in row))
-    return [[int(x * m) for x in row] for row in rows]
+    rows = flint.fmpq_mat([list(map(fmpq, v)) for v in vectors])
+    weighted = flint.fmpq_mat(
+        [[abs(f) * fmpq(x) for f, x in zip(form, v, strict=True)] for v in vectors]
+    )
+    numerators, _ = (rows * weighted.transpose()).numer_denom()
+    return [[int(x) for x in row] for row in numerators.tolist()]
 
 
 def _pair(gram: Integers, u: Sequence[int], v: Sequence[int]) -> int:
