@@ -132,7 +132,8 @@ def _processes(jobs: int) -> Iterator[Executor]:
         pool.shutdown()
         if isinstance(error, BrokenExecutor):
             raise ExecutorError(
-                "a worker process ended abruptly, perhaps for want of memory; try fewer --jobs"
+                "a worker process ended abruptly, perhaps for want of memory (try fewer --jobs), or because "
+                'a script starts workers elsewhere than under `if __name__ == "__main__":`'
             ) from error
         raise
     pool.shutdown()

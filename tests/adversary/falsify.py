@@ -167,7 +167,7 @@ def is_defined(claim: Claim, tables: Sequence[Table], ring: Any, rng: random.Ran
     bare = Claim((), never, claim.given, (), claim.constants)
     if tables and counterexample(bare, tables, rng) is not None:
         return True
-    return isinstance(ring, Exact) and sampled(bare, ring, rng, 60) is not None
+    return isinstance(ring, Exact) and sampled(bare, ring, rng, 300) is not None
 
 
 def true_at(claim: Claim, scalars: Any, values: dict[str, Any]) -> bool | None:

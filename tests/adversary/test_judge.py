@@ -8,8 +8,10 @@ import json
 import pytest
 
 from hfield.certificates.check import Established, check
+from hfield.proving.prove import prove
 from tests.adversary.forging.campaign import Forgery, _judged, false_claim
 from tests.adversary.forging.targets import NO_FIELDS, TARGETS, Certificate, Target
+from tests.adversary.forging.validity import why_valid
 from tests.adversary.test_breaks import FILES
 from tests.adversary.test_forgeries import pool
 
@@ -90,6 +92,17 @@ def test_a_true_claim_turned_round_is_false() -> None:
     for data in pool():
         other = {"proved": "refuted", "refuted": "proved", "vacuous": "refuted"}[data["verdict"]]
         assert said({**data, "verdict": other}), (other, data["statement"], data["field"])
+
+
+def test_a_fact_that_says_less_is_valid_where_steps_use_no_more() -> None:
+    genuine = prove("q**2 == -e => trace(q) == 0", "QQ(sqrt(-7))").certificate
+    assert genuine is not None
+    weaker = json.loads(json.dumps(genuine))
+    fact = weaker["evidence"]["facts"][0]
+    assert fact["most"] == 4
+    for most in (1, 2, 3, 4, 5):
+        fact["most"] = most
+        assert bool(why_valid(weaker, genuine)) is (most in (2, 3, 4)), most
 
 
 def test_a_campaign_reports_what_passes() -> None:

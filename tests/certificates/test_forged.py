@@ -145,6 +145,20 @@ def test_what_exists_binds_is_no_generator() -> None:
     rejects({**data, "verdict": "refuted"}, "means an element")
 
 
+@pytest.mark.parametrize(
+    ("said", "field"), [("sqrt(2)**2 == 3", "QQ(sqrt(2))"), ("x1 == 0", "QQ(x1)"), ("I == 1", "CC")]
+)
+def test_what_means_nothing_over_all_fields_fails_nowhere(said: str, field: str) -> None:
+    """A number of one field is none of the others: nothing has been said of all of them."""
+    witness = {"kind": "witness", "field": field, "values": {}}
+    evidence = {"kind": "over", "field": field, "evidence": witness}
+    for whole in (f"not-everywhere{{{said}}}", f"not-everywhere{{every{{s == s; {said}}}}}"):
+        inside = {"kind": "part", "part": 1, "evidence": witness} if "every" in whole else witness
+        rejects(certified(whole, None, "witness", {**evidence, "evidence": inside}), ".")
+    here = certified(f"over{{{field}; {said}}}", None, "identity", witness)
+    assert check({**here, "verdict": "refuted"}).verdict == "refuted"
+
+
 def test_fields_that_are_none() -> None:
     witness = {"kind": "witness", "values": {"s": ["2"]}}
     for field in ("ZZ", "ZZ/6", "ZZ[x]", "RDF"):

@@ -376,6 +376,17 @@ def test_the_witness_lies_in_the_subfield_that_is_named() -> None:
     rejects(forged("s*s != -1", "Qp(3)", "refuted", "counterexample", true["evidence"]), ".")
 
 
+def test_long_numbers_that_do_not_fit_are_rejected_and_break_nothing() -> None:
+    """Python writes no integer of more than 4300 digits, in messages neither, and reads none."""
+    witness = {"kind": "witness", "field": "QQ(I)", "values": {"s": ["I"]}}
+    for root in ("3**9999", "1/3**9999"):
+        evidence = _inside("QQ(I)", root, witness)
+        rejects(forged("exists s: s*s == -1", "Qp(7)", "proved", "witness", evidence), "Hensel")
+    place = {"by": "place", "place": f"(7,sqrt(2)-{'9' * 5000})", "u": ["0"] * 4, "j": ["0"] * 4}
+    evidence = {"kind": "anisotropic", **place}
+    rejects(forged("division", "QQ(sqrt(2))", "proved", "norm", evidence), "too large")
+
+
 ROOTS: list[tuple[dict[str, Any], str]] = [
     ({"kind": "real root", "by": "odd degree"}, ODD_DEGREE),
     ({"kind": "real root", "by": "square"}, REAL_ROOTS),

@@ -51,7 +51,7 @@ def _lift(r: Fraction, f: list[Fraction], p: int) -> None:
     slope = _value([n * c for n, c in enumerate(f)][1:], r)
     value = _value(f, r)
     if not slope or (value and _order(value, p) <= 2 * _order(slope, p)):
-        reject(f"{r} is not so near a root in Qp({p}) that Hensel's lemma finds one")
+        reject(f"the number given is not so near a root in Qp({p}) that Hensel's lemma finds one")
 
 
 def _value(f: list[Fraction], r: Fraction) -> Fraction:

@@ -72,7 +72,7 @@ class Quadratic(Surds):
         name, root = "".join(text.split()), "I" if self.d == -1 else f"sqrt({self.d})"
         m = re.fullmatch(r"\(([0-9]+),(.+)-([0-9]+)\)", name)
         if m is not None and m[2] == root:
-            return SplitIdeal(self, two_or_odd(m[1]), int(m[3]))
+            return SplitIdeal(self, two_or_odd(m[1]), integer(m[3]))
         n = two_or_odd(name)
         if n > 2 and gcd(n, self.d) == 1:
             return InertNumber(self, n)

@@ -148,8 +148,9 @@ def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: in
 
 
 def _with_the_same_names(text: str, setting: Setting) -> Setting:
-    """Reject a field in which an unknown of a statement about all fields would be an element."""
+    """Reject what says nothing of all fields, and a field in which an unknown of it would be an element."""
     assert setting.field is not None
+    read_statement(text, replace(setting, field=None))
     for node in walk(parse(text)):
         unknown = node[0] == "name" and node[1] in (*QUATERNIONS, *SCALARS)
         if unknown and setting.field.constant(node) is not None:

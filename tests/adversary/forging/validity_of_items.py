@@ -53,8 +53,9 @@ class Polynomials:
 
 def implication(new: Any, old: Any, data: Certificate) -> bool:
     """The new items are valid, and there is one for each of the old that is needed."""
-    if not all(fact in old["facts"] or _is_idle(fact, new["items"]) for fact in new["facts"]):
-        return False
+    for fact in new["facts"]:
+        if not (fact in old["facts"] or _is_idle(fact, new["items"]) or _says_less(fact, old, new)):
+            return False
     field = None if data["field"] is None else ring(data["field"])
     p = 0 if field is None else field.characteristic
     both = {"items": [*new["items"], *old["items"]], "old": old}
@@ -81,6 +82,17 @@ def _is_idle(fact: Any, items: Any) -> bool:
     if fact["form"] != "squares" or fact.get("most") is not None:
         return not steps and "cases" not in str(items)
     return all(c == 1 for step in steps for c in step["coefficients"])
+
+
+def _says_less(fact: Any, old: Any, new: Any) -> bool:
+    """Tell whether a fact is about fewer squares than one of the original, and no fewer than steps use."""
+    if fact["form"] != "squares" or fact["most"] is None or "cases" in str(new["items"]):
+        return False
+    known = [o for o in old["facts"] if {**o, "most": None} == {**fact, "most": None}]
+    steps = [s for item in new["items"] for s in item.get("steps", ()) if s["step"] == "squares"]
+    return any(o["most"] is None or o["most"] >= fact["most"] for o in known) and all(
+        len(s["terms"]) <= fact["most"] for s in steps
+    )
 
 
 def _among(f: str, texts: list[str], P: Polynomials) -> bool:
