@@ -230,7 +230,6 @@ def _factor(n: int, known: frozenset[int], bits: int, sieved: int) -> Factorisat
     return Factorisation(dict(sorted(primes.items())), unfactored)
 
 
-@lru_cache(maxsize=64)
 def _prime_divisors(n: int, bits: int, sieved: int) -> set[int]:
     """Return primes that divide n > 1, each proved: none where none is found."""
     found: set[int] = set()
@@ -247,6 +246,7 @@ def _prime_divisors(n: int, bits: int, sieved: int) -> set[int]:
     return found
 
 
+@lru_cache(maxsize=1024)  # one hard divisor comes in many numbers: those of one lattice, one field
 def _divisors(m: int, sought: int, sieved: int) -> set[int]:
     """Return divisors of a composite number whose product has all its primes; maybe only itself."""
     number, bits = flint.fmpz(m), m.bit_length()

@@ -9,7 +9,7 @@ from hfield.factorisation import Factors, known_primes
 from hfield.quaternion import Parent
 
 if TYPE_CHECKING:
-    from hfield.lattices.euclidean import HurwitzOrder
+    from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
 
@@ -78,7 +78,7 @@ class OrderMakers(Parent):
 
         Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
         """
-        from hfield.lattices.extremal import extremal_order
+        from hfield.lattices.extremal_orders import extremal_order
 
         return extremal_order(self)
 

@@ -163,7 +163,7 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
     xp = namespace(m)
     tolerance = TOLERANCE[_bits(matrix, xp)]
     if orthonormalize:
-        m = _scaled(xp, m)
+        m = scaled(xp, m)
     else:
         q, faulty = _FROM_MATRIX[tolerance].told(m)
         if not faulty:
@@ -232,8 +232,8 @@ def _bits(matrix: Any, xp: Any) -> int:
 
 
 @quiet
-def _scaled(xp: Any, m: Array) -> Array:
-    """Matrices whose largest entry is 1, so that no determinant over- or underflows."""
+def scaled(xp: Any, m: Array) -> Array:
+    """Matrices whose largest entry is 1, so that no product of entries over- or underflows."""
     largest = xp.max(xp.abs(m), axis=(-2, -1), keepdims=True)
     return m / xp.where(largest > 0.0, largest, xp.ones_like(largest))
 

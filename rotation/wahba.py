@@ -10,7 +10,7 @@ import numpy as np
 
 from rotation.coordinates import length, split
 from rotation.errors import RotationError
-from rotation.matrices import from_matrix, to_matrix
+from rotation.matrices import from_matrix, scaled, to_matrix
 from rotation.namespaces import (
     Array,
     certainly,
@@ -74,7 +74,7 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
     heaviest = weights.max(initial=0.0)
     q = first
     if heaviest > 0.0:
-        others, turned = _scaled(np, a[rest]), _scaled(np, b[rest]) @ to_matrix(first).T
+        others, turned = scaled(np, a[rest]), scaled(np, b[rest]) @ to_matrix(first).T
         axis = a[n] / float(length(np, split(a[n])))
         share = weights / heaviest
         sine = np.sum(share * (others * np.cross(axis, turned)).sum(axis=-1))
@@ -142,7 +142,7 @@ def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
 
 def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     # Only directions matter, and lengths relative to each other: nothing overflows when squared.
-    a, b = _scaled(xp, a), _scaled(xp, b)
+    a, b = scaled(xp, a), scaled(xp, b)
     heaviest = xp.max(w, axis=-1, keepdims=True)
     refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
     w = w / heaviest
@@ -175,8 +175,3 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     )
     q = xp.where(line[..., None], shortest, best)
     return xp.where(finite[..., None], q, xp.nan * xp.ones_like(q))
-
-
-def _scaled(xp: Any, v: Array) -> Array:
-    largest = xp.max(xp.abs(v), axis=(-2, -1), keepdims=True)
-    return v / xp.where(largest > 0.0, largest, xp.ones_like(largest))

@@ -41,9 +41,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Keep what collecting has made out of the sight of the garbage collector, which many tests call."""
+    """Keep what collecting has made out of the sight of the garbage collector, which looks seldom then.
+
+    What thousands of tests leave in caches is much to look through, and little of it is garbage.
+    """
     gc.collect()
     gc.freeze()
+    gc.set_threshold(20_000, 20, 20)
 
 
 @pytest.hookimpl(optionalhook=True)  # of pytest-xdist

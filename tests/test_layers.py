@@ -1,6 +1,8 @@
 """The floors of the house: a room imports only what stands below it, and there is no circle."""
 
 import ast
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -76,6 +78,8 @@ FLOORS = [
 FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
 # A face hands out names of all floors, and no room of the same package asks it for one.
 FACES = {"hfield", "rotation", "anim"}
+# Rooms in which modules still import each other in circles, inside functions. No other may.
+CIRCLES = {"hfield.lattices"}
 
 
 def room_of(module: str) -> str:
@@ -95,6 +99,41 @@ def imports(source: str, package: str) -> set[str]:
             found.add(node.module or "")
             found |= {f"{node.module}.{alias.name}" for alias in node.names}
     return found
+
+
+def running(node: ast.AST) -> Iterator[ast.AST]:
+    """The nodes that may run: all but those under ``if TYPE_CHECKING``, which name types."""
+    yield node
+    typing = isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+    for child in node.orelse if typing else ast.iter_child_nodes(node):
+        yield from running(child)
+
+
+def graph(modules: list[tuple[str, str]], apart: set[str]) -> dict[str, set[str]]:
+    """Which modules each imports when it runs, but for what the rooms ``apart`` import of themselves."""
+    names = {module for module, _ in modules}
+    found: dict[str, set[str]] = {module: set() for module in names}
+    for module, source in modules:
+        for node in running(ast.parse(source)):
+            if isinstance(node, ast.Import):
+                targets = {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):  # of a module in x, or of a name in the module x
+                inside = {f"{node.module}.{alias.name}" for alias in node.names}
+                targets = inside & names | ({node.module or ""} if inside - names else set())
+            else:
+                continue
+            here = {t for t in targets if room_of(t) == room_of(module) in apart}
+            found[module] |= targets & names - here - {module}
+    return found
+
+
+def circle(imports: dict[str, set[str]]) -> list[str]:
+    """Modules of which each is imported by the next, the first one again at the end; [] if there are none."""
+    try:
+        TopologicalSorter(imports).prepare()
+    except CycleError as error:
+        return list(error.args[1])
+    return []
 
 
 def breaches(module: str, source: str) -> list[str]:
@@ -141,6 +180,31 @@ def test_the_check_can_fail() -> None:
     assert breaches("hfield.structure.x", "import hfield.algebra\n")
     assert breaches("rotation.arrays", "from rotation import Rotation\n")
     assert not breaches("hfield.algebra", "from hfield import product\n")
+
+
+def test_no_imports_in_circles() -> None:
+    assert circle(graph(sources(), CIRCLES)) == []
+
+
+@pytest.mark.parametrize("room", sorted(CIRCLES))
+def test_the_rooms_with_circles_have_some(room: str) -> None:
+    assert circle(graph([s for s in sources() if room_of(s[0]) == room], set()))
+
+
+def test_circles_are_found() -> None:
+    lazily = "def f():\n    match 1:\n        case 1:\n            from hfield.rings.a import x\n"
+    typed = "if TYPE_CHECKING:\n    from hfield.rings import a\nelse:\n    import hfield.errors\n"
+    above = ("hfield.rings.a", "from hfield.rings import b\n")
+    assert circle(graph([above, ("hfield.rings.b", lazily)], set()))
+    assert not circle(graph([above, ("hfield.rings.b", lazily)], {"hfield.rings"}))
+    assert not circle(graph([above, ("hfield.rings.b", typed)], set()))
+    face = ("hfield.rings", "from hfield.rings.a import x, y\n")
+    below = ("hfield.rings.b", "from hfield.rings import a, x\n")
+    assert graph([above, below, face], set()) == {
+        "hfield.rings.a": {"hfield.rings.b"},
+        "hfield.rings.b": {"hfield.rings.a", "hfield.rings"},
+        "hfield.rings": {"hfield.rings.a"},
+    }
 
 
 def test_the_checker_of_certificates_stands_alone() -> None:

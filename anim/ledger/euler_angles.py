@@ -4,14 +4,14 @@ from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, names, negation, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal, product, times
 from rotation.ledger.matrix_functions import EULER
-from rotation.ledger.symbols import code, coordinates
-from rotation.ledger.symbols import equal as same_lists
+from rotation.ledger.symbolic_runs import code, coordinates
+from rotation.ledger.symbolic_runs import equal as same_lists
 
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))  # cos x and sin x for x = 0, π/2, π, 3π/2
 P, S, T, Y = names("p s t y")

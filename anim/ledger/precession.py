@@ -7,18 +7,18 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
+from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Every, Statement, written
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, conj, names, norm, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.quaternion_functions import CIRCLE, HALF, TURNED, UNIT, Q, S, T, rodrigues
-from rotation.ledger.symbols import code, quaternion, read_as
-from rotation.ledger.symbols import equal as same_lists
+from rotation.ledger.symbolic_runs import code, quaternion, read_as
+from rotation.ledger.symbolic_runs import equal as same_lists
 
 ON_CIRCLE = "p[0]**2 + p[1]**2 == 1"
 ROOT = "z**2 == 1 - y**2"

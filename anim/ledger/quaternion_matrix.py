@@ -8,7 +8,7 @@ from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.syntax import Node, both, conj, equal, names, norm, unequal
 from rotation.ledger.entries import Matrix, matrix, orthogonal, transpose
-from rotation.ledger.symbols import code, coordinates, point, read_as
+from rotation.ledger.symbolic_runs import code, coordinates, point, read_as
 
 QUATERNION, ANY, S, T, Y, ANGLE = names("q p s t y angle")
 LETTERS = {ord(letter): f"q[{n}]" for n, letter in enumerate("abcd")}

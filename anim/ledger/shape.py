@@ -11,10 +11,10 @@ from itertools import pairwise
 from anim.ledger.counting import model_has
 from hfield.certificates.glossary import CIRCLE, NO_MEANING
 from hfield.ledger.claim import Proposition
-from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
+from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Every, Statement
-from hfield.ledger.real import REAL
+from hfield.ledger.real_geometry import REAL
 from hfield.ledger.scopes import Only
 from hfield.proving.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring

@@ -13,6 +13,8 @@ from hfield.certificates.rejection import MAX_DIGITS, reject, shown
 from hfield.certificates.work import charge
 
 MAX_EXPONENT = 1 << 16
+EXPONENT_BITS = 18  # they hold the sum of two exponents
+FEW = 1_000  # products of terms, for which nothing is set up
 MAX_PRODUCTS = 1_000_000  # of terms in one multiplication: they bound the memory
 MAX_TEXT = 4_000_000
 
@@ -51,12 +53,37 @@ def multiply(f: Poly, g: Poly) -> Poly:
     """Return f·g."""
     if len(f) * len(g) > MAX_PRODUCTS:
         reject("a product of polynomials has too many terms")
-    bits = max((abs(c).bit_length() for h in (f, g) for c in h.values()), default=0)
+    bits = max(map(int.bit_length, (*f.values(), *g.values())), default=0)
     charge(2 * len(f) * len(g) * (1 + bits // 1_000) + len(f) + len(g))
+    if len(f) * len(g) > FEW:
+        return _long_product(f, g)
     out: Poly = {}
     for m, c in f.items():
         for n, d in g.items():
             _collect(out, times(m, n), c * d)
+    return out
+
+
+def _long_product(f: Poly, g: Poly) -> Poly:
+    """Return f·g, the exponents of a monomial being digits of one number: so adding multiplies monomials."""
+    names = sorted(variables(f) | variables(g))
+    place = {v: n * EXPONENT_BITS for n, v in enumerate(names)}
+    left, right = ([(sum(e << place[v] for v, e in m), c) for m, c in h.items()] for h in (f, g))
+    sums: dict[int, int] = {}
+    for m, c in left:
+        for n, d in right:
+            sums[m + n] = sums.get(m + n, 0) + c * d
+    out: Poly = {}
+    for digits, c in sums.items():
+        monomial = []
+        while digits:
+            n = (digits.bit_length() - 1) // EXPONENT_BITS
+            e = digits >> n * EXPONENT_BITS
+            digits -= e << n * EXPONENT_BITS
+            if e > MAX_EXPONENT:
+                reject("a degree has grown too large")
+            monomial.append((names[n], e))
+        _collect(out, tuple(monomial), c)
     return out
 
 

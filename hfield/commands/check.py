@@ -140,7 +140,7 @@ def _pin(args: Namespace) -> Pin | None:
         raise UsageError("--claim names the statement and the algebra; give one or the other")
     everywhere = args.field is not None and args.field.strip().lower() in UNIVERSAL
     if args.claim is not None:
-        from hfield.ledger.computed import Computed
+        from hfield.ledger.findings import Computed
         from hfield.ledger.registry import find
         from hfield.rings import ring
 

@@ -86,8 +86,8 @@ def run(args: Namespace) -> int:
 def _write_page(
     out: Sink, rows: list[Row], language: str, wanted: list[str], title: str | None
 ) -> None:
-    from hfield.report.certified import Certificates
     from hfield.report.chapters import chapters
+    from hfield.report.packed_certificates import Certificates
     from hfield.report.page import page
 
     with Progress("rows") as progress:

@@ -6,8 +6,8 @@ from typing import Any
 
 from hfield.certificates.glossary import CERTIFIED, KEYS, SCHEMA
 from hfield.coq.cofactors import MismatchError
+from hfield.coq.compound_statements import judge
 from hfield.coq.sentences import Proved
-from hfield.coq.wholes import judge
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.notation import split_algebra
 from hfield.proving.statements.setting import UNNAMED, read_setting

@@ -1,5 +1,5 @@
 """All that is known of an algebra at once, and the page about it."""
 
-from hfield.description.asking import SCHEMA, Description, info
+from hfield.description.summary import SCHEMA, Description, info
 
 __all__ = ["SCHEMA", "Description", "info"]

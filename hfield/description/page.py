@@ -15,7 +15,7 @@ from hfield.rings.printing import is_sum, number_text, parentheses
 from hfield.structure.global_field import global_field
 
 if TYPE_CHECKING:
-    from hfield.description.asking import Description
+    from hfield.description.summary import Description
 
 LABEL = 16  # the width of the first column
 WIDTH = 100  # where nobody says how wide the page is

@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from hfield.lattices import certificates
 from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.certificates import Claim
     from hfield.lattices.lattice import Lattice
 
 
@@ -53,9 +54,7 @@ class Answer:
 
     @cached_property
     def _claim(self) -> Claim | None:
-        from hfield.lattices import certified
-
-        return certified.of_answer(self)
+        return certificates.of_answer(self)
 
     def __bool__(self) -> bool:
         """Tell whether it holds."""
@@ -64,17 +63,6 @@ class Answer:
     def __repr__(self) -> str:
         shown = "" if self.element is None else f" with {self.element}"
         return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
-
-
-def rows_json(lattice: Lattice) -> dict[str, object]:
-    """Return a lattice as JSON: its denominator and Hermite rows."""
-    den, rows = lattice.hnf
-    return {"den": den, "rows": [list(row) for row in rows]}
-
-
-def element_json(q: Quaternion) -> list[str]:
-    """Return an element as four texts."""
-    return [q.ring.text(x) for x in q.coordinates]
 
 
 STRONG_APPROXIMATION = (

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
-from hfield.lattices.reduction import kronecker
+from hfield.lattices.checked_arguments import expect_coprime
+from hfield.lattices.modulo_primes import kronecker
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order
@@ -52,12 +53,7 @@ def class_number(discriminant: int, level: int) -> int:
             f"{discriminant} is not the discriminant of a definite algebra over QQ: expected a product of "
             "an odd number of different primes"
         )
-    for p in primes:
-        if p in powers:
-            raise LatticeError(
-                f"the level {level} and the discriminant {discriminant} have the factor {p} in common: "
-                "Eichler orders have a level prime to the discriminant"
-            )
+    expect_coprime(level, discriminant)
     total = eichler_mass(discriminant, level)
     # elements of order 4 and of order 3 (or 6): the optimal embeddings of ℤ[i] and of ℤ[ω]
     for d, weight in ((-4, Fraction(1, 4)), (-3, Fraction(1, 3))):

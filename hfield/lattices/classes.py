@@ -1,6 +1,6 @@
 """The right ideal classes of an order in a definite algebra, and what acts on them.
 
-A class is known by one lattice (:mod:`hfield.lattices.canonical`), so classes are looked up and not compared
+A class is known by one lattice (:mod:`hfield.lattices.class_keys`), so classes are looked up and not compared
 in pairs.
 
 Starting from O, neighbours at a prime are taken until the mass formula is used up: then no class is missing,
@@ -19,24 +19,25 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.hints import CLASSES, Hinted
-from hfield.lattices.answers import rows_json
-from hfield.lattices.canonical import Key, canonical
+from hfield.lattices import brandt, certificates, types_of_orders
+from hfield.lattices.as_json import rows_json
+from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.checked_arguments import positive, prime
+from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
-from hfield.lattices.given import positive, prime
-from hfield.lattices.ideal import Ideal
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.order import Order
 from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
 from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.ideal import Ideal
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
 
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
-class ClassSet(Hinted):
+class ClassSet(Certified, Hinted):
     """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -67,7 +68,7 @@ class ClassSet(Hinted):
 
     def _enumerate(self) -> None:
         left = self.mass
-        left -= self._add(*canonical(self.order))
+        left -= self._add(*key_and_units(self.order))
         discriminant = self.order._discriminant
         for p in primes():
             if not left:
@@ -95,11 +96,11 @@ class ClassSet(Hinted):
         return Fraction(2, units)
 
     def _lattice(self, key: Key) -> Lattice:
-        return Lattice(self.order.algebra, key[0], fmpz_mat(4, 4, key[1:]))
+        return self.order._in_form(key[0], fmpz_mat(4, 4, key[1:]))
 
     def _neighbours(self, lattice: Lattice, p: int) -> Iterator[tuple[Key, int]]:
         for den, matrix in right_subideals(lattice, self.order, p):
-            yield canonical(Lattice(self.order.algebra, den, matrix))
+            yield key_and_units(self.order._in_form(den, matrix))
 
     # --- the classes -------------------------------------------------------------------------------
 
@@ -108,12 +109,11 @@ class ClassSet(Hinted):
 
     def __getitem__(self, n: int) -> Ideal:
         """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
-        found = Ideal.of(self._lattices[n], "right", self.order)
-        return (
-            (found * found.norm().q).primitive_part()[0]
-            if n
-            else Ideal.of(self.order, "right", self.order)
-        )
+        if not n:
+            return self.order._ideal(self.order, "right")
+        found = self.order._ideal(self._lattices[n], "right")
+        primitive: Ideal = (found * found.norm().q).primitive_part()[0]
+        return primitive
 
     def __iter__(self) -> Iterator[Ideal]:
         return (self[n] for n in range(len(self)))
@@ -124,18 +124,13 @@ class ClassSet(Hinted):
 
     def index(self, ideal: object) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
-            ideal = Ideal.like(ideal, self.order, "right")
-        if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self.order:
-            raise LatticeError(
-                f"{shorten(repr(ideal))} is not a right ideal of {shorten(self.order)}"
-            )
-        if not ideal.is_invertible():
-            raise LatticeError(f"{shorten(ideal)} is not invertible, and belongs to no class")
-        return self._index(ideal)
+        found = self.order._right_ideal(ideal)
+        if not found.is_invertible():
+            raise LatticeError(f"{shorten(found)} is not invertible, and belongs to no class")
+        return self._index(found)
 
     def _index(self, lattice: Lattice) -> int:
-        return self._keys[canonical(lattice)[0]]
+        return self._keys[key_and_units(lattice)[0]]
 
     def left_orders(self) -> list[Order]:
         """Return the left orders of the representatives, one a class."""
@@ -147,9 +142,7 @@ class ClassSet(Hinted):
 
         For a maximal or an Eichler order they are the orbits of the two-sided ideals.
         """
-        from hfield.lattices.types_of_orders import types
-
-        return types(self)
+        return types_of_orders.types(self)
 
     @property
     def type_number(self) -> int:
@@ -189,9 +182,7 @@ class ClassSet(Hinted):
         Each row sums to the number of integral ideals of norm n; and entry (i, j) times the units of j is
         entry (j, i) times those of i (Pizer, 1980; Gross, 1987). Raises :class:`LatticeError`.
         """
-        from hfield.lattices.brandt import brandt_matrix
-
-        return brandt_matrix(self, positive(n, "index"))
+        return brandt.brandt_matrix(self, positive(n, "index"))
 
     def hecke_polynomial(self, n: int) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
@@ -239,20 +230,10 @@ class ClassSet(Hinted):
             for j in sorted(row):
                 yield i, j, {"weight": row[j]}
 
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
-
-        There is none for more classes than the checker reads; ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
-
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        from hfield.lattices import certified
-
-        return certified.of_class_set(self)
+        return certificates.of_class_set(self)
 
     @property
     def evidence(self) -> dict[str, object]:

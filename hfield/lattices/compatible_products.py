@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz, fmpz_mat
 
 from hfield.lattices import hermite
-from hfield.lattices.regular import PAIRS
+from hfield.lattices.regular_representation import PAIRS
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

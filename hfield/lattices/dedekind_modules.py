@@ -6,48 +6,17 @@ Rows are coordinates in an integral basis of K, n for each of the m coordinates.
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.product import Scalar
 from hfield.rings.number_field import NumberField
+from hfield.structure.number_fields.integral_basis import coordinate_rows, element_of
 
 if TYPE_CHECKING:
     from hfield.quaternion import Quaternion
-    from hfield.rings.number_elements import FieldElement
 
     PseudoBasis = tuple[tuple[tuple[Any, ...], Quaternion], ...]
-
-
-@lru_cache(maxsize=64)
-def _integral(field: NumberField) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
-    """Return the matrix from coordinates in the integral basis to powers of s, and its inverse."""
-    n = field.degree
-    rows = [c for w in field.integral_basis() for c in _padded(w, n)]
-    matrix = flint.fmpq_mat(n, n, rows)
-    return matrix, matrix.inv()
-
-
-def _padded(x: FieldElement, n: int) -> list[Scalar]:
-    coefficients = x.poly.coeffs()
-    return [*coefficients, *[0] * (n - len(coefficients))]
-
-
-def coordinate_rows(field: NumberField, elements: list[FieldElement]) -> flint.fmpq_mat:
-    """Return a matrix: the coordinates of elements in the integral basis, row by row."""
-    n = field.degree
-    entries = [c for x in elements for c in _padded(x, n)]
-    return flint.fmpq_mat(len(elements), n, entries) * _integral(field)[1]
-
-
-def element_of(field: NumberField, row: list[flint.fmpq]) -> FieldElement:
-    """Return the element with the given coordinates in the integral basis."""
-    from hfield.rings.number_elements import FieldElement
-
-    coefficients = flint.fmpq_mat(1, field.degree, row) * _integral(field)[0]
-    return FieldElement(field, flint.fmpq_poly(coefficients.entries()))
 
 
 def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:

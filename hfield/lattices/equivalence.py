@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
+from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
+from hfield.lattices.as_json import element_json, rows_json
 from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
@@ -131,8 +132,7 @@ def _indefinite(lattice: Lattice, m: int) -> tuple[Quaternion | None, str]:
 def _among_short(lattice: Lattice, m: int, most: int) -> Quaternion | None:
     """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
     rows, gram = lattice._reduced
-    entries = [int(x) for x in (rows * lattice._regular.majorant * rows.transpose()).entries()]
-    size = [entries[n : n + 4] for n in (0, 4, 8, 12)]
+    size = hermite.tuples(rows * lattice._regular.majorant * rows.transpose())
     lines = hermite.tuples(rows)
     bound, tried = max(size[n][n] for n in range(4)), 0
     while tried < most:

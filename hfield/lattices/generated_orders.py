@@ -6,16 +6,18 @@ import math
 from collections.abc import Iterable
 from fractions import Fraction
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
-from hfield.lattices.given import element_row, listed
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.regular import Regular, regular
+from hfield.lattices.checked_arguments import element_row, listed
+from hfield.lattices.regular_representation import Regular, regular
 from hfield.quaternion import Parent
+
+if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
 
 
 def generated(algebra: Parent, elements: Iterable[object]) -> tuple[int, Any]:

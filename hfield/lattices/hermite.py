@@ -81,6 +81,12 @@ def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
     return other * inv, d
 
 
+def multiple(den: int, matrix: fmpz_mat, other_den: int, other: fmpz_mat) -> Fraction:
+    """Return the largest m for which the lattice ``other`` lies in m times the lattice ``matrix``."""
+    rows, d = in_coordinates(matrix, other)
+    return Fraction(math.gcd(*(int(x) for x in rows.entries())) * den, d * other_den)
+
+
 def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bool:
     """Tell whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
     rest = []

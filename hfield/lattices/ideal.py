@@ -6,24 +6,29 @@ import math
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError, shorten
 from hfield.hints import IDEAL
-from hfield.lattices import compatible_products, hermite
-from hfield.lattices.answers import Answer, rows_json
-from hfield.lattices.given import prime as checked_prime
+from hfield.lattices import (
+    certificates,
+    compatible_products,
+    equivalence,
+    hermite,
+    klpt,
+    small_ideals,
+)
+from hfield.lattices.answers import Answer
+from hfield.lattices.as_json import rows_json
+from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.checked_arguments import prime as checked_prime
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.one_sided import OneSidedIdeal
+from hfield.lattices.one_sided_ideals import OneSidedIdeal
 from hfield.quaternion import Quaternion
-
-if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
-class Ideal(OneSidedIdeal):
+class Ideal(Certified, OneSidedIdeal):
     """A lattice with ``O·I = I`` for the order O (``side="left"``), or ``I·O = I``, or both.
 
     >>> from hfield import QuaternionAlgebra
@@ -54,9 +59,7 @@ class Ideal(OneSidedIdeal):
 
     def inverse(self) -> Ideal:
         """Return ``conj(I)/N(I)``. Raises :class:`LatticeError` unless I is locally principal."""
-        if not self.is_invertible():
-            raise LatticeError(f"{shorten(self)} is not invertible: it is not locally principal")
-        return self.conjugate()._scaled(1 / self._norm)
+        return Ideal.of(super().inverse(), OTHER[self.side], self._order)
 
     def _scaled(self, x: Fraction) -> Ideal:
         return Ideal.of(super()._scaled(x), self.side, self._order)
@@ -79,10 +82,7 @@ class Ideal(OneSidedIdeal):
 
         Raises :class:`LatticeError` unless the ideal is integral.
         """
-        order = self.order
-        rows, d = hermite.in_coordinates(order._matrix, self._matrix)
-        content = math.gcd(*(int(x) for x in rows.entries()))
-        m = Fraction(content * order._den, d * self._den)
+        m = hermite.multiple(self.order._den, self.order._matrix, self._den, self._matrix)
         if m.denominator != 1:
             raise LatticeError("only an integral ideal has a primitive part, and this one is none")
         return self._scaled(1 / m), m.numerator
@@ -130,20 +130,10 @@ class Ideal(OneSidedIdeal):
             )
         return other
 
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
-
-        There is none for an ideal that is not invertible; ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
-
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        from hfield.lattices import certified
-
-        return certified.of_ideal(self)
+        return certificates.of_ideal(self)
 
     @property
     def evidence(self) -> dict[str, object]:
@@ -166,9 +156,7 @@ class Ideal(OneSidedIdeal):
         algebra a theorem may decide, and the element be missing. Raises :class:`LatticeError` for an
         ideal of another order, and :class:`UndecidedError`.
         """
-        from hfield.lattices.equivalence import equivalence
-
-        return equivalence(self, self._joint(other))
+        return equivalence.equivalence(self, self._joint(other))
 
     def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
@@ -176,10 +164,7 @@ class Ideal(OneSidedIdeal):
 
     def is_principal(self) -> Answer:
         """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
-        from hfield.lattices.equivalence import equivalence
-
-        order = self.order
-        return equivalence(Ideal(order.algebra, order._den, order._matrix, self.side, order), self)
+        return equivalence.equivalence(Ideal.of(self.order, self.side, self.order), self)
 
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
@@ -187,18 +172,17 @@ class Ideal(OneSidedIdeal):
         J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
         (Kohel, Lauter, Petit and Tignol, 2014).
         """
-        from hfield.lattices.small_ideals import equivalent_of_prime_norm
-
-        return equivalent_of_prime_norm(self, frozenset(avoid))
+        c = small_ideals.to_prime_norm(self, frozenset(avoid))
+        found = self * c if self.side != "right" else self.__rmul__(c)
+        return Ideal.of(found, self.side, self.order), c
 
     def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
         """Return (J, c, e), J = I·c of norm primeᵉ, for a left ideal of a p-extremal order: KLPT.
 
         Raises :class:`LatticeError` for another order, and :class:`UndecidedError`.
         """
-        from hfield.lattices.klpt import equivalent_of_power_norm
-
-        return equivalent_of_power_norm(self, checked_prime(prime), seed)
+        c, e = klpt.to_power_norm(self, checked_prime(prime), seed)
+        return Ideal.of(self * c, "left", self.order), c, e
 
 
 def _is_number(x: object) -> bool:

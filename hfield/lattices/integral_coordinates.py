@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.lattices.dedekind_modules import coordinate_rows, element_of, pseudo_basis
+from hfield.lattices.dedekind_modules import pseudo_basis
 from hfield.product import Constants, Scalar
 from hfield.rings.number_field import NumberField
 from hfield.rings.quadratic import QuadraticField
@@ -17,6 +17,7 @@ from hfield.rings.quadratic_as_number_field import (
     into_number_field,
 )
 from hfield.structure.forms import NormalForm, normal_form
+from hfield.structure.number_fields.integral_basis import coordinate_rows, element_of
 
 if TYPE_CHECKING:
     from hfield.lattices.dedekind_modules import PseudoBasis

@@ -9,22 +9,21 @@ one lattice are compared with one of the other, whatever the orders are.
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.factorisation import factorise
-from hfield.lattices import hermite, ternary
-from hfield.lattices.answers import STRONG_APPROXIMATION, Answer, element_json, rows_json
+from hfield.lattices import hermite, ternary_reduction
+from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
+from hfield.lattices.as_json import element_json, rows_json
 from hfield.lattices.equivalence import element_of_norm, root
-from hfield.lattices.ideal import Ideal
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.maximal import endpoints
-from hfield.lattices.order import Order
+from hfield.lattices.maximal_orders import endpoints
 
 if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
     from hfield.quaternion import Quaternion
 
 
@@ -83,8 +82,8 @@ def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     """Return a primitive row x with ``x·first = second·x``, or None and why."""
     den, rows, gram = first._reduced_ternary
     other_den, other_rows, other_gram = second._reduced_ternary
-    steps, form = next(ternary.reduced_bases(gram))
-    images = list(ternary.reduced_bases(other_gram))
+    steps, form = next(ternary_reduction.reduced_bases(gram))
+    images = list(ternary_reduction.reduced_bases(other_gram))
     least, other_least = form[0] // 2, images[0][1][0] // 2
     if least != other_least:
         return None, (
@@ -115,11 +114,7 @@ def _conjugating(order: Order, sources: fmpz_mat, targets: fmpz_mat) -> list[int
     raise AssertionError("an isometry, or its negative, is a conjugation")
 
 
-def _content(matrix: fmpz_mat) -> int:
-    return math.gcd(*(int(x) for x in matrix.entries()))
-
-
-def connecting_ideal(first: Order, second: Order) -> Ideal:
+def connecting_ideal(first: Order, second: Order) -> Lattice:
     """Return the primitive integral ideal with left order ``first`` and right order ``second``.
 
     For maximal orders it is the only one up to two-sided ideals. Raises :class:`LatticeError` unless both
@@ -153,8 +148,7 @@ def _ends(order: Order) -> list[Lattice]:
     return ends
 
 
-def _primitive(lattice: Lattice, order: Order) -> Ideal:
+def _primitive(lattice: Lattice, order: Order) -> Lattice:
     """Return the multiple of an ideal that is integral and divisible by no integer."""
-    rows, d = hermite.in_coordinates(order._matrix, lattice._matrix)
-    content = Fraction(_content(rows) * order._den, d * lattice._den)
-    return Ideal.of(lattice._scaled(1 / content), "left", order)
+    m = hermite.multiple(order._den, order._matrix, lattice._den, lattice._matrix)
+    return lattice._scaled(1 / m)

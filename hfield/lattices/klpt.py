@@ -18,9 +18,9 @@ from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.lattices import hermite
+from hfield.lattices.modulo_primes import kernel
 from hfield.lattices.norm_equations import in_frame
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
-from hfield.lattices.reduction import kernel
 from hfield.lattices.small_ideals import by_norm
 from hfield.primality import is_probable_prime
 from hfield.quaternion import Quaternion
@@ -34,10 +34,8 @@ LARGEST = 1000
 ATTEMPTS = 60
 
 
-def equivalent_of_power_norm(
-    ideal: Ideal, prime: int, seed: int = 0
-) -> tuple[Ideal, Quaternion, int]:
-    """Return (J, c, e) with J = I·c of norm primeᵉ, for a left ideal of a p-extremal order.
+def to_power_norm(ideal: Ideal, prime: int, seed: int = 0) -> tuple[Quaternion, int]:
+    """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
 
     Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
     """
@@ -70,9 +68,7 @@ def equivalent_of_power_norm(
         found = _from_prime(start, f, norm, prime, rng)
         if found is not None:
             beta, e = found
-            second = beta.conjugate() / norm
-            c = first * second
-            return ideal * c, c, e
+            return first * (beta.conjugate() / norm), e
     raise UndecidedError(
         f"no equivalent ideal of norm a power of {prime} was found in {tried} attempts"
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
@@ -13,9 +12,9 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, MixedParentsError, shorten
 from hfield.hints import LATTICE, Hinted
 from hfield.lattices import hermite
-from hfield.lattices.given import checked_side, element_row, listed
-from hfield.lattices.regular import regular
-from hfield.lattices.short_vectors import NormedLattice
+from hfield.lattices.checked_arguments import checked_side, element_row, listed
+from hfield.lattices.normed_lattice import NormedLattice
+from hfield.lattices.regular_representation import regular
 from hfield.quaternion import Parent
 from hfield.structure.rationals.whole_numbers import fraction
 
@@ -66,14 +65,13 @@ class Lattice(Hinted, NormedLattice):
         found = hermite.hermite(den, matrix)
         if found is None:
             raise LatticeError("this lattice would have a rank below 4")
-        return Lattice(self.algebra, *found)
+        return self._in_form(*found)
+
+    def _in_form(self, den: int, matrix: fmpz_mat) -> Lattice:
+        """Return the lattice of rows that are in Hermite normal form, over the least denominator."""
+        return Lattice(self.algebra, den, matrix)
 
     # --- what it is ------------------------------------------------------------------------------
-
-    @cached_property
-    def hnf(self) -> tuple[int, hermite.Rows]:
-        """The least denominator, and the rows of the Hermite normal form, integers."""
-        return self._den, hermite.tuples(self._matrix)
 
     def _row(self, x: object) -> tuple[int, list[int]]:
         """Return an element as an integer row over a denominator."""
@@ -207,7 +205,7 @@ class Lattice(Hinted, NormedLattice):
         if (
             r.conjugate_scale == 1
         ):  # conjugation permutes the integer rows: the denominator stays the least
-            return Lattice(self.algebra, self._den, (self._matrix * r.conjugation).hnf())
+            return self._in_form(self._den, (self._matrix * r.conjugation).hnf())
         return self._make(self._den * r.conjugate_scale, self._matrix * r.conjugation)
 
     def dual(self) -> Lattice:
@@ -264,8 +262,7 @@ class Lattice(Hinted, NormedLattice):
             order = Order(self.algebra, *found)
             if order._fits(self):
                 return order
-        colon = self.colon(self, side)
-        return Order(colon.algebra, colon._den, colon._matrix)
+        return Order._ring(self.colon(self, side))
 
     def is_invertible(self) -> bool:
         """Tell whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""

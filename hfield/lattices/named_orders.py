@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from functools import lru_cache
 from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.errors import CoercionError, LatticeError
+from hfield.errors import CoercionError
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
-from hfield.lattices.euclidean import HurwitzOrder
-from hfield.lattices.given import positive
-from hfield.lattices.maximal import eichler_suborder
+from hfield.lattices.checked_arguments import expect_coprime, positive
+from hfield.lattices.hurwitz_order import HurwitzOrder
+from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order
-from hfield.lattices.regular import regular
+from hfield.lattices.regular_representation import regular
 from hfield.quaternion import Parent
 from hfield.structure.clifford import maximal_basis
 
@@ -44,7 +43,7 @@ def eichler_order(algebra: Parent, level: object) -> Order:
     n = positive(level, "level")
     known: Any = algebra
     order = _maximal(known)
-    return order if n == 1 else eichler_suborder(order, n)
+    return order if n == 1 else Order._ring(eichler_suborder(order, n))
 
 
 def lipschitz_order(algebra: Parent) -> Order:
@@ -72,8 +71,7 @@ def class_number(algebra: Parent, level: object) -> int:
     r = regular(algebra)
     if r.definite:
         return class_numbers.class_number(r.discriminant, n)
-    if math.gcd(n, r.discriminant) > 1:
-        raise LatticeError(f"the level {n} is not prime to the discriminant {r.discriminant}")
+    expect_coprime(n, r.discriminant)
     return 1  # strong approximation
 
 

@@ -10,12 +10,15 @@ from __future__ import annotations
 
 import math
 import random
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError, shorten
 from hfield.lattices import enumeration
-from hfield.lattices.order import Order
 from hfield.lattices.quadratic_orders import Frame, frame, represent
 from hfield.quaternion import Quaternion
+
+if TYPE_CHECKING:
+    from hfield.lattices.order import Order
 
 ENUMERATED = 2 * 10**5
 TRIALS = 50_000

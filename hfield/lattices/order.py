@@ -10,20 +10,30 @@ from typing import TYPE_CHECKING, overload
 
 from flint import fmpz_mat
 
-from hfield.errors import LatticeError
+from hfield.errors import LatticeError, shorten
 from hfield.hints import ORDER
-from hfield.lattices import hermite
-from hfield.lattices.answers import rows_json
+from hfield.lattices import (
+    certificates,
+    class_number,
+    hermite,
+    isomorphic_orders,
+    maximal_orders,
+    norm_equations,
+    quadratic_orders,
+    subideals,
+    two_sided_ideals,
+)
+from hfield.lattices.as_json import rows_json
+from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.checked_arguments import checked_side, integer, listed, positive, prime
+from hfield.lattices.classes import ClassSet
 from hfield.lattices.generated_orders import check_ring, generated
-from hfield.lattices.given import checked_side, integer, listed, positive
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order_invariants import OrderInvariants
 from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
-    from hfield.lattices.certified import Claim
-    from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.quadratic_orders import Embeddings
 
@@ -31,7 +41,7 @@ UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
 
 
-class Order(OrderInvariants):
+class Order(OrderInvariants, Certified, Lattice):
     """A lattice that is a ring with 1: ``q in O`` asks for membership.
 
     >>> from hfield import QuaternionAlgebra
@@ -69,6 +79,11 @@ class Order(OrderInvariants):
     def from_lattice(cls, lattice: Lattice) -> Order:
         """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
         check_ring(lattice)
+        return cls._ring(lattice)
+
+    @classmethod
+    def _ring(cls, lattice: Lattice) -> Order:
+        """Return a lattice that is known to be a ring with 1 as an order."""
         return cls(lattice.algebra, lattice._den, lattice._matrix)
 
     @overload
@@ -78,24 +93,12 @@ class Order(OrderInvariants):
     def __and__(self, other: object) -> Lattice:
         """Return the intersection with a lattice; that with another order is an order."""
         found = super().__and__(other)
-        if isinstance(other, Order):
-            return Order(found.algebra, found._den, found._matrix)
-        return found
-
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
-
-        There is none where the checker would have to do too much; ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
+        return Order._ring(found) if isinstance(other, Order) else found
 
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        from hfield.lattices import certified
-
-        return certified.of_order(self)
+        return certificates.of_order(self)
 
     @property
     def evidence(self) -> dict[str, object]:
@@ -112,9 +115,7 @@ class Order(OrderInvariants):
 
     def maximal_overorder(self) -> Order:
         """Return a maximal order that contains this one, always the same."""
-        from hfield.lattices.maximal import overorder
-
-        return overorder(self)
+        return maximal_orders.overorder(self)
 
     def gorenstein_closure(self) -> Order:
         """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
@@ -169,42 +170,56 @@ class Order(OrderInvariants):
 
         return Ideal.generated(self, generators, "two-sided")
 
+    def _ideal(self, lattice: Lattice, side: str) -> Ideal:
+        """Return a lattice that is known to be an ideal of this order."""
+        from hfield.lattices.ideal import Ideal
+
+        return Ideal.of(lattice, side, self)
+
+    def _right_ideal(self, ideal: object) -> Ideal:
+        """Return a right ideal of this order, perhaps given as a lattice. Raises :class:`LatticeError`."""
+        from hfield.lattices.ideal import Ideal
+
+        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
+            return Ideal.like(ideal, self, "right")
+        if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self:
+            raise LatticeError(f"{shorten(repr(ideal))} is not a right ideal of {shorten(self)}")
+        return ideal
+
     def two_sided_prime(self, p: int) -> Ideal:
         """Return the two-sided ideal at a prime that generates, with the numbers, all those there.
 
         Its square is pᵉ·O, the part of the discriminant at p; it is p·O where p does not divide that.
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
         """
-        from hfield.lattices.twosided import two_sided_prime
-
-        return two_sided_prime(self, p)
+        return self._ideal(two_sided_ideals.two_sided_prime(self, prime(p)), "two-sided")
 
     def ideals_of_norm(self, n: int, side: str = "left") -> list[Ideal]:
         """Return all invertible integral ideals of norm n on a side: p + 1 where p is off the discriminant.
 
         Raises :class:`LatticeError`, and :class:`TooLargeError` for more than 10⁵.
         """
-        from hfield.lattices.subideals import ideals_of_norm
-
-        return ideals_of_norm(self, positive(n, "norm"), checked_side(side))
+        norm, side = positive(n, "norm"), checked_side(side)
+        found = [self._ideal(J, "right") for J in subideals.ideals_of_norm(self, norm)]
+        return found if side == "right" else [J.conjugate() for J in found]
 
     def random_ideal(self, n: int, side: str = "left", seed: int | None = None) -> Ideal:
         """Return a random ideal of norm n, prime to the discriminant, which no integer divides.
 
         The same for the same seed. Raises :class:`LatticeError`.
         """
-        from hfield.lattices.subideals import random_ideal
-
-        return random_ideal(self, positive(n, "norm"), checked_side(side), random.Random(seed))
+        norm, side = positive(n, "norm"), checked_side(side)
+        found = self._ideal(subideals.random_ideal(self, norm, random.Random(seed)), "left")
+        return found if side == "left" else found.conjugate()
 
     def connecting_ideal(self, other: Order) -> Ideal:
         """Return the primitive integral ideal with this left order and the right order ``other``.
 
         Raises :class:`LatticeError` unless both are Eichler orders of one level.
         """
-        from hfield.lattices.isomorphic_orders import connecting_ideal
-
-        return connecting_ideal(self, self._order_like(other))
+        return self._ideal(
+            isomorphic_orders.connecting_ideal(self, self._order_like(other)), "left"
+        )
 
     def isomorphism(self, other: Order) -> Answer:
         """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
@@ -212,9 +227,7 @@ class Order(OrderInvariants):
         Decided for all orders of definite algebras, and for ℤ + f·Eichler orders of indefinite ones, where
         the element may be missing. Raises :class:`UndecidedError`.
         """
-        from hfield.lattices.isomorphic_orders import isomorphism
-
-        return isomorphism(self, self._order_like(other))
+        return isomorphic_orders.isomorphism(self, self._order_like(other))
 
     def _order_like(self, other: object) -> Order:
         """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
@@ -233,18 +246,14 @@ class Order(OrderInvariants):
         Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
         quadratic orders.
         """
-        from hfield.lattices.norm_equations import represent_integer
-
-        return represent_integer(self, positive(n, "norm"), seed)
+        return norm_equations.represent_integer(self, positive(n, "norm"), seed)
 
     def embeddings(self, discriminant: int) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a negative discriminant.
 
         Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
         """
-        from hfield.lattices.quadratic_orders import embeddings
-
-        return embeddings(self, integer(discriminant, "discriminant"))
+        return quadratic_orders.embeddings(self, integer(discriminant, "discriminant"))
 
     # --- classes -----------------------------------------------------------------------------------
 
@@ -253,12 +262,8 @@ class Order(OrderInvariants):
 
         Raises :class:`IndefiniteError`; there the number of classes is 1 for an Eichler order.
         """
-        from hfield.lattices.classes import ClassSet
-
         return ClassSet(self)
 
     def mass(self) -> Fraction:
         """Return ``Σ 1/[O_L(I)^× : ±1]`` over the right ideal classes, by a formula."""
-        from hfield.lattices.class_number import mass
-
-        return mass(self)
+        return class_number.mass(self)

@@ -11,13 +11,13 @@ from flint import fmpz_mat
 
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.given import natural, prime
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.reduction import kronecker
+from hfield.lattices.checked_arguments import natural, prime
+from hfield.lattices.modulo_primes import kronecker
+from hfield.lattices.normed_lattice import NormedLattice
 
 
-class OrderInvariants(Lattice):
-    """A lattice that is known to be a ring with 1."""
+class OrderInvariants(NormedLattice):
+    """The part of an order's methods that need its rows and its norm only."""
 
     def discriminant(self) -> int:
         """Return the reduced discriminant; for a maximal order it is that of the algebra."""
@@ -124,15 +124,14 @@ class OrderInvariants(Lattice):
         )
         den = self._den * d
         scale = r.scale * den * den
-        entries = [int(x) // scale for x in r.gram(rows).entries()]
-        return den, rows, [entries[0:3], entries[3:6], entries[6:9]]
+        gram = [[int(x) // scale for x in row] for row in r.gram(rows).tolist()]
+        return den, rows, gram
 
     @cached_property
     def _reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
         den, rows, gram = self._ternary
         reduced, steps = fmpz_mat(gram).lll(transform=True, rep="gram")
-        entries = [int(x) for x in reduced.entries()]
-        return den, steps * rows, [entries[0:3], entries[3:6], entries[6:9]]
+        return den, steps * rows, [[int(x) for x in row] for row in reduced.tolist()]
 
     def ternary_theta_series(self, n: int) -> list[int]:
         """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.

@@ -1,9 +1,10 @@
 """Orders over the integers of a number field: maximal ones, as ℤ-modules and with pseudo-bases.
 
 An order in (a, b | K), K of degree n, is a lattice of rank 4n. It is made larger prime ideal by prime ideal,
-as over ℤ (:mod:`hfield.lattices.maximal`): the left order of the radical at P, the x with tr(x·O) ⊂ P and
-N(x) ∈ P, is larger until the order is hereditary at P; then one of two maximal ideals has a maximal left
-order, unless the algebra ramifies at P (Voight, *Quaternion Algebras*, sections 15.5, 21.2, 24.4).
+as over ℤ (:mod:`hfield.lattices.maximal_orders`): the left order of the radical at P, the x with
+tr(x·O) ⊂ P and N(x) ∈ P, is larger until the order is hereditary at P; then one of two maximal ideals has
+a maximal left order, unless the algebra ramifies at P (Voight, *Quaternion Algebras*, sections 15.5, 21.2,
+24.4).
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.lattices.dedekind_modules import coordinate_rows, hermite
+from hfield.lattices.dedekind_modules import hermite
 from hfield.lattices.integral_coordinates import Frame
-from hfield.rings.modular import WORD
+from hfield.primality import WORD
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import left_kernel
 from hfield.rings.number_primes import PrimeIdeal, primes_above
@@ -27,6 +28,7 @@ from hfield.rings.quadratic import QuadraticField
 from hfield.rings.residue_polynomials import coefficients
 from hfield.rings.residues.number_ideals import local_place
 from hfield.structure.number_fields.hilbert_number_fields import candidates, finite_ramified
+from hfield.structure.number_fields.integral_basis import coordinate_rows
 
 if TYPE_CHECKING:
     from hfield.lattices.dedekind_modules import PseudoBasis

@@ -16,18 +16,18 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.lattices import enumeration, hermite
-from hfield.lattices.order import Order
+from hfield.lattices import certificates, enumeration, hermite
+from hfield.lattices.certificates import Certified, Claim
 from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
-    from hfield.lattices.certified import Claim
+    from hfield.lattices.order import Order
 
 
 @dataclass(frozen=True)
-class Embeddings:
+class Embeddings(Certified):
     """The optimal embeddings of the quadratic order of ``discriminant`` in an order of a definite algebra.
 
     ``elements`` are the images of ``(d + √d)/2``; ``orbits`` counts them up to conjugation by units.
@@ -43,17 +43,10 @@ class Embeddings:
         """One of them, or None."""
         return self.elements[0] if self.elements else None
 
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate that there is one, or none; None where the checker cannot follow."""
-        return self.claim.certificate
-
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        from hfield.lattices import certified
-
-        return certified.of_embeddings(self)
+        return certificates.of_embeddings(self)
 
     def __len__(self) -> int:
         return len(self.elements)

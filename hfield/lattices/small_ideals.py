@@ -3,27 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
-from hfield.lattices.ideal import Ideal
 from hfield.primality import is_prime
 from hfield.quaternion import Quaternion
+
+if TYPE_CHECKING:
+    from hfield.lattices.ideal import Ideal
 
 DOUBLINGS = 12
 
 
-def equivalent_of_prime_norm(ideal: Ideal, avoid: frozenset[int]) -> tuple[Ideal, Quaternion]:
-    """Return an equivalent ideal of the least prime norm not in ``avoid``, and the element.
+def to_prime_norm(ideal: Ideal, avoid: frozenset[int]) -> Quaternion:
+    """Return c by which an ideal becomes one of the least prime norm not in ``avoid``.
 
     Raises :class:`IndefiniteError`, and :class:`UndecidedError` when no such norm was found.
     """
     ideal._definite("equivalent_of_prime_norm()")
     for row, m in by_norm(ideal):
         if m not in avoid and is_prime(m):
-            x = ideal._element(row)
-            c = x.conjugate() / ideal.norm()
-            found = ideal * c if ideal.side != "right" else c * ideal
-            return Ideal.of(found, ideal.side, ideal.order), c
+            found: Quaternion = ideal._element(row).conjugate() / ideal.norm()
+            return found
     raise UndecidedError(
         f"no equivalent ideal of prime norm was found among the short elements, in {DOUBLINGS} doublings"
     )

@@ -11,18 +11,26 @@ from collections.abc import Iterator
 from functools import lru_cache, partial
 from itertools import product
 from operator import add
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.lattices import hermite
-from hfield.lattices.ideal import Ideal
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.maximal import above, endpoints, left_multiples, zero_divisor, zero_on_line
-from hfield.lattices.order import Order
-from hfield.lattices.reduction import echelon, roots
+from hfield.lattices.maximal_orders import (
+    above,
+    endpoints,
+    left_multiples,
+    zero_divisor,
+    zero_on_line,
+)
+from hfield.lattices.modulo_primes import echelon, roots
+from hfield.lattices.two_sided_ideals import two_sided_prime
+
+if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""
@@ -98,8 +106,8 @@ def _divided(matrix: fmpz_mat, n: int) -> fmpz_mat:
     return fmpz_mat(matrix.nrows(), 4, [x // n for x in matrix.entries()])
 
 
-def ideals_of_norm(order: Order, n: int, side: str) -> list[Ideal]:
-    """Return all invertible integral ideals of an order of norm n, in a fixed order.
+def ideals_of_norm(order: Order, n: int) -> list[Lattice]:
+    """Return all invertible integral right ideals of an order of norm n, in a fixed order.
 
     Raises :class:`LatticeError` at a prime where the order is neither maximal nor an Eichler order, and
     :class:`TooLargeError` for more than 10⁵.
@@ -111,8 +119,7 @@ def ideals_of_norm(order: Order, n: int, side: str) -> list[Ideal]:
         local = of_prime_power_norm(order, p, e)
         both = (J & K for J in layer.values() for K in local)
         layer = {J.hnf: J for J in both}
-    found = [Ideal.of(layer[key], "right", order) for key in sorted(layer)]
-    return found if side == "right" else [J.conjugate() for J in found]
+    return [layer[key] for key in sorted(layer)]
 
 
 def of_prime_power_norm(order: Order, p: int, e: int) -> list[Lattice]:
@@ -134,10 +141,8 @@ def of_prime_norm(ideal: Lattice, order: Order, p: int) -> Iterator[Lattice]:
     """Yield the right ideals of relative norm p in a right ideal; the order is maximal at p."""
     if order._discriminant % p:
         for den, matrix in right_subideals(ideal, order, p):
-            yield Lattice(order.algebra, den, matrix)
+            yield order._in_form(den, matrix)
     else:
-        from hfield.lattices.twosided import two_sided_prime
-
         yield ideal._product(two_sided_prime(order, p))
 
 
@@ -174,8 +179,8 @@ def prime_to(ideal: Lattice, p: int) -> Lattice:
     raise AssertionError("the values of a primitive form have no common divisor")
 
 
-def random_ideal(order: Order, n: int, side: str, rng: random.Random) -> Ideal:
-    """Return an ideal ``O·x + n·O`` of norm n, prime to the discriminant, for a random x; O/I is cyclic."""
+def random_ideal(order: Order, n: int, rng: random.Random) -> Lattice:
+    """Return ``O·x + n·O`` of norm n, prime to the discriminant, for a random x; O/I is cyclic."""
     primes = factorise(n)
     for p in primes:
         if order._discriminant % p == 0:
@@ -183,8 +188,7 @@ def random_ideal(order: Order, n: int, side: str, rng: random.Random) -> Ideal:
                 f"random ideals have a norm prime to the discriminant, and {p} divides both"
             )
     multiples = left_multiples(order, primes, partial(_random_zero_divisor, rng))
-    found = Ideal.of(above(order, multiples, n), "left", order)
-    return found if side == "left" else found.conjugate()
+    return above(order, multiples, n)
 
 
 def _random_zero_divisor(rng: random.Random, order: Order, p: int, e: int) -> list[int]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from hfield.factorisation import factorise
-from hfield.lattices.twosided import generators
+from hfield.lattices.two_sided_ideals import generators, is_maximal_or_eichler
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import ClassSet
@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 def types(classes: ClassSet) -> list[int]:
     """Return the number of the type of each class."""
     known = [-1] * len(classes)
-    if not _hereditary_or_eichler(classes.order):
+    parts = factorise(classes.order._discriminant)
+    if not all(is_maximal_or_eichler(classes.order, p, e) for p, e in parts.items()):
         return types_by_isomorphism(classes)
     ideals = generators(classes.order)
     kinds = 0
@@ -36,14 +37,6 @@ def types(classes: ClassSet) -> list[int]:
                     todo.append(n)
         kinds += 1
     return known
-
-
-def _hereditary_or_eichler(order: Order) -> bool:
-    """Tell whether at each prime the discriminant has it once, or the order is Eichler."""
-    return all(
-        e == 1 or (order._regular.discriminant % p and order.eichler_symbol(p) == 1)
-        for p, e in factorise(order._discriminant).items()
-    )
 
 
 def types_by_isomorphism(classes: ClassSet) -> list[int]:

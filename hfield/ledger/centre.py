@@ -8,7 +8,7 @@ from itertools import combinations
 from hfield import structure
 from hfield.certificates.glossary import LINEAR_ALGEBRA, PROVED, REFUTED, SMITH_FORM
 from hfield.factorisation import factorise
-from hfield.ledger.facts import hamilton, texts
+from hfield.ledger.base_field import hamilton, texts
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
 from hfield.proving.decision import Decision

@@ -47,9 +47,9 @@ def decision_lines(
     if witness:
         yield from wrapped("witness", witness, style)
     if decision.verdict == REFUTED:
-        from hfield.ledger.evaluated import evaluated
+        from hfield.ledger.worked_counterexamples import worked_out
 
-        for n, line in enumerate(evaluated(text, decision.witness, field, algebra)):
+        for n, line in enumerate(worked_out(text, decision.witness, field, algebra)):
             yield from wrapped("" if n else "there", line, style)
     for theorem in decision.assumes:
         yield from wrapped("assumes", theorem, style)

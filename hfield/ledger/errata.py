@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, by_claim
 from hfield.ledger.columns import panel_order
-from hfield.ledger.evaluated import evaluated
 from hfield.ledger.wording import STATED_FIELD, name_fields, pretty, witness_text
+from hfield.ledger.worked_counterexamples import worked_out
 from hfield.proving.decision import REFUTED
 
 
@@ -42,7 +42,7 @@ class Erratum:
         """What fails at the witness, worked out; for a claim in words, the last step."""
         decision, printed = self.telling.as_printed, self.claim.as_printed
         text = printed.text if printed else ""
-        return evaluated(text, decision.witness, self.telling.field) or [
+        return worked_out(text, decision.witness, self.telling.field) or [
             step.strip() for step in decision.steps[-1:]
         ]
 

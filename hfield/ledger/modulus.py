@@ -26,7 +26,7 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.errors import UndecidedError
-from hfield.ledger.facts import hamilton, texts
+from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
 from hfield.product import Coordinates, Scalar, multiply, norm

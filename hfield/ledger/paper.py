@@ -13,10 +13,10 @@ from hfield.latex import enumeration, long_table, words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
 from hfield.ledger.decision_lines import scope_text
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.evaluated import evaluated
 from hfield.ledger.matrix import LATEX_MARKS, columns_of
 from hfield.ledger.report import totals
 from hfield.ledger.wording import witness_text
+from hfield.ledger.worked_counterexamples import worked_out
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts
@@ -50,7 +50,7 @@ def decision(text: str, decided: Decision, field: str, algebra: str | None = Non
     witness = witness_text(decided.witness, field)
     if witness:
         there = (
-            evaluated(text, decided.witness, field, algebra) if decided.verdict == REFUTED else []
+            worked_out(text, decided.witness, field, algebra) if decided.verdict == REFUTED else []
         )
         told = f"{words(witness)}" + (f"; there {words('; '.join(there))}" if there else "")
         parts.append(rf"\noindent\emph{{Witness.}} {told}.")

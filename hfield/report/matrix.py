@@ -10,8 +10,8 @@ from hfield.ledger.claim import Claim, Row
 from hfield.ledger.matrix import MARKS, columns_of, tally
 from hfield.ledger.run import contradictions
 from hfield.proving.decision import UNDECIDED, VERDICTS
-from hfield.report.language import Language
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
+from hfield.report.page_language import Language
 
 
 def summary_html(rows: Sequence[Row], certificates: int, words: Words) -> str:

@@ -7,12 +7,12 @@ from html import escape
 from importlib.resources import files
 
 from hfield.ledger.claim import Row
-from hfield.report.certified import Certificates
 from hfield.report.chapters import Chapter
 from hfield.report.claims import claims_html
 from hfield.report.errata import errata_html
-from hfield.report.language import Language
 from hfield.report.matrix import filters_html, matrix_html, summary_html
+from hfield.report.packed_certificates import Certificates
+from hfield.report.page_language import Language
 
 
 def page(

@@ -47,6 +47,9 @@ class AlgebraicNumbers(ValueRing):
         self.gen_name = None if self.is_real else "I"
         self.closure = "real closed" if self.is_real else "algebraically closed"
 
+    def __reduce__(self) -> str:
+        return self.name
+
     def in_words(self) -> str:
         """Say what the field is."""
         return f"the {'real' if self.is_real else 'complex'} algebraic numbers"

@@ -12,8 +12,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from random import Random
-from typing import TYPE_CHECKING, Any, Generic, SupportsIndex
+from typing import TYPE_CHECKING, Any, Generic
 
 from hfield import syntax
 from hfield.errors import (
@@ -39,6 +40,8 @@ else:
     from typing import TypeVar
 
     E = TypeVar("E")  # an element of a ring
+
+R = TypeVar("R", bound="Ring")
 
 INFINITY = float("inf")
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
@@ -360,12 +363,13 @@ class Ring(ABC, Generic[E]):
     def _repr_latex_(self) -> str:
         return f"${self.latex_name}$"
 
-    def __reduce_ex__(self, protocol: SupportsIndex) -> tuple[object, ...] | str:
-        """Pickle by name; a ring whose name :func:`hfield.ring` does not know, as any object."""
-        from hfield.rings import ring
 
-        try:
-            known = ring(self.name) == self
-        except RingError:
-            known = False
-        return (ring, (self.name,)) if known else super().__reduce_ex__(protocol)
+def shared(kind: Callable[..., R], *arguments: Hashable) -> R:
+    """Return the ring that a class or a method makes of some arguments, the same one each time."""
+    made: R = _shared(kind, *arguments)
+    return made
+
+
+@lru_cache(maxsize=1024)
+def _shared(kind: Callable[..., Ring], *arguments: Hashable) -> Any:
+    return kind(*arguments)

@@ -6,7 +6,7 @@ from typing import Any
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, shared
 from hfield.rings.extensions import ExtensionElement, SimpleExtension, stripped
 from hfield.rings.functions import FunctionField
 from hfield.rings.polynomials import build as build_polynomials
@@ -32,13 +32,11 @@ def build(base: Ring, variable: str, text: str) -> SimpleExtension:
     scale = base.inverse(f[-1])
     f = [scale * c for c in f]
     _check_irreducible(base, variable, f, what)
-    ring = SimpleExtension(f"{base}[{variable}]/()", "", base, variable, f)
-    shown = ring.text(ExtensionElement(ring, f))  # f has one coefficient more than an element
-    ring.name = f"{base}[{variable}]/({shown})"
-    ring._words = (
-        f"the extension of degree {ring.degree} of {blackboard(base.name)} by a root of {shown}"
-    )
-    return ring
+    nameless = SimpleExtension("", "", base, variable, f)
+    shown = nameless.text(ExtensionElement(nameless, f))  # one coefficient more than an element has
+    name = f"{base}[{variable}]/({shown})"
+    words = f"the extension of degree {len(f) - 1} of {blackboard(base.name)} by a root of {shown}"
+    return shared(SimpleExtension, name, words, base, variable, tuple(f))
 
 
 def _read(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:

@@ -7,8 +7,8 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotInvertibleError, UndecidedError
-from hfield.rings.base import Known, Ring
-from hfield.rings.finite import ExtensionField
+from hfield.rings.base import Known, Ring, shared
+from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.operators import Element
 from hfield.rings.overfield import Overfield
 from hfield.rings.polynomials import build as build_polynomials
@@ -66,6 +66,10 @@ class SimpleExtension(Overfield[ExtensionElement]):
         self.parse_limit = base.parse_limit
         self.modulus_coefficients = tuple(modulus)  # monic, low degree first
         self.degree = len(modulus) - 1
+
+    def __reduce__(self) -> tuple[object, ...]:
+        below = self.base, self.gen_name, self.modulus_coefficients
+        return shared, (type(self), self.name, self._words, *below)
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -198,10 +202,9 @@ def over_extended_constants(
     constants: ExtensionField, variables: tuple[str, ...]
 ) -> SimpleExtension:
     """Return GF(pⁿ)(s, t, …), as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
-    from hfield.rings.finite import PrimeField
-
-    base = RationalFunctions(build_polynomials(PrimeField(constants.characteristic), variables))
+    polynomials = build_polynomials(shared(PrimeField, constants.characteristic), variables)
+    base = shared(RationalFunctions, polynomials)
     name = f"{constants.name}({','.join(variables)})"
     words = f"rational functions in {listed(variables)} over {constants.name}"
-    modulus = [base(c) for c in constants.coefficients]
-    return SimpleExtension(name, words, base, constants.gen_name, modulus)
+    modulus = tuple(base(c) for c in constants.coefficients)
+    return shared(SimpleExtension, name, words, base, constants.gen_name, modulus)

@@ -1,6 +1,9 @@
 """Which finite field a text means: the order and the modulus, read, checked and refused in words."""
 
+from __future__ import annotations
+
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -8,10 +11,14 @@ from hfield import syntax
 from hfield.errors import HFieldError, NotationError, RingError, TooLargeError, shorten
 from hfield.factorisation import factorise
 from hfield.primality import prime_power
+from hfield.rings.base import shared
 from hfield.rings.finite import NAME, ExtensionField, FiniteField, PrimeField, modulus_text
-from hfield.rings.modular import WORD
 from hfield.rings.printing import from_unicode
 from hfield.rings.rational import rational
+from hfield.rings.residue_polynomials import coefficients, residues
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Polynomial
 
 MAX_BITS = 4096
 MAX_DEGREE = 512
@@ -26,23 +33,14 @@ def GF(q: object, modulus: object = None) -> FiniteField:
     >>> GF(9).order, GF(7)(3) ** 2
     (9, 2)
     """
-    from hfield.rings import ring
-
     p, n = _order(q)
-    spec = f"GF({p**n})"
-    if modulus is not None:
-        spec = _with_modulus(p, n, modulus).name
-    field = ring(spec)
-    assert isinstance(field, FiniteField)
-    return field
-
-
-def build(q: str, modulus: str | None) -> FiniteField:
-    """Make the field from the texts of its order and its modulus. Raises :class:`RingError`."""
-    p, n = _order(q)
-    if modulus is not None:
-        return _with_modulus(p, n, modulus)
-    return PrimeField(p) if n == 1 else ExtensionField(p, n)
+    given = None if modulus is None else _modulus(p, n, modulus)
+    if n == 1:
+        return shared(PrimeField, p)
+    field = shared(ExtensionField, p, n)
+    if given is None or given == field.coefficients:
+        return field
+    return shared(ExtensionField, p, n, tuple(given))
 
 
 def _order(q: object) -> tuple[int, int]:
@@ -102,10 +100,10 @@ def _not_a_prime_power(q: int) -> str:
     return f"{q} = {factors} is no prime power; {expected}, the nearest are GF({below}) and GF({above})"
 
 
-def _with_modulus(p: int, n: int, modulus: object) -> FiniteField:
-    """Make GF(pⁿ) with the modulus of that text. Raises :class:`RingError` if it does not fit."""
+def _modulus(p: int, n: int, modulus: object) -> list[int]:
+    """Read the modulus of GF(pⁿ), low degree first. Raises :class:`RingError` if it does not fit."""
     field = f"GF({shorten(p**n, 24)})"
-    x = _polynomial(p, [0, 1])
+    x = residues(p, [0, 1])
     functions = {"**": _power, "/": _quotient}
     what = f"the polynomials in x over GF({shorten(p, 24)})"
     reader = syntax.Reader(lambda c: _constant(p, c), {NAME: x}, functions, what, MAX_BITS)
@@ -125,28 +123,20 @@ def _with_modulus(p: int, n: int, modulus: object) -> FiniteField:
     factors = m.factor()[1]
     if len(factors) > 1 or factors[0][1] > 1:
         parts = "*".join(
-            f"({modulus_text([int(c) for c in f.coeffs()])})" + (f"^{e}" if e > 1 else "")
-            for f, e in factors
+            f"({modulus_text(coefficients(f))})" + (f"^{e}" if e > 1 else "") for f, e in factors
         )
         example = ExtensionField(p, n).modulus
         raise RingError(
             f"GF({shorten(p**n, 24)}, {given}): {given} = {shorten(parts)} is reducible over "
             f"GF({p}), so it makes no field; an irreducible modulus of {field} is {shorten(example)}"
         )
-    return ExtensionField(p, n, [int(c) for c in m.coeffs()])
+    return coefficients(m)
 
 
-def _polynomial(p: int, coefficients: list[int]) -> flint.nmod_poly:
-    """Return flint's polynomial over GF(p), low degree first."""
-    if p < WORD:
-        return flint.nmod_poly([c % p for c in coefficients], p)
-    return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(coefficients)
-
-
-def _constant(p: int, c: int | Fraction) -> flint.nmod_poly:
+def _constant(p: int, c: int | Fraction) -> Polynomial:
     if isinstance(c, Fraction):
         raise NotationError(f"the coefficient {c} is not an integer")
-    return _polynomial(p, [c])
+    return residues(p, [c])
 
 
 def _quotient(x: flint.nmod_poly, y: flint.nmod_poly) -> flint.nmod_poly:

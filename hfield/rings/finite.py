@@ -13,10 +13,11 @@ import flint
 
 from hfield.errors import NotInvertibleError, shorten
 from hfield.product import Constants
-from hfield.rings.base import FINITE_LIMIT, Known, Ring
+from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
 from hfield.rings.holding import Batch, Holding
+from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
@@ -88,7 +89,10 @@ class PrimeField(FiniteField, Modular):
     degree = 1
 
     def __init__(self, p: int) -> None:
-        Modular.__init__(self, f"GF({p})", p, True)
+        Modular.__init__(self, ZZ, f"GF({p})", p, True)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.order)
 
     def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
         """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar."""
@@ -119,13 +123,13 @@ class ExtensionField(FiniteField):
 
     gen_name = NAME
 
-    def __init__(self, p: int, n: int, coefficients: list[int] | None = None) -> None:
+    def __init__(self, p: int, n: int, coefficients: Sequence[int] | None = None) -> None:
         self.characteristic, self.degree, self.order = p, n, p**n
         default = flint.fq_default_ctx(p, n, NAME)
         self.context = default
         self.name = f"GF({p**n})"
         if coefficients is not None:
-            given = flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(coefficients)
+            given = flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(list(coefficients))
             self.context = flint.fq_default_ctx(modulus=given, var=NAME)
         self.coefficients = [int(c) for c in self.context.modulus().coeffs()]
         self.modulus = modulus_text(self.coefficients)
@@ -133,6 +137,10 @@ class ExtensionField(FiniteField):
         if not self.is_default:
             self.name = f"GF({p**n}, {self.modulus})"
         self._gen = self.context.gen()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        modulus = () if self.is_default else (tuple(self.coefficients),)
+        return shared, (type(self), self.characteristic, self.degree, *modulus)
 
     @property
     def modulus_origin(self) -> str:

@@ -36,6 +36,9 @@ class Floats(ValueRing):
     is_field = True
     parse_limit = 100_000
 
+    def __reduce__(self) -> str:
+        return self.name
+
     def in_words(self) -> str:
         """Say what the ring is."""
         return "floating-point numbers, which are inexact"

@@ -1,11 +1,15 @@
 """The places of k(t), monic irreducible polynomials and infinity, listed and read."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError, RingError, UndecidedError, shorten
-from hfield.rings.functions import FunctionField
+
+if TYPE_CHECKING:
+    from hfield.rings.functions import FunctionField
 
 
 @dataclass(frozen=True)

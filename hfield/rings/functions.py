@@ -14,20 +14,19 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import RingError, shorten
 from hfield.product import Constants
-from hfield.rings.base import INFINITY, Known, Ring
-from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.finite import ExtensionField
 from hfield.rings.holding import Holding
-from hfield.rings.modular import WORD
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.quotient import FractionField, Quotient
+from hfield.rings.residue_polynomials import polynomials_modulo
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient, Polynomial
 
 
-__all__ = ["FunctionField", "Quotient", "build"]
+__all__ = ["FunctionField", "Quotient"]
 
 # python-flint frees a polynomial over GF(q) through its context. Where the collector clears a cycle
 # that holds both, the context may go first, and the process dies. So contexts live for ever, and
@@ -54,6 +53,9 @@ class FunctionField(FractionField):
         self._polynomial = _polynomials_over(base)
         self._one = self._polynomial([base.one])
         self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.base, self.gen_name)
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -161,7 +163,7 @@ class FunctionField(FractionField):
 
     def completion(self, place: object) -> Ring:
         """Return a field of Laurent series, over a finite field of constants."""
-        from hfield.rings.local.completions import completion_of_functions
+        from hfield.rings.local.functions import completion_of_functions
 
         return completion_of_functions(self, place)
 
@@ -178,20 +180,6 @@ class FunctionField(FractionField):
         return sum_text(reversed(terms), style)
 
 
-def build(base: Ring, variables: tuple[str, ...]) -> Ring:
-    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
-    shown = f"{base}({','.join(variables)})"
-    if len(variables) != 1:
-        from hfield.rings.several_variables import build as build_several
-
-        return build_several(base, variables)
-    if not isinstance(base, (PrimeField, ExtensionField)) and base.name != "QQ":
-        raise RingError(
-            f"{shorten(shown)}: rational functions are over QQ or a finite field, as in QQ(x) or GF(4)(t)"
-        )
-    return FunctionField(base, variables[0])
-
-
 def _polynomials_over(base: Ring) -> Callable[[list[Coefficient]], Polynomial]:
     """Return what makes flint polynomials over the field from coefficients, low degree first."""
     if base.name == "QQ":
@@ -201,13 +189,6 @@ def _polynomials_over(base: Ring) -> Callable[[list[Coefficient]], Polynomial]:
             _CONTEXTS[base] = flint.fq_default_poly_ctx(base.context)
         return _CONTEXTS[base]  # type: ignore[no-any-return,unused-ignore]
     return polynomials_modulo(base.characteristic)
-
-
-def polynomials_modulo(p: int) -> Callable[[list[Coefficient]], Polynomial]:
-    """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
-    if p < WORD:
-        return lambda coefficients: flint.nmod_poly(coefficients, p)
-    return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]
 
 
 def _root(poly: Polynomial) -> Polynomial | None:

@@ -12,7 +12,7 @@ import flint
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.primality import is_prime, primes
 from hfield.product import Constants
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
@@ -31,6 +31,9 @@ class _Ordered(ValueRing):
     """What ℤ and ℚ share: exact numbers with their one ordering."""
 
     characteristic = 0
+
+    def __reduce__(self) -> str:
+        return self.name
 
     @property
     def level(self) -> Known:
@@ -205,16 +208,19 @@ class Rationals(_Ordered):
 
     def completion(self, place: object) -> Ring:
         """Return ℚ_p, or RR at infinity."""
-        from hfield.rings.local.completions import completion_of_rationals
+        from hfield.rings.local.rationals import completion_of_rationals
 
-        return completion_of_rationals(place)
+        return completion_of_rationals(self, place)
 
 
 class Residues(Modular):
     """ℤ/n for n ≥ 2, prime or not."""
 
     def __init__(self, n: int) -> None:
-        super().__init__(f"ZZ/{n}", n, is_prime(n))
+        super().__init__(ZZ, f"ZZ/{n}", n, is_prime(n))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.modulus)
 
     def label(self, x: flint.nmod) -> int:
         """Return the residue between 0 and n − 1."""
@@ -267,7 +273,7 @@ def Zmod(n: int) -> Modular:
         raise RingError(
             f"ZZ/{shorten(number, 20)}: the modulus must be at least 2; write ZZ/{shorten(-number, 20)}"
         )
-    return Residues(number)
+    return shared(Residues, number)
 
 
 ZZ = Integers()

@@ -15,6 +15,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.holding import Holding
@@ -25,17 +26,19 @@ if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient
 
 
-WORD = 2**63
 SEARCH = 2_000  # the largest modulus over which squares are searched one by one
 
 
 class Modular(Ring):
-    """The ring of integers modulo n ≥ 2; elements are flint's ``nmod`` or ``fmpz_mod``."""
+    """The ring of integers modulo n ≥ 2; elements are flint's ``nmod`` or ``fmpz_mod``.
+
+    ``integers`` is ℤ.
+    """
 
     parse_limit = FINITE_LIMIT
 
-    def __init__(self, name: str, modulus: int, is_field: bool) -> None:
-        self.name = name
+    def __init__(self, integers: Ring, name: str, modulus: int, is_field: bool) -> None:
+        self.integers, self.name = integers, name
         self.characteristic = self.order = self.modulus = modulus
         self.is_field = is_field
         self.residue: Callable[[int], Any]  # of any int
@@ -71,15 +74,11 @@ class Modular(Ring):
     @property
     def residues_of(self) -> tuple[Ring, flint.fmpz]:
         """ℤ, and the modulus."""
-        from hfield.rings import ring
-
-        return ring("ZZ"), flint.fmpz(self.modulus)
+        return self.integers, flint.fmpz(self.modulus)
 
     def modulo(self, n: int) -> Ring | None:
         """Return ℤ/n where n divides the modulus."""
-        from hfield.rings import ring
-
-        return None if self.modulus % n else ring(f"ZZ/{n}")
+        return None if self.modulus % n else self.integers.modulo(n)
 
     def lift(self, x: flint.nmod | flint.fmpz_mod) -> flint.fmpz:
         """Return the residue between 0 and n − 1 as an integer."""

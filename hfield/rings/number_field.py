@@ -11,8 +11,9 @@ import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.product import Constants
-from hfield.rings.base import Known, Ring
+from hfield.rings.base import Known, Ring, shared
 from hfield.rings.holding import Holding
+from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
 from hfield.rings.printing import blackboard, number_text, sum_text
@@ -46,11 +47,15 @@ class NumberField(ValueRing[FieldElement]):
     arithmetic = "number_fields.arithmetic_number_fields.NumberFieldArithmetic"
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
-        from hfield.rings.number_field_specs import irreducible, power_sum
+        from hfield.rings.number_field_texts import irreducible, power_sum
 
         self.gen_name = name
         self.polynomial = irreducible(polynomial, name)
         self.name = f"QQ[{name}]/({power_sum(self.polynomial.coeffs(), name)})"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        polynomial = self.name.partition("/")[2][1:-1]
+        return shared, (type(self), polynomial, self.gen_name)
 
     # --- what it is ----------------------------------------------------------------------------
 
@@ -192,8 +197,6 @@ class NumberField(ValueRing[FieldElement]):
 
     def random(self, rng: Random) -> FieldElement:
         """Return a small random element; the same for the same seed."""
-        from hfield.rings.integers import QQ
-
         return FieldElement(self, flint.fmpq_poly([QQ.random(rng) for _ in range(self.degree)]))
 
     def text(self, x: FieldElement, style: str = "plain") -> str:
@@ -320,6 +323,6 @@ class NumberField(ValueRing[FieldElement]):
 
     def completion(self, place: object) -> Ring:
         """Return an extension of ℚ_p at a prime ideal, RR or CC at an infinite place."""
-        from hfield.rings.local.completions import completion_of_number_field
+        from hfield.rings.local.number_fields import completion_of_number_field
 
         return completion_of_number_field(self, place)

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.primality import is_prime, primes
-from hfield.rings.number_field import NumberField
 from hfield.rings.number_primes import PrimeIdeal, primes_above
 
 if TYPE_CHECKING:
     import flint
 
     from hfield.rings.number_elements import FieldElement
+    from hfield.rings.number_field import NumberField
 
 
 @dataclass(frozen=True)

@@ -16,11 +16,11 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, shared
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
-from hfield.rings.number_field_specs import (
+from hfield.rings.number_field_texts import (
     LARGEST_DEGREE,
     MAX_CONDUCTOR,
     MAX_DEGREE,
@@ -69,6 +69,9 @@ class SpelledField(NumberField):
             )
         self._images = images
         self.gen_name = self.text(self.gen)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (spelled, self.name)
 
     def _adjoin(self, images: list[flint.fmpq_poly], number: Number) -> list[flint.fmpq_poly]:
         """Make θ a generator of the field with one more number; return the images of all numbers."""
@@ -185,6 +188,13 @@ class SpelledField(NumberField):
             ),
             style,
         )
+
+
+def spelled(name: str) -> Ring:
+    """Return the field of a text, ``QQ(sqrt(2),I)`` or ``QQ(zeta7)+``. Raises :class:`RingError`."""
+    if name.endswith("+"):
+        return real_cyclotomic(int(re.sub(r"\D", "", name)))
+    return adjoined(name, name[name.index("(") + 1 : -1])
 
 
 def adjoined(s: str, inner: str) -> Ring:

@@ -9,16 +9,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import TooLargeError, shorten
 from hfield.factorisation import factorise, remove
+from hfield.primality import WORD
 from hfield.product import Scalar
-from hfield.rings.modular import WORD
 from hfield.rings.number_elements import FieldElement
-from hfield.rings.number_field import NumberField
+
+if TYPE_CHECKING:
+    from hfield.rings.number_field import NumberField
 
 
 class LocalOrder:

@@ -20,7 +20,6 @@ from hfield.primality import is_prime
 from hfield.rings.base import Ring
 from hfield.rings.finite import modulus_text
 from hfield.rings.number_elements import FieldElement
-from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import LocalOrder, left_kernel, local_order
 from hfield.rings.number_residue_algebras import local_parts
 from hfield.rings.rational import rational
@@ -28,6 +27,7 @@ from hfield.rings.residue_polynomials import coefficients, idempotent, residues,
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient
+    from hfield.rings.number_field import NumberField
 
 
 class PrimeIdeal:
@@ -92,9 +92,7 @@ class PrimeIdeal:
         return hash((self.field, self.p, self.pi))
 
     def __reduce__(self) -> tuple[object, ...]:
-        from hfield.rings.number_field_places import place_of_number_field
-
-        return place_of_number_field, (self.field, str(self))
+        return _prime_above, (self.field, self.p, self.pi)
 
     def __contains__(self, x: object) -> bool:
         y = self.field(x)
@@ -189,6 +187,11 @@ def primes_above(field: NumberField, p: object) -> tuple[PrimeIdeal, ...]:
     if not isinstance(number, int) or not is_prime(number):
         raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
     return _primes_above(field, number)
+
+
+def _prime_above(field: NumberField, p: int, pi: FieldElement) -> PrimeIdeal:
+    """Return the prime ideal above p whose second generator is that number."""
+    return next(P for P in _primes_above(field, p) if P.pi == pi)
 
 
 @lru_cache(maxsize=4096)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import flint
 
 from hfield.errors import TooLargeError, shorten
-from hfield.rings.modular import WORD
+from hfield.primality import WORD
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_orders import (
     LocalOrder,

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.rings.number_elements import FieldElement
-from hfield.rings.number_field import NumberField
+
+if TYPE_CHECKING:
+    from hfield.rings.number_field import NumberField
 
 BITS = 256
 

@@ -18,10 +18,10 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.primality import WORD
+from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
-from hfield.rings.modular import WORD
 from hfield.rings.powers import polynomial_power
 from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
@@ -54,6 +54,9 @@ class PolynomialRing(Ring):
         self._gens = dict(zip(variables, self.context.gens(), strict=True))
         self._type = type(self.context.gens()[0])
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.base, self.variables)
+
     def in_words(self) -> str:
         """Say what the ring is."""
         return f"polynomials in {', '.join(self.variables)} over {blackboard(self.base.name)}"
@@ -71,12 +74,12 @@ class PolynomialRing(Ring):
     @property
     def fractions(self) -> Ring | None:
         """The rational functions, where they are offered: in one variable."""
-        from hfield.rings import ring
+        from hfield.rings.functions import FunctionField
 
         if len(self.variables) > 1:
             return None
-        base = self.base.fractions or self.base
-        return ring(f"{base.name}({self.variables[0]})")
+        base, name = self.base.fractions or self.base, self.variables[0]
+        return shared(FunctionField, base, name)
 
     def names(self) -> dict[str, SparsePolynomial]:
         """The variables."""
@@ -235,7 +238,7 @@ def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
         )
     if len(variables) > MAX_VARIABLES:
         raise RingError(f"{shown}: {len(variables)} variables; at most {MAX_VARIABLES} are taken")
-    return PolynomialRing(base, variables)
+    return shared(PolynomialRing, base, variables)
 
 
 def _context(base: Ring, variables: tuple[str, ...]) -> Any:

@@ -12,7 +12,7 @@ from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingEr
 from hfield.factorisation import factorise
 from hfield.primality import is_prime
 from hfield.product import Constants
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.radicands import reduced
@@ -44,6 +44,9 @@ class QuadraticField(ValueRing[Surd]):
         self.d = d
         self.gen_name = "I" if d == -1 else f"sqrt({d})"
         self.name = f"QQ({self.gen_name})"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.d)
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -202,23 +205,23 @@ class QuadraticField(ValueRing[Surd]):
         number = rational(p)
         if not isinstance(number, int) or not is_prime(number):
             raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
-        return places_above(self.d, number)
+        return places_above(self, number)
 
     def real_places(self) -> tuple[QuadraticPlace, ...]:
         """Return the real places, √d negative first; each has ``index`` and ``sign(x)``."""
         from hfield.rings.quadratic_places import places_above
 
-        return places_above(self.d, 0)[::-1] if self.d > 0 else ()
+        return places_above(self, 0)[::-1] if self.d > 0 else ()
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places: the infinite ones, then prime by prime."""
         from hfield.rings.quadratic_places import all_places
 
-        return all_places(self.d)
+        return all_places(self)
 
     def completion(self, place: object) -> Ring:
         """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
-        from hfield.rings.local.completions import completion_of_quadratic
+        from hfield.rings.local.number_fields import completion_of_quadratic
 
         return completion_of_quadratic(self, place)
 
@@ -243,7 +246,7 @@ def build(text: str) -> QuadraticField:
         raise RingError(
             f"QQ(sqrt({shorten(text)})): {shorten(d)} is a square in QQ, so this is QQ itself: write QQ"
         )
-    return QuadraticField(free)
+    return shared(QuadraticField, free)
 
 
 def _from_sympy(x: object) -> Surd | Closed | None:

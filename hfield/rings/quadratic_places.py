@@ -1,34 +1,39 @@
 """The places of quadratic number fields ℚ(√d): prime ideals and infinite places, listed and read."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import remove
 from hfield.primality import is_prime, primes
-from hfield.rings.base import Ring
 from hfield.rings.surds import Surd, as_surd, from_rational
+
+if TYPE_CHECKING:
+    from hfield.rings.quadratic import QuadraticField
 
 
 @dataclass(frozen=True)
 class QuadraticPlace:
-    """A place of ℚ(√d): the prime p it lies over (0 for an infinite place) and where √d goes.
+    """A place of a field ℚ(√d): the prime p it lies over (0 for an infinite place) and where √d goes.
 
     ``root`` is the image of √d modulo p (modulo 4 for p = 2) where p splits, ±1 at the two real
     places, and None where there is one place above p. The text (``"7"``, ``"(7, sqrt(2)-3)"``,
     ``"inf+"``, ``"inf-"``, ``"inf"``) reads back with :func:`place_of_quadratic`.
     """
 
-    d: int
+    field: QuadraticField
     prime: int
     root: int | None = None
 
     def __str__(self) -> str:
         if self.prime:
-            gen = "I" if self.d == -1 else f"sqrt({self.d})"
+            gen = self.field.gen_name
             return str(self.prime) if self.root is None else f"({self.prime}, {gen}-{self.root})"
         return {None: "inf", 1: "inf+", -1: "inf-"}[self.root]
 
@@ -36,11 +41,9 @@ class QuadraticPlace:
         return str(self)
 
     @property
-    def field(self) -> Ring:
-        """The field that it is a place of."""
-        from hfield.rings.quadratic import QuadraticField
-
-        return QuadraticField(self.d)
+    def d(self) -> int:
+        """The squarefree integer under the root."""
+        return self.field.d
 
     # --- an infinite place -----------------------------------------------------------------------
 
@@ -116,7 +119,7 @@ class QuadraticPlace:
         whole = all(n.denominator == 1 for n in integer_coordinates(self.d, y))
         return whole and self.valuation(y) > 0
 
-    def _at_prime(self) -> "QuadraticPlace":
+    def _at_prime(self) -> QuadraticPlace:
         if not self.prime:
             raise UndecidedError(f"{self} is an infinite place, and lies above no prime")
         return self
@@ -138,8 +141,9 @@ def _order(x: Fraction, p: int) -> int:
     return remove(x.numerator, p)[0] - remove(x.denominator, p)[0]
 
 
-def places_above(d: int, p: int) -> tuple[QuadraticPlace, ...]:
+def places_above(field: QuadraticField, p: int) -> tuple[QuadraticPlace, ...]:
     """Return the one or two places of ℚ(√d) above the prime p, or above infinity for p = 0."""
+    d = field.d
     roots: list[int | None]
     if p == 0:
         roots = [1, -1] if d > 0 else [None]
@@ -150,34 +154,30 @@ def places_above(d: int, p: int) -> tuple[QuadraticPlace, ...]:
         roots = [*sorted((r, p - r))]
     else:
         roots = [None]
-    return tuple(QuadraticPlace(d, p, r) for r in roots)
+    return tuple(QuadraticPlace(field, p, r) for r in roots)
 
 
-def all_places(d: int) -> Iterator[QuadraticPlace]:
+def all_places(field: QuadraticField) -> Iterator[QuadraticPlace]:
     """Run through the places of ℚ(√d): the infinite ones, then prime by prime, without end."""
-    yield from places_above(d, 0)
+    yield from places_above(field, 0)
     for p in primes():
-        yield from places_above(d, p)
+        yield from places_above(field, p)
 
 
-def place_of_quadratic(d: int, place: object) -> QuadraticPlace:
+def place_of_quadratic(field: QuadraticField, place: object) -> QuadraticPlace:
     """Read a place: a :class:`QuadraticPlace`, its text, or a prime with a single place above it."""
-    if isinstance(place, QuadraticPlace) and place.d == d:
+    if isinstance(place, QuadraticPlace) and place.field == field:
         return place
     text = str(place).replace(" ", "")
     head = text.lstrip("(").split(",")[0]
     p = 0 if text.startswith("inf") else int(head) if head.isdecimal() else -1
     if p == 0 or is_prime(p):
-        above = places_above(d, p)
+        above = places_above(field, p)
         for v in above:
             if str(v).replace(" ", "") == text:
                 return v
         names = ", ".join(f'"{v}"' for v in above)
-        raise RingError(f"{place!r} names no single place of {_name(d)}: above it lie {names}")
+        raise RingError(f"{place!r} names no single place of {field}: above it lie {names}")
     raise RingError(
-        f'{place!r} is not a place of {_name(d)}: expected "inf", a prime, or the text of a place'
+        f'{place!r} is not a place of {field}: expected "inf", a prime, or the text of a place'
     )
-
-
-def _name(d: int) -> str:
-    return "QQ(I)" if d == -1 else f"QQ(sqrt({d}))"

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.rings.modular import WORD
+from hfield.primality import WORD
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient, Polynomial
 
 
+def polynomials_modulo(p: int) -> Callable[[list[Coefficient]], Polynomial]:
+    """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
+    if p < WORD:
+        return lambda coefficients: flint.nmod_poly(coefficients, p)
+    return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]
+
+
 def residues(p: int, coefficients: Iterable[Coefficient | int]) -> Polynomial:
     """Return the polynomial over GF(p) with integer coefficients, low degree first."""
-    values = [int(c) % p for c in coefficients]
-    if p < WORD:
-        return flint.nmod_poly(values, p)
-    return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(values)
+    return polynomials_modulo(p)([int(c) % p for c in coefficients])
 
 
 def coefficients(f: Polynomial) -> list[int]:

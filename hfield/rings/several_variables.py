@@ -6,11 +6,8 @@ from collections.abc import Hashable
 from random import Random
 from typing import TYPE_CHECKING
 
-from hfield.errors import RingError, shorten
-from hfield.rings.base import INFINITY, Known, Ring
-from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.base import INFINITY, Known, shared
 from hfield.rings.polynomials import PolynomialRing
-from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, quotient_text
 from hfield.rings.quotient import FractionField, Quotient
 
@@ -40,6 +37,9 @@ class RationalFunctions(FractionField):
         self.gen_name = self.variables[0]
         self.parse_limit = polynomials.parse_limit
         self._one = polynomials.one
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.polynomials)
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -121,18 +121,3 @@ def listed(names: tuple[str, ...]) -> str:
     """Return ``x, y and z``."""
     *most, last = names
     return f"{', '.join(most)} and {last}" if most else last
-
-
-def build(base: Ring, variables: tuple[str, ...]) -> Ring:
-    """Return k(x, y, …) for two variables or more. Raises :class:`RingError` for a k that is not offered."""
-    shown = shorten(f"{base}({','.join(variables)})")
-    if isinstance(base, ExtensionField):
-        from hfield.rings.extensions import over_extended_constants
-
-        return over_extended_constants(base, variables)
-    if base.name != "QQ" and not isinstance(base, PrimeField):
-        raise RingError(
-            f"{shown}: rational functions are over QQ or a finite field, as in QQ(x,y) or GF(4)(s,t)"
-        )
-    polynomials = build_polynomials(base, variables)
-    return RationalFunctions(polynomials)

@@ -9,7 +9,8 @@ from difflib import get_close_matches
 from importlib import import_module
 
 from hfield.errors import RingError, shorten
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, shared
+from hfield.rings.number_field_texts import NUMBER
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
 
@@ -40,8 +41,8 @@ def build(text: str) -> Ring:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
     base, place = _completed(s)
     if place:
-        return build(base).completion(place)
-    if s.startswith("Q"):
+        return shared(build(base).completion, place)
+    if re.match(r"QQ?[(\[]", s):
         from hfield.rings.number_field_specs import build as build_number_field
 
         number_field = build_number_field(s)
@@ -128,9 +129,10 @@ def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
 def _p_adic(groups: Groups) -> Ring:
     if not groups:
         raise RingError("Qp needs its prime: write Qp(5) for the 5-adic numbers")
-    from hfield.rings.local.completions import p_adic_numbers
+    from hfield.rings.integers import QQ
+    from hfield.rings.local.rationals import p_adic_numbers
 
-    return p_adic_numbers(groups[0][1])
+    return shared(QQ.completion, str(p_adic_numbers(QQ, groups[0][1]).place))
 
 
 def _residues(n: str) -> Ring:
@@ -142,10 +144,10 @@ def _residues(n: str) -> Ring:
 
 
 def _finite(inner: str) -> Ring:
-    from hfield.rings.field_specs import build as build_field
+    from hfield.rings.field_specs import GF
 
     q, comma, modulus = inner.partition(",")
-    return build_field(q, modulus if comma else None)
+    return GF(q, modulus if comma else None)
 
 
 def _extension(base: Ring, inner: str) -> Ring:
@@ -160,11 +162,11 @@ def _extension(base: Ring, inner: str) -> Ring:
         from hfield.rings.quadratic import build as build_quadratic
 
         return build_quadratic((m[1] or m[2]) if m else "-1")
-    from hfield.rings.functions import build as build_functions
+    from hfield.rings.function_specs import build as build_functions
 
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series
         names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
-        return build_functions(base, names).completion(names[0])
+        return shared(build_functions(base, names).completion, names[0])
     names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
     return build_functions(base, names)
 
@@ -172,7 +174,14 @@ def _extension(base: Ring, inner: str) -> Ring:
 def _polynomials(base: Ring, inner: str) -> Ring:
     from hfield.rings.polynomials import build as build_polynomials
 
-    names = variables(f"{base}[{shorten(inner)}]", inner, base, adjoined=False)
+    what = f"{base}[{shorten(inner)}]"
+    names = variables(what, inner, base, adjoined=False)
+    number = next((name for name in names if re.fullmatch(NUMBER, name)), None)
+    if number:
+        raise RingError(
+            f"{what}: {number} is a number, not the name of a variable such as x; the field that it "
+            f"generates is QQ({number})"
+        )
     return build_polynomials(base, names)
 
 

@@ -53,11 +53,12 @@ class Surd:
             return NotImplemented
         terms = dict(self.terms)
         for n, c in o.terms.items():
-            total = terms.get(n, _ZERO) + c
-            if total == 0:
-                del terms[n]
-            else:
+            if n not in terms:
+                terms[n] = c
+            elif total := terms[n] + c:
                 terms[n] = total
+            else:
+                del terms[n]
         return Surd(_collected(terms) if is_long(terms) else terms)
 
     __radd__ = __add__
@@ -88,10 +89,11 @@ class Surd:
         for m, c in self.terms.items():
             for n, d in o.terms.items():
                 factor, root = product(m, n)
-                terms[root] = terms.get(root, _ZERO) + c * d * factor
+                term = c * d if factor == 1 else c * d * factor
+                terms[root] = terms[root] + term if root in terms else term
         if is_long(terms):
             return Surd(_collected(terms))
-        return Surd({n: c for n, c in terms.items() if c != 0})
+        return Surd({n: c for n, c in terms.items() if c})
 
     __rmul__ = __mul__
 

@@ -1,5 +1,5 @@
 """The benchmark of the thesis (3.2), for many ways to rotate; ``hfield bench`` runs it.
 
 ``tasks`` says what is to be computed, ``ways`` how, ``measure`` checks every way and times it,
-``report``, ``chart`` show the result.
+``results``, ``chart`` show the result.
 """

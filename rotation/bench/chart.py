@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.commands.output import OutputError
 from hfield.errors import shorten
 from rotation.bench.measure import Result, Settings
-from rotation.bench.report import counted
+from rotation.bench.results import counted
 from rotation.figures.drawing import BLUE, GREY, INK, PALE, RED
 from rotation.figures.saving import FORMATS, picture, try_folder, write_whole
 

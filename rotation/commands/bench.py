@@ -50,7 +50,7 @@ def run(args: Namespace) -> int:
     _one_thread_for_blas()
     from rotation.bench.chart import try_chart, write_chart
     from rotation.bench.measure import Settings, run_test
-    from rotation.bench.report import as_json, table
+    from rotation.bench.results import as_json, table
     from rotation.bench.tasks import TESTS
     from rotation.bench.ways import WAYS
     from rotation.kernels import threads as available

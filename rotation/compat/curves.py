@@ -10,18 +10,24 @@ from rotation.compat.rotations import Rotation
 from rotation.errors import RotationError
 from rotation.namespaces import quiet
 
+FEW = "`rotations` must be a sequence of at least 2 rotations."
+
+
+def _keyframes(rotations: Rotation, words: str) -> Rotation:
+    """Return a list of at least two rotations; ``words`` are for what is no rotation."""
+    found = Rotation._of(checks.expected(checks.quaternions(rotations), rotations, words))
+    if found.single or len(found) < 2:
+        raise RotationError(FEW)
+    if len(found.shape) > 1:
+        raise RotationError("Rotations with more than 1 leading dimension are not supported.")
+    return found
+
 
 class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them."""
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
-        words = "`rotations` must be a `Rotation` instance."
-        q = checks.expected(checks.quaternions(rotations), rotations, words)
-        rotations = Rotation._of(q)
-        if rotations.single or len(rotations) < 2:
-            raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
-        if len(rotations.shape) > 1:
-            raise RotationError("Rotations with more than 1 leading dimension are not supported.")
+        rotations = _keyframes(rotations, "`rotations` must be a `Rotation` instance.")
         t = np.asarray(times, dtype=np.float64)
         if t.ndim != 1:
             raise RotationError(
@@ -53,13 +59,7 @@ class RotationSpline:
     """The curve through keyframes with two continuous derivatives."""
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
-        words = "`rotations` must be a sequence of at least 2 rotations."
-        q = checks.expected(checks.quaternions(rotations), rotations, words)
-        rotations = Rotation._of(q)
-        if rotations.single or len(rotations) < 2:
-            raise RotationError("`rotations` must be a sequence of at least 2 rotations.")
-        if len(rotations.shape) > 1:
-            raise RotationError("Rotations with more than 1 leading dimension are not supported.")
+        rotations = _keyframes(rotations, FEW)
         self.times = np.asarray(times, dtype=np.float64)
         self.rotations = rotations
         self._curve = spline.RotationSpline(self.times, rotations._ours)

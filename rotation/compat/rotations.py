@@ -1,7 +1,6 @@
 """`Rotation` with the names, the conventions and the habits of scipy's."""
 
 import warnings
-from collections.abc import Iterator
 from typing import Any, Self
 
 import numpy as np
@@ -9,6 +8,7 @@ import numpy as np
 from rotation import davenport, quaternions
 from rotation import rotation as ours
 from rotation.compat import answers, checks, groups
+from rotation.compat.assignable import Assignable
 from rotation.errors import RotationError
 from rotation.euler import sequence
 from rotation.matrices import from_matrix
@@ -23,7 +23,7 @@ _LOCKED = (
 _LOCK = 1e-7
 
 
-class Rotation:
+class Rotation(Assignable):
     """One rotation or an array of them: scalar last, and items can be assigned.
 
     Parameters
@@ -34,7 +34,7 @@ class Rotation:
         Without the first, unit quaternions are taken as they are.
     """
 
-    __array_ufunc__ = None
+    _axes, _called = 1, "rotation"
 
     def __init__(
         self, quat: Any, normalize: bool = True, copy: bool = True, scalar_first: bool = False
@@ -307,50 +307,24 @@ class Rotation:
     # As an array
 
     @property
-    def single(self) -> bool:
-        """Whether this is one rotation."""
-        return self._q.ndim == 1
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The batch shape."""
-        return self._q.shape[:-1]
-
-    def __len__(self) -> int:
-        if self.single:
-            raise TypeError("Single rotation has no len().")
-        return len(self._q)
-
-    def __bool__(self) -> bool:
-        return True
+    def _array(self) -> Array:
+        return self._q
 
     def __getitem__(self, index: Any) -> Self:
-        if self.single:
-            raise TypeError("Single rotation is not subscriptable.")
+        self._expect_many()
         index = index if isinstance(index, tuple) else (index,)
         if Ellipsis not in [i for i in index if i is Ellipsis]:
             index = (*index, Ellipsis)
         return self._of(np.array(self._q[(*index, slice(None))]))
 
     def __setitem__(self, index: Any, value: Any) -> None:
-        if self.single:
-            raise TypeError("Single rotation is not subscriptable.")
+        self._expect_many()
         words = "value must be a Rotation object"
         self._q[index] = checks.expected(checks.quaternions(value), value, words)
-
-    def __iter__(self) -> Iterator[Self]:
-        return (self[n] for n in range(len(self)))
 
     def __repr__(self) -> str:
         matrix = repr(self.as_matrix()).replace("\n", "\n" + " " * len("Rotation.from_matrix("))
         return f"Rotation.from_matrix({matrix})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self._q.copy())
-
-
-def _restored(kind: type[Rotation], q: Array) -> Rotation:
-    return kind._of(q)
 
 
 def _angles(angles: Any, number: int) -> Array:

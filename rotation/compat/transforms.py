@@ -1,6 +1,5 @@
 """`RigidTransform` with the names, the conventions and the habits of scipy's: it holds matrices."""
 
-from collections.abc import Iterator
 from typing import Any, Self
 
 import numpy as np
@@ -8,6 +7,7 @@ import numpy as np
 from rotation import rigid
 from rotation import rotation as ours
 from rotation.compat import answers, checks
+from rotation.compat.assignable import Assignable
 from rotation.compat.rotations import Rotation
 from rotation.errors import RotationError
 from rotation.namespaces import quiet
@@ -15,10 +15,10 @@ from rotation.namespaces import quiet
 Array = Any
 
 
-class RigidTransform:
+class RigidTransform(Assignable):
     """One rigid motion or an array of them; items can be assigned."""
 
-    __array_ufunc__ = None
+    _axes, _called = 2, "transform"
 
     def __init__(self, matrix: Any, normalize: bool = True, copy: bool = True) -> None:
         m = checks.numbers(matrix, "matrix", "(..., 4, 4)", (4, 4))
@@ -192,44 +192,18 @@ class RigidTransform:
     # As an array
 
     @property
-    def single(self) -> bool:
-        """Whether this is one transform."""
-        return self._matrix.ndim == 2
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The batch shape."""
-        return self._matrix.shape[:-2]
-
-    def __len__(self) -> int:
-        if self.single:
-            raise TypeError("Single transform has no len().")
-        return len(self._matrix)
-
-    def __bool__(self) -> bool:
-        return True
+    def _array(self) -> Array:
+        return self._matrix
 
     def __getitem__(self, index: Any) -> Self:
-        if self.single:
-            raise TypeError("Single transform is not subscriptable.")
+        self._expect_many()
         return self._of(np.array(self._matrix[index]))
 
     def __setitem__(self, index: Any, value: Any) -> None:
-        if self.single:
-            raise TypeError("Single transform is not subscriptable.")
+        self._expect_many()
         words = "value must be a RigidTransform object"
         self._matrix[index] = checks.expected(checks.matrices(value), value, words)
-
-    def __iter__(self) -> Iterator[Self]:
-        return (self[n] for n in range(len(self)))
 
     def __repr__(self) -> str:
         matrix = repr(self._matrix).replace("\n", "\n" + " " * len("RigidTransform.from_matrix("))
         return f"RigidTransform.from_matrix({matrix})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self._matrix.copy())
-
-
-def _restored(kind: type[RigidTransform], m: Array) -> RigidTransform:
-    return kind._of(m)

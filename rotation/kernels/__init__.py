@@ -14,7 +14,7 @@ import numpy as np
 
 from rotation.arrays import Array
 from rotation.kernels import uncompiled
-from rotation.kernels.memory import parameters, plan, straightened
+from rotation.kernels.strides import parameters, plan, straightened
 from rotation.pool import share, threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]

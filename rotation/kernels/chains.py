@@ -15,7 +15,7 @@ from rotation.arrays import Array
 from rotation.compensated import Pair, two_product, two_sum
 from rotation.coordinates import middling
 from rotation.kernels import twins
-from rotation.native import assembling, calling, tracing
+from rotation.native import assembling, elementary_functions, tracing
 from rotation.native.symbols import Lanes, Program
 
 Pairs = tuple[Pair, Pair, Pair, Pair]
@@ -71,7 +71,7 @@ def _module() -> str:
     ]
     return "\n".join(
         [
-            *calling.intrinsics("double", 1),
+            *elementary_functions.intrinsics("double", 1),
             "define i64 @entry(i64 %n, ptr %addresses) {",
             "start:",
             "%q = load ptr, ptr %addresses",

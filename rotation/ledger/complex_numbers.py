@@ -7,7 +7,7 @@ thesis, and everything has its core over every commutative ring.
 from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.real import REAL, Angles
+from hfield.ledger.real_geometry import REAL, Angles
 from hfield.ledger.scopes import Only
 from rotation.ledger.plane import ARCTG, ON_CIRCLE
 

@@ -8,7 +8,7 @@ from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Every, Statement
-from hfield.ledger.real import REAL, Angles
+from hfield.ledger.real_geometry import REAL, Angles
 from hfield.ledger.scopes import Only
 from hfield.syntax import Node, both, implies, names, parse
 from hfield.syntax import equal as same

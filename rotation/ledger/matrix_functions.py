@@ -7,8 +7,8 @@ from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.syntax import Name, conj, names, scalar
 from hfield.syntax import equal as same
-from rotation.ledger.programs import listed
-from rotation.ledger.symbols import code, coordinates, equal, point, read_as
+from rotation.ledger.listed_functions import listed
+from rotation.ledger.symbolic_runs import code, coordinates, equal, point, read_as
 
 Q = coordinates("q")
 S, T, ANGLE, PSI, PHI, THETA = names("s t angle psi phi theta")

@@ -2,7 +2,7 @@
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
-from hfield.ledger.real import Analysis
+from hfield.ledger.real_geometry import Analysis
 from hfield.syntax import Node, both, implies, names
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (

@@ -4,30 +4,30 @@ Numbers are recomputed from the printed times over ℚ. Of the second test, what
 a point is found by running them on symbols.
 """
 
-from hfield.ledger.computed import Computed, Finding
 from hfield.ledger.document import Propositions
+from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import Over
-from rotation.ledger import generator, second_test, tables
+from rotation.ledger import generator, printed_times, second_test
 from rotation.ledger.inequalities import Less, between
-from rotation.ledger.tables import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2
+from rotation.ledger.printed_times import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2
 
 SAVING = "the per cent by which the matrices' mean of test 1 is shorter"
 RATIO = "the matrices' mean of test 2 over the quaternions'"
 GAP = "the quaternions' mean of test 2 less that of test 1"
 
 
-def mean_is(times: tables.Times, printed: str) -> Over:
+def mean_is(times: printed_times.Times, printed: str) -> Over:
     """Say that the mean of the times is the number printed."""
-    return Over("QQ", Statement(f"{tables.mean(times)} == {printed}"))
+    return Over("QQ", Statement(f"{printed_times.mean(times)} == {printed}"))
 
 
 def repeated(count: int) -> Computed:
     """Say that each of the four rows of the tables has so many times, in whole seconds."""
 
     def look() -> Finding:
-        lengths = [len(row) for row in tables.ALL]
-        whole = all(isinstance(time, int) for row in tables.ALL for time in row)
+        lengths = [len(row) for row in printed_times.ALL]
+        whole = all(isinstance(time, int) for row in printed_times.ALL for time in row)
         return Finding(
             whole and set(lengths) == {count},
             (
@@ -77,39 +77,51 @@ COMPUTED = {
     ),
     "C3.2.1-n": Propositions(
         as_printed=Over(
-            "QQ", between("11.45", tables.saving(QUATERNIONS_1, MATRICES_1), "11.55", SAVING)
+            "QQ", between("11.45", printed_times.saving(QUATERNIONS_1, MATRICES_1), "11.55", SAVING)
         ),
         spoilt=Over(
-            "QQ", between("11.45", tables.saving(MATRICES_1, QUATERNIONS_1), "11.55", SAVING)
+            "QQ", between("11.45", printed_times.saving(MATRICES_1, QUATERNIONS_1), "11.55", SAVING)
         ),
     ),
     "C3.2.1-n2": Propositions(
         as_printed=Over(
             "QQ",
             Less(
-                tables.mean(MATRICES_1),
-                tables.mean(QUATERNIONS_1),
+                printed_times.mean(MATRICES_1),
+                printed_times.mean(QUATERNIONS_1),
                 "the matrices' mean of test 1 < the quaternions'",
             ),
         ),
-        spoilt=Over("QQ", Less(tables.mean(QUATERNIONS_1), tables.mean(MATRICES_1))),
+        spoilt=Over("QQ", Less(printed_times.mean(QUATERNIONS_1), printed_times.mean(MATRICES_1))),
     ),
     "C3.2.1-o": Propositions(
-        as_printed=Over("QQ", between("2.5", tables.ratio(MATRICES_2, QUATERNIONS_2), "3", RATIO)),
-        spoilt=Over("QQ", between("3.5", tables.ratio(MATRICES_2, QUATERNIONS_2), "4", RATIO)),
-        corrected=Over("QQ", between("3.5", tables.ratio(MATRICES_2, QUATERNIONS_2), "4", RATIO)),
+        as_printed=Over(
+            "QQ", between("2.5", printed_times.ratio(MATRICES_2, QUATERNIONS_2), "3", RATIO)
+        ),
+        spoilt=Over(
+            "QQ", between("3.5", printed_times.ratio(MATRICES_2, QUATERNIONS_2), "4", RATIO)
+        ),
+        corrected=Over(
+            "QQ", between("3.5", printed_times.ratio(MATRICES_2, QUATERNIONS_2), "4", RATIO)
+        ),
     ),
     "C3.2.1-p": Propositions(
         as_printed=Over(
             "QQ",
             between(
-                "9.5", f"{tables.mean(QUATERNIONS_2)} - {tables.mean(QUATERNIONS_1)}", "10", GAP
+                "9.5",
+                f"{printed_times.mean(QUATERNIONS_2)} - {printed_times.mean(QUATERNIONS_1)}",
+                "10",
+                GAP,
             ),
         ),
         spoilt=Over(
             "QQ",
             between(
-                "9.5", f"{tables.mean(QUATERNIONS_1)} - {tables.mean(QUATERNIONS_2)}", "10", GAP
+                "9.5",
+                f"{printed_times.mean(QUATERNIONS_1)} - {printed_times.mean(QUATERNIONS_2)}",
+                "10",
+                GAP,
             ),
         ),
     ),

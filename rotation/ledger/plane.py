@@ -8,7 +8,7 @@ points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where
 from hfield.certificates.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
-from hfield.ledger.real import REAL, Angles
+from hfield.ledger.real_geometry import REAL, Angles
 from hfield.ledger.scopes import Only
 from hfield.syntax import Node, both, implies
 from hfield.syntax import equal as same

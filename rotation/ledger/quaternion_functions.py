@@ -1,6 +1,6 @@
 """Section 3.1.1: the functions that turn points by quaternions.
 
-What a function returns is found by running it on terms (:mod:`rotation.ledger.symbols`), and the
+What a function returns is found by running it on terms (:mod:`rotation.ledger.symbolic_runs`), and the
 formula that comes back is compared with the product of ``hfield``. Arguments of type list are the
 coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and a sine.
 """
@@ -9,9 +9,9 @@ from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, conj, equal, iff, inv, names, norm, scalar, unequal, vector
-from rotation.ledger.programs import listed
-from rotation.ledger.symbols import code, coordinates, point, quaternion, read_as
-from rotation.ledger.symbols import scalar as real_part
+from rotation.ledger.listed_functions import listed
+from rotation.ledger.symbolic_runs import code, coordinates, point, quaternion, read_as
+from rotation.ledger.symbolic_runs import scalar as real_part
 
 P, Q = coordinates("p"), coordinates("q")
 A, B = real_part("p"), real_part("q")

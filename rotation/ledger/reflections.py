@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import Over
 from hfield.syntax import Node, both, either, implies, parse, unequal
 from hfield.syntax import equal as same

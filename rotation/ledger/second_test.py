@@ -6,7 +6,7 @@ The test turns every point about its own direction, and by the Euler angle that 
 from hfield.ledger.propositions import Statement
 from hfield.syntax import Node, both, comm, names, negation, norm, number, unequal
 from hfield.syntax import equal as same
-from rotation.ledger.symbols import code, coordinates, equal, point, read_as
+from rotation.ledger.symbolic_runs import code, coordinates, equal, point, read_as
 
 P, Q = coordinates("p"), coordinates("q")
 S, T, X, Y, ANGLE = names("s t x y angle")

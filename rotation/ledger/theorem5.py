@@ -15,7 +15,7 @@ from hfield.ledger.bases import IsBasis
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Every, Statement
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.syntax import Node, both, implies
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (

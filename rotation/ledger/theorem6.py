@@ -7,11 +7,11 @@ c = cos θ and s = sin θ are the scalars ``y`` and ``s``; the axis u and the po
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.real import Angles
+from hfield.ledger.real_geometry import Angles
 from hfield.syntax import Node, both, equal, implies, names, norm, vector
 from rotation.ledger.entries import coordinates, cross, dot
 from rotation.ledger.plane import ON_CIRCLE
-from rotation.ledger.symbols import point
+from rotation.ledger.symbolic_runs import point
 
 A, B = coordinates("u"), coordinates("v")
 C, S, AXIS, PLACE = names("y s u v")

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from hfield.native import compiling
-from rotation.native import calling, tracing
+from rotation.native import elementary_functions, tracing
 from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
 from rotation.native.symbols import WIDTH, Lanes, Program, Rows
 
@@ -67,7 +67,7 @@ def introduce() -> None:
     import llvmlite.binding as llvm
 
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
-    for name in calling.LIBRARY:
+    for name in elementary_functions.LIBRARY:
         address = ctypes.cast(getattr(system, name), ctypes.c_void_p).value
         llvm.add_symbol(f"rotation_{name}", address)
     for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
@@ -146,9 +146,9 @@ def _module(
     pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(sizes)))
     text = "\n".join(
         [
-            *calling.of_the_system(calling.LIBRARY),
+            *elementary_functions.of_the_system(elementary_functions.LIBRARY),
             "declare void @llvm.prefetch.p0(ptr, i32, i32, i32)",
-            *calling.intrinsics("double", WIDTH),
+            *elementary_functions.intrinsics("double", WIDTH),
             FRAME,
             f"define internal i1 @block({pointers}, ptr noalias %out) alwaysinline {{",
             "start:",

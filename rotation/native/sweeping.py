@@ -8,7 +8,7 @@ leave it and come back. Eight rows are read before they are written, so the resu
 
 from collections.abc import Callable
 
-from rotation.native import calling, tracing
+from rotation.native import elementary_functions, tracing
 from rotation.native.copying import copy, copy_call
 from rotation.native.operands import Operand, Way, columns_of, read, write
 from rotation.native.symbols import WIDTH, Condition, Lanes, Program
@@ -42,9 +42,9 @@ def module(
     return "\n".join(
         [
             "declare void @llvm.prefetch.p0(ptr, i32, i32, i32)",
-            *calling.of_the_system(("sin", "cos")),
-            *calling.intrinsics("double", WIDTH),
-            *calling.intrinsics("float", WIDTH),
+            *elementary_functions.of_the_system(("sin", "cos")),
+            *elementary_functions.intrinsics("double", WIDTH),
+            *elementary_functions.intrinsics("float", WIDTH),
             *(copy(size) for size in sizes),
             _stretch(fast, operands, results, number),
             _eight(fast, careful, operands, results, number),

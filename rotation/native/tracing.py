@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rotation.native.calling import intrinsic, library
+from rotation.native.elementary_functions import intrinsic, library
 from rotation.native.symbols import Condition, Lanes, Rows
 
 _INFO = np.finfo(np.float64)

@@ -105,7 +105,7 @@ class Modular:
         return self._remainder(self.n - x)
 
     def _remainder(self, x: Any) -> Any:
-        return x - x // self.n * self.n
+        return x & 1 if self.n == 2 else x - x // self.n * self.n
 
     def inverse(self, x: Any) -> tuple[Any, Any]:
         return self.inverses[x], self.units[x]

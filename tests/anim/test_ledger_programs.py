@@ -20,7 +20,7 @@ from hfield.proving.statements.printing import to_text
 from hfield.rings import ring
 from hfield.syntax import number
 from rotation.ledger.entries import vector
-from rotation.ledger.symbols import code
+from rotation.ledger.symbolic_runs import code
 from rotation.matrices import R_x, R_y, R_z
 from tests.ledger.spoilt_thesis import spoilt_thesis
 

@@ -5,6 +5,7 @@ import random
 import pytest
 
 from hfield.certificates.polynomials import (
+    FEW,
     MAX_EXPONENT,
     MAX_PRODUCTS,
     Names,
@@ -134,3 +135,38 @@ def test_division_that_leaves_a_rest() -> None:
     assert divide(constant(3), constant(2)) is None
     assert divide(constant(6), constant(-2)) == constant(-3)
     assert divide({}, S) == {}
+
+
+def some(rng: random.Random, terms: int, most: int) -> Poly:
+    """A polynomial in twelve variables."""
+    out: Poly = {}
+    for _ in range(terms):
+        chosen = sorted(rng.sample(range(12), rng.randint(0, 4)), reverse=True)
+        out[tuple((v, rng.randint(1, most)) for v in chosen)] = rng.choice((-3, -1, 1, 10**40))
+    return out
+
+
+@pytest.mark.parametrize("most", [1, 3, MAX_EXPONENT // 2])
+def test_long_products_are_those_of_their_terms(most: int) -> None:
+    rng = random.Random(most)
+    for _ in range(5):
+        f, g = some(rng, 60, most), some(rng, 70, most)
+        assert len(f) * len(g) > FEW
+        by_terms: Poly = {}
+        for m, c in f.items():
+            by_terms = add(by_terms, multiply({m: c}, g))
+        assert multiply(f, g) == by_terms == multiply(g, f)
+
+
+def test_long_products_are_bounded_as_short_ones() -> None:
+    f = {((0, n),): 1 for n in range(1, FEW)}
+    for top in (MAX_EXPONENT - FEW + 1, MAX_EXPONENT - FEW + 2, MAX_EXPONENT):
+        g = {((2, 3),): 1, ((0, top),): 1, (): 1}
+        if top + FEW - 1 > MAX_EXPONENT:
+            with pytest.raises(Rejected, match="degree"):
+                multiply(f, g)
+        else:
+            assert len(multiply(f, g)) == 3 * len(f)
+    large = {((0, n),): 10**4_000 for n in range(FEW)}
+    with pytest.raises(Rejected, match="coefficient"):
+        multiply(large, {((1, 1),): 10**4_000, ((1, 2),): 10**4_000, (): 10**4_000})

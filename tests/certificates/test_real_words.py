@@ -11,7 +11,7 @@ from hfield.certificates.rejection import Rejected
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every, Statement
-from hfield.ledger.real import Analysis, Angles
+from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.scopes import Over
 from hfield.rings import ring
 

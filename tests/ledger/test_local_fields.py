@@ -3,7 +3,7 @@
 import pytest
 
 from hfield import ring
-from hfield.ledger.facts import Division, LevelAbove, PositiveNorm
+from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
 from hfield.ledger.modulus import ModulusLaw
 from hfield.rings.base import INFINITY
 

@@ -10,7 +10,7 @@ from hfield.certificates.check import Pin, check_text
 from hfield.certificates.glossary import METHODS, THEOREMS, UNCERTIFIED
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, decide
-from hfield.ledger.computed import Computed
+from hfield.ledger.findings import Computed
 from hfield.ledger.registry import claims, find
 from hfield.rings import ring
 

@@ -1,5 +1,6 @@
 """From text to ring: canonical names, spellings, and errors that say what to mend."""
 
+import copy
 import pickle
 
 import pytest
@@ -8,6 +9,11 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, RingError
 from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
+from hfield.rings.finite import ExtensionField
+from hfield.rings.functions import FunctionField
+from hfield.rings.number_field import NumberField
+from hfield.rings.polynomials import PolynomialRing
+from hfield.rings.quadratic import QuadraticField
 from tests.steps import steps
 
 CANONICAL = {
@@ -62,7 +68,31 @@ def test_canonical(name):
     for spelling in CANONICAL[name]:
         assert ring(spelling) == F, spelling
         assert hash(ring(spelling)) == hash(F)
-    assert pickle.loads(pickle.dumps(F)) == F
+    again = pickle.loads(pickle.dumps(F))
+    assert again == copy.deepcopy(F) == F
+    assert type(again) is type(F)
+    assert again is pickle.loads(pickle.dumps(F)) is pickle.loads(pickle.dumps(again))
+
+
+MADE = [
+    QuadraticField(2), NumberField("x^2-x-1", "s"), FunctionField(ring("GF(4)"), "t"),
+    ExtensionField(3, 2, [1, 0, 1]), ExtensionField(3, 2), PolynomialRing(ZZ, ("a", "b")),
+    NumberField("s^3-2").completion("inf1"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("F", MADE, ids=str)
+def test_rings_that_no_name_made_pickle(F):
+    again = pickle.loads(pickle.dumps(F))
+    assert again == F == ring(F.name)
+    assert type(again) is type(F)
+    assert again is pickle.loads(pickle.dumps(F))
+
+
+def test_fractions_of_polynomials():
+    assert ring("ZZ[x]").fractions == ring("QQ[x]").fractions == ring("QQ(x)")
+    assert ring("GF(5)[t]").fractions == ring("GF(5)(t)")
+    assert ring("QQ[x,y]").fractions is None
 
 
 def test_constructors():
@@ -129,6 +159,8 @@ REFUSED = {
     "RR(x,y)": "rational functions are over",
     "QQ(x,x)": "twice",
     "QQ(x,zeta5)": "reads like a constant",
+    "QQ[zeta5]": "the field that it generates is QQ(zeta5)",
+    "ZZ[x,zeta_5]": "zeta_5 is a number",
     "GF(4)(s,x)": "already names the generator",
     "GF(3)(t)[u]/(u^2-t^2)": r"reducible.*t \+ u",
     "GF(3)(t)[u]/(u)": "degree from 2",
@@ -248,8 +280,9 @@ def test_what_reads_like_a_variable_is_one(name):
     assert ring(f"QQ({name})").gen_name == name
 
 
-def test_square_brackets_always_hold_variables():
-    assert ring("QQ[alpha,zeta5]").variables == ("alpha", "zeta5")
+def test_square_brackets_hold_variables_also_if_they_read_like_constants():
+    assert ring("QQ[alpha,pi]").variables == ("alpha", "pi")
+    assert ring("ZZ[alpha]").fractions.names()["alpha"]
 
 
 @pytest.mark.parametrize("text", REFUSED, ids=lambda s: s[:30] or "empty")

@@ -94,7 +94,7 @@ def test_places_of_quadratic_fields_are_those_of_the_number_field(d: int) -> Non
             assert [min(map(Q.valuation, P.generators)) > 0 for Q in above] == [
                 Q == P for Q in above
             ]
-            assert place_of_quadratic(d, str(P)) == P == place_of_quadratic(d, P)
+            assert place_of_quadratic(F, str(P)) == P == place_of_quadratic(F, P)
             assert P.field == F
             assert ("a text" in P) is False
             with pytest.raises(HFieldError, match="0 has no valuation: it lies in every power"):
@@ -112,24 +112,24 @@ def test_places_of_quadratic_fields_are_those_of_the_number_field(d: int) -> Non
                 if not F.is_zero(x + y):
                     assert P.valuation(x + y) >= min(P.valuation(x), P.valuation(y))
         if len(above) == 1:
-            assert place_of_quadratic(d, p) == above[0]
+            assert place_of_quadratic(F, p) == above[0]
         else:
             with pytest.raises(HFieldError, match="names no single place of"):
-                place_of_quadratic(d, p)
+                place_of_quadratic(F, p)
 
 
 @pytest.mark.parametrize("d", [-7, -1, 2, 13])
 def test_infinite_places_of_quadratic_fields(d: int) -> None:
     F = QuadraticField(d)
     K = as_number_field(F)
-    above = places_above(d, 0)
+    above = places_above(F, 0)
     assert [str(v) for v in above] == (["inf+", "inf-"] if d > 0 else ["inf"])
     assert [str(v) for v in K.infinite_places()] == (["inf0", "inf1"] if d > 0 else ["inf"])
     assert F.real_places() == (above[::-1] if d > 0 else ())
     assert [v.index for v in F.real_places()] == [0, 1][: len(F.real_places())]
     for v in above:
         assert not v.is_finite
-        assert place_of_quadratic(d, f" {v} ") == v
+        assert place_of_quadratic(F, f" {v} ") == v
         image = place_in_number_field(K, v)
         assert image.index == v.index
         if d > 0:
@@ -147,19 +147,19 @@ def test_infinite_places_of_quadratic_fields(d: int) -> None:
     assert listed[: len(above)] == list(above)
     finite = [v.p for v in listed[len(above) :]]
     assert finite == sorted(finite)
-    wanted = [p for p in PRIMES for _ in places_above(d, p)]
+    wanted = [p for p in PRIMES for _ in places_above(F, p)]
     assert finite[: len(wanted)] == wanted[: len(finite)]
     for text in ("4", "x", "(4, 1)", "-3", "1", "(3", ""):
         with pytest.raises(HFieldError):
-            place_of_quadratic(d, text)
+            place_of_quadratic(F, text)
     with pytest.raises(HFieldError) as caught:
-        place_of_quadratic(-7, "2")
+        place_of_quadratic(QuadraticField(-7), "2")
     assert str(caught.value) == (
         "'2' names no single place of QQ(sqrt(-7)): above it lie "
         '"(2, sqrt(-7)-1)", "(2, sqrt(-7)-3)"'
     )
     with pytest.raises(HFieldError) as caught:
-        place_of_quadratic(2, "4")
+        place_of_quadratic(QuadraticField(2), "4")
     assert str(caught.value) == (
         "'4' is not a place of QQ(sqrt(2)): expected \"inf\", a prime, or the text of a place"
     )
@@ -181,7 +181,7 @@ def test_common_quadratic_fields() -> None:
         common_quadratic_field(R("sqrt(2)+sqrt(3)"))
     assert integers_basis(5)[1] == ring("QQ(sqrt(5))")("1/2+1/2*sqrt(5)")
     assert integers_basis(-1)[1] == ring("QQ(I)").gen
-    assert QuadraticPlace(5, 7) == places_above(5, 7)[0]
+    assert QuadraticPlace(QuadraticField(5), 7) == places_above(QuadraticField(5), 7)[0]
 
 
 def test_places_of_rational_numbers() -> None:

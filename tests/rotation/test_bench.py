@@ -1,5 +1,6 @@
 """`hfield bench`: every way computes the same, and the report says what was measured. No times here."""
 
+import gc
 import json
 from dataclasses import replace
 
@@ -9,7 +10,7 @@ import pytest
 from hfield.cli import main
 from rotation.bench import measure, ways
 from rotation.bench.measure import TOLERANCE, Settings, run_test
-from rotation.bench.report import as_json, ratios_of, table
+from rotation.bench.results import as_json, ratios_of, table
 from rotation.bench.tasks import TESTS
 from rotation.bench.ways import WAYS
 from rotation.bench.ways.way import Way
@@ -18,6 +19,13 @@ from rotation.commands.bench import BLAS
 TINY = Settings(points=40, frames=4, repeats=2, seconds=0.001)
 BY_NAME = {test.name: test for test in TESTS}
 TEST_1, ITSELF, OWN, EULER = TESTS
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _little_to_collect():
+    """Every measurement collects garbage first: it need not look at what other tests left behind."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

@@ -14,9 +14,9 @@ from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, Claim, decide
 from hfield.rings import ring
 from hfield.syntax import names, parse
-from rotation.ledger import generator, tables
+from rotation.ledger import generator, printed_times
 from rotation.ledger.inequalities import Less, between
-from rotation.ledger.symbols import code, coordinates, equal, read_as
+from rotation.ledger.symbolic_runs import code, coordinates, equal, read_as
 from tests.ledger.spoilt_thesis import spoilt_thesis
 
 FORMULAS = ("quaternion_functions", "matrix_functions", "second_test")
@@ -98,10 +98,10 @@ def test_less_stands_on_the_rationals_alone() -> None:
 
 def test_the_terms_of_the_tables() -> None:
     QQ = ring("QQ")
-    assert QQ(tables.mean((1, 2, 6))) == QQ(3)
-    assert QQ(tables.ratio((8, 4), (3,))) == QQ(2)
-    assert QQ(tables.saving((8,), (6,))) == QQ(25)
-    assert [len(row) for row in tables.ALL] == [10] * 4
+    assert QQ(printed_times.mean((1, 2, 6))) == QQ(3)
+    assert QQ(printed_times.ratio((8, 4), (3,))) == QQ(2)
+    assert QQ(printed_times.saving((8,), (6,))) == QQ(25)
+    assert [len(row) for row in printed_times.ALL] == [10] * 4
 
 
 def test_the_extreme_numbers_of_random() -> None:

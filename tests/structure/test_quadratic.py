@@ -8,6 +8,7 @@ from structure_cases import cases, constants
 from hfield.errors import RingError, UndecidedError
 from hfield.product import norm
 from hfield.rings import ring
+from hfield.rings.quadratic import QuadraticField
 from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.quadratic_fields.hilbert_quadratic import (
     hilbert_symbol_quadratic,
@@ -86,5 +87,5 @@ def test_no_places_elsewhere():
 
 def test_the_lone_place_above_two_goes_by_the_product_formula():
     x = (Fraction(-1), Fraction(0))
-    assert hilbert_symbol_quadratic(-3, x, x, "2") == 1
-    assert [str(v) for v in ramified_places_quadratic(5, x, x)] == ["inf+", "inf-"]
+    assert hilbert_symbol_quadratic(QuadraticField(-3), x, x, "2") == 1
+    assert [str(v) for v in ramified_places_quadratic(QuadraticField(5), x, x)] == ["inf+", "inf-"]

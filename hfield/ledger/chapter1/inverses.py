@@ -1,7 +1,7 @@
 """Section 1.3.1 from Definition 4 on: inverses, zero norms, formally real fields, Theorem 3."""
 
+from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
 from hfield.ledger.document import Propositions
-from hfield.ledger.facts import Division, LevelAbove, PositiveNorm
 from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
 from hfield.rings.base import INFINITY
 

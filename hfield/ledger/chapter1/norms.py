@@ -1,7 +1,7 @@
 """Section 1.3 up to the norm's multiplicativity: norm, modulus, conjugate, Theorem 2."""
 
+from hfield.ledger.base_field import Division
 from hfield.ledger.document import Propositions
-from hfield.ledger.facts import Division
 from hfield.ledger.modulus import ModulusDefined, ModulusLaw
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import Negation

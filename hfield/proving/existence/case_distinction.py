@@ -11,7 +11,7 @@ from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
 from hfield.proving.evaluation.searcher import Searcher
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
-from hfield.proving.existence.terms import by_terms, combined, put_in
+from hfield.proving.existence.witness_terms import by_terms, combined, put_in
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement

@@ -10,7 +10,7 @@ from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.product import Scalar
-from hfield.proving.existence.square_roots import quaternion_roots
+from hfield.proving.existence.quadratic_equations import quaternion_roots
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import Monomial, coefficients

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
 from hfield.proving.clock import Clock
-from hfield.proving.existence.coefficients import Coefficients, Row
+from hfield.proving.existence.linear_coefficients import Coefficients, Row
 
 if TYPE_CHECKING:
     import flint

@@ -21,7 +21,7 @@ from hfield.proving.existence.case_distinction import (
 from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
 from hfield.proving.existence.quaternion_roots import by_quaternion_roots
 from hfield.proving.existence.real_roots import by_roots
-from hfield.proving.existence.terms import by_terms
+from hfield.proving.existence.witness_terms import by_terms
 from hfield.proving.existence.witnesses import FEW, decide_closed
 from hfield.proving.methods import all_fields, universal
 from hfield.proving.problem import Problem

@@ -8,7 +8,7 @@ from hfield.proving.counterexamples.candidates import prime_search
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.methods import one_field
-from hfield.proving.methods.answers import expanding, implied, scope_of_identity
+from hfield.proving.methods.decisions import expanding, implied, scope_of_identity
 from hfield.proving.methods.implications import Proof, prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors

@@ -4,7 +4,7 @@ from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.counterexamples.refuting import MANY, look
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import counterexample
-from hfield.proving.methods.answers import refuted
+from hfield.proving.methods.decisions import refuted
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.problem import Problem
 

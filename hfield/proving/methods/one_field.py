@@ -13,7 +13,7 @@ from hfield.proving.counterexamples.refuting import (
     solve_clauses,
 )
 from hfield.proving.decision import UNDECIDED, Decision
-from hfield.proving.methods.answers import identity, implied, refuted, scope_of_identity
+from hfield.proving.methods.decisions import identity, implied, refuted, scope_of_identity
 from hfield.proving.methods.exhaustion import exhaust
 from hfield.proving.methods.implications import prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand

@@ -4,7 +4,7 @@ from hfield.proving.counterexamples.candidates import prime_search
 from hfield.proving.counterexamples.refuting import FEW, lifted
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.methods import all_fields, one_field, over_rings
-from hfield.proving.methods.answers import refuted
+from hfield.proving.methods.decisions import refuted
 from hfield.proving.methods.exponents import by_exponents
 from hfield.proving.polynomials.expansion import MAX_WEIGHT
 from hfield.proving.problem import Problem

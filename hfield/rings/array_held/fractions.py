@@ -18,12 +18,12 @@ from hfield.kernels.fractions import lowest
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.words import WORD, Sides, WordArrays, is_words, object_parts
 from hfield.rings.arrays import objects, one_shape
-from hfield.rings.base import Ring
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
+    from hfield.rings.base import Ring
 
 
 class FractionArrays(WordArrays):

@@ -12,11 +12,11 @@ from hfield.errors import CoercionError
 from hfield.kernels.calling import Rows, address, rows_of
 from hfield.product import Constants, Coordinates
 from hfield.rings.arrays import one_shape
-from hfield.rings.base import Ring
 from hfield.rings.holding import Batch, Holding
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
+    from hfield.rings.base import Ring
 
 Row = np.ndarray[Any, np.dtype[Any]]
 

@@ -16,18 +16,18 @@ from hfield.errors import CoercionError
 from hfield.kernels import programs
 from hfield.kernels.calling import Kernel, Rows
 from hfield.kernels.loops import Operand, written
-from hfield.kernels.whole_numbers import CheckedWholeNumbers, TooWideError, holds, widest
+from hfield.kernels.machine_integers import CheckedWholeNumbers, TooWideError, holds, widest
 from hfield.native import compiling
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects
-from hfield.rings.base import Ring
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.kernels.arithmetic import Arithmetic
     from hfield.rings.arrays import Index
+    from hfield.rings.base import Ring
 
 OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
 Sides = tuple[tuple[str, ...], ...]

@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import shorten
 from hfield.product import Constants
-from hfield.rings.base import Ring
 from hfield.rings.holding import H, Holding
 from hfield.straight_line import Program, arithmetic_text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from hfield.rings.base import Ring
 
 LARGE = 2**256  # from about here on flint's integers multiply faster than Python's
 MADE = (

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import gcd, lcm
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.product import Constants, Coordinates, Scalar
-from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE, function, statements
 from hfield.rings.held.numerators import Held, Numerators
 from hfield.straight_line import FIRST, named, parts, specialise_extension
+
+if TYPE_CHECKING:
+    from hfield.rings.base import Ring
 
 Vector = tuple[Any, ...]  # of rational numbers
 

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.product import Constants, Coordinates, Scalar
-from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE, Compact, function, statements
+from hfield.rings.residue_polynomials import polynomials_modulo
 from hfield.straight_line import BINARY, pattern, specialise
 
 if TYPE_CHECKING:
+    from hfield.rings.base import Ring
     from hfield.rings.finite import ExtensionField
     from hfield.rings.flint_types import Polynomial
     from hfield.rings.modular import Modular
@@ -128,8 +129,6 @@ class Polynomials(Quotients):
     reduces_sums = False  # their degrees are small enough
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:
-        from hfield.rings.functions import polynomials_modulo
-
         p = ring.characteristic
         polynomial: Any = polynomials_modulo(p)
         f = polynomial(ring.coefficients)

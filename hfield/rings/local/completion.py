@@ -8,7 +8,7 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from hfield.product import Scalar
-from hfield.rings.base import E, Ring
+from hfield.rings.base import E, Ring, shared
 from hfield.rings.overfield import Overfield
 
 if TYPE_CHECKING:
@@ -28,6 +28,9 @@ class Completion(Overfield[E]):
         self.characteristic = global_field.characteristic
         self.gen_name = global_field.gen_name
         self.parse_limit = global_field.parse_limit
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (self.global_field.completion, "".join(str(self.place).split()))
 
     def in_words(self) -> str:
         """Say what the field is."""

@@ -6,10 +6,11 @@ from collections.abc import Callable, Hashable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import flint
+
 from hfield.errors import CoercionError, UndecidedError
 from hfield.product import Scalar
 from hfield.rings.base import Known, Ring
-from hfield.rings.integers import QQ
 from hfield.rings.local.completion import Completion
 from hfield.rings.local.element import LocalElement
 from hfield.rings.local.roots import minus_one, square_root
@@ -139,7 +140,7 @@ class LocalField(Completion[LocalElement]):
 
         Raises :class:`UndecidedError` where there are others, and over other fields.
         """
-        if self.global_field != QQ or not all(x.is_exact for x in coefficients):
+        if not all(x.is_exact and isinstance(x.value, flint.fmpq) for x in coefficients):
             return super().roots(coefficients)
         factors = irreducible_factors([x.value for x in coefficients])
         for g in factors:

@@ -12,9 +12,6 @@ from typing import TYPE_CHECKING, Any
 from hfield.factorisation import remove
 from hfield.rings.field_specs import GF
 from hfield.rings.functions import FunctionField
-from hfield.rings.quadratic import QuadraticField
-from hfield.rings.quadratic_places import QuadraticPlace
-from hfield.rings.rational import rational
 from hfield.rings.residues.prime_numbers import PrimePlace, truncated
 from hfield.rings.residues.prime_polynomials import ResidueField
 
@@ -22,6 +19,8 @@ if TYPE_CHECKING:
     import flint
 
     from hfield.rings.flint_types import Polynomial
+    from hfield.rings.quadratic import QuadraticField
+    from hfield.rings.quadratic_places import QuadraticPlace
     from hfield.rings.surds import Surd
 
 
@@ -32,7 +31,7 @@ def omega(field: QuadraticField) -> Surd:
 
 def coordinates(field: QuadraticField, x: Surd) -> tuple[Fraction, Fraction]:
     """Return rationals (u, v) with x = u + v·ω."""
-    s, t = (Fraction(rational(x.terms.get(n, 0)) or 0) for n in (1, field.d))
+    s, t = _coefficient(x, 1), _coefficient(x, field.d)
     return (s - t, 2 * t) if field.d % 4 == 1 else (s, t)
 
 
@@ -43,7 +42,13 @@ def conjugate(field: QuadraticField, x: Surd) -> Surd:
 
 def norm(field: QuadraticField, x: Surd) -> Fraction:
     """Return the norm of x down to ℚ."""
-    return Fraction(rational((x * conjugate(field, x)).terms.get(1, 0)) or 0)
+    return _coefficient(x * conjugate(field, x), 1)
+
+
+def _coefficient(x: Surd, n: int) -> Fraction:
+    """Return the coefficient of √n."""
+    c = x.terms.get(n)
+    return Fraction(0) if c is None else Fraction(int(c.p), int(c.q))
 
 
 def primes_above(field: QuadraticField, p: int) -> tuple[PrimeIdeal, ...]:

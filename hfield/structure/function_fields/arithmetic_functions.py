@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterable, Iterator, Mapping
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
@@ -82,11 +83,10 @@ class FunctionArithmetic(GlobalField):
 
     def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
         """Return the product of the polynomials."""
-        product = self.ring.one
-        for v in ramified:
-            if v.poly is not None:
-                product = product * self.ring.quotient(v.poly, self.ring.one.num)
-        return product
+        one = self.ring.one.num
+        return self.ring.quotient(
+            prod((v.poly for v in ramified if v.poly is not None), start=one), one
+        )
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, found by minimising it at all places."""

@@ -165,11 +165,25 @@ def _scale(v: Vector, place: FinitePlace, n: int) -> None:
 
 def _form(c: Constants, basis: list[Vector]) -> Form:
     """Return the coefficients of the norm form in coordinates with respect to a basis."""
-    form = {(n, n): _norm(c, v) for n, v in enumerate(basis)}
+    halves, zero = [_half(c, v) for v in basis], c.t - c.t
+    form = {(n, n): _paired(v, half) for n, (v, half) in enumerate(zip(basis, halves, strict=True))}
     for m, n in combinations(range(len(basis)), 2):
-        total = [x + y for x, y in zip(basis[m], basis[n], strict=True)]
-        form[m, n] = _norm(c, total) - form[m, m] - form[n, n]
+        there = _paired(basis[m], halves[n])
+        back = _paired(basis[n], halves[m]) if c.t != zero else there
+        form[m, n] = there + back
     return form
+
+
+def _half(c: Constants, v: Vector) -> Vector:
+    """Return a vector linear in v whose products with the coordinates of v add up to N(v)."""
+    a, t, b = c
+    w, x, y, z = v
+    return [w + t * x, -(a * x), -(b * (y + t * z)), a * (b * z)]
+
+
+def _paired(u: Vector, v: Vector) -> Any:
+    w, x, y, z = (m * n for m, n in zip(u, v, strict=True))
+    return w + x + y + z
 
 
 def _zeros(place: FinitePlace, form: Form, coordinates: Iterable[int]) -> list[Vector]:

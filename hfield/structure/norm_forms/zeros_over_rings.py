@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, norm
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, shared
+from hfield.rings.functions import FunctionField
 from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.forms import discriminant, root_if_known
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     import flint
 
     from hfield.rings.flint_types import SparsePolynomial
-    from hfield.rings.functions import FunctionField
 
 
 Decide = Callable[[Ring, Constants], ZeroNorm]
@@ -104,11 +104,8 @@ def _points(used: list[int]) -> Iterator[tuple[int, dict[int, int]]]:
             yield keep, dict(zip((i for i in used if i != keep), values, strict=True))
 
 
-def _functions(ring: PolynomialRing, variable: str) -> Any:
-    from hfield.rings import ring as read_ring
-
-    base = "QQ" if ring.characteristic == 0 else ring.base.name
-    return read_ring(f"{base}({variable})")
+def _functions(ring: PolynomialRing, variable: str) -> FunctionField:
+    return shared(FunctionField, ring.base.fractions or ring.base, variable)
 
 
 def _degree_in(x: SparsePolynomial, index: int) -> int:

@@ -9,11 +9,11 @@ a zero turns up, as over quadratic fields (:mod:`hfield.structure.quadratic_fiel
 
 from __future__ import annotations
 
-import cmath
 import itertools
 import math
 import random
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any
 
 import flint
@@ -22,6 +22,7 @@ from hfield.errors import UndecidedError
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import integral_generator
+from hfield.structure.lattice_reduction import combination, real_coordinates, reduced, turned
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.number_fields.good_module import good_module
 from hfield.structure.number_fields.hilbert_number_fields import candidates
@@ -79,6 +80,15 @@ class Walk:
         self.real = field.signature[0]
         self.points = self._embedded(*self._first())
 
+    @cached_property
+    def signs(self) -> list[list[int] | None]:
+        """The signs of the form at each infinite place, None at a complex one."""
+        embeddings = self.field.embeddings
+        return [
+            [embeddings.sign(f.poly, k) for f in self.form] if k < self.real else None
+            for k in range(embeddings.count)
+        ]
+
     def _first(self) -> tuple[list[Vector], int]:
         """Reduce the basis exactly; return it, and how many bits its numbers need."""
         size = max(
@@ -94,7 +104,7 @@ class Walk:
                 [int((t * scale).mid().floor().unique_fmpz()) for t in row]
                 for row in self._real_rows(self.basis, bits)
             ]
-        self.basis = [_combine(u, self.basis) for u in _lll(rows)]
+        self.basis = [combination(u, self.basis) for u in reduced(rows)[1]]
         return self.basis, bits
 
     def _values(self, basis: list[Vector], bits: int) -> list[list[Any]]:
@@ -117,14 +127,7 @@ class Walk:
 
     def _real_rows(self, basis: list[Vector], bits: int) -> list[list[Any]]:
         with flint.ctx.workprec(bits):
-            return [
-                [
-                    t
-                    for k, z in enumerate(row)
-                    for t in ([z.real + z.imag] if k < 3 * self.real else [z.real, z.imag])
-                ]
-                for row in self._values(basis, bits)
-            ]
+            return [real_coordinates(row, 3 * self.real) for row in self._values(basis, bits)]
 
     def _embedded(self, basis: list[Vector], bits: int) -> list[list[complex]]:
         return [
@@ -141,8 +144,9 @@ class Walk:
 
         points, steps = self.points, None
         if step:
-            steps = _lll(self._rounded(self._turned(rng)))
-            points = [_combine_points(u, points) for u in steps]
+            moved = turned(points, self.signs, rng.uniform(0, 3), rng)
+            _, steps = reduced(self._rounded(moved))
+            points = [combination(u, points) for u in steps]
         values = np.array(points)
         chosen = _small_combinations(self.rank)
         at = chosen @ values.real + 1j * (chosen @ values.imag)
@@ -153,69 +157,14 @@ class Walk:
             u = [int(x) for x in chosen[index]]
             if steps is not None:
                 u = [sum(x * s[j] for x, s in zip(u, steps, strict=True)) for j in range(self.rank)]
-            v = _combine(u, self.basis)
+            v = combination(u, self.basis)
             total = sum((f * x * x for f, x in zip(self.form, v, strict=True)), self.field.zero)
             if not total:
                 yield v
 
-    def _turned(self, rng: random.Random) -> list[list[complex]]:
-        """Return the points after planes of two axes are turned at every place.
-
-        By a real angle where the form is definite, an imaginary one where it is not, a complex one at a
-        complex place.
-        """
-        size = rng.uniform(0, 3)
-        points = self.points
-        for k in range(self.field.embeddings.count):
-            real = k < self.real
-            signs = [self.field.embeddings.sign(f.poly, k) for f in self.form] if real else []
-            for i, j in ((0, 1), (0, 2), (1, 2)):
-                turn, boost = rng.uniform(-math.pi, math.pi), rng.gauss(0, size)
-                if not real:
-                    angle = complex(turn, boost)
-                else:
-                    angle = complex(turn) if signs[i] == signs[j] else complex(0, boost)
-                points = [_turn(v, 3 * k + i, 3 * k + j, angle) for v in points]
-        return points
-
     def _rounded(self, points: list[list[complex]]) -> list[list[int]]:
-        real = 3 * self.real
-        largest = max(abs(z) for v in points for z in v)
-        scale = SCALE / largest
-        return [
-            [
-                round(t * scale)
-                for k, z in enumerate(v)
-                for t in ([z.real + z.imag] if k < real else [z.real, z.imag])
-            ]
-            for v in points
-        ]
-
-
-def _turn(v: list[complex], i: int, j: int, angle: complex) -> list[complex]:
-    c, s = cmath.cos(angle), cmath.sin(angle)
-    v = list(v)
-    v[i], v[j] = c * v[i] + s * v[j], c * v[j] - s * v[i]
-    return v
-
-
-def _lll(rows: list[list[int]]) -> list[list[int]]:
-    """Return the transformation to a reduced basis."""
-    n = len(rows)
-    _, steps = flint.fmpz_mat(n, n, [t for row in rows for t in row]).lll(transform=True)
-    return [[int(t) for t in row] for row in steps.tolist()]
-
-
-def _combine(coefficients: list[int], basis: list[Vector]) -> Vector:
-    terms = [[x * n for x in v] for n, v in zip(coefficients, basis, strict=True) if n]
-    return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
-
-
-def _combine_points(coefficients: list[int], points: list[list[complex]]) -> list[complex]:
-    return [
-        sum(n * v[k] for n, v in zip(coefficients, points, strict=True))
-        for k in range(len(points[0]))
-    ]
+        scale = SCALE / max(abs(z) for v in points for z in v)
+        return [[round(t * scale) for t in real_coordinates(v, 3 * self.real)] for v in points]
 
 
 _KNOWN: dict[int, Any] = {}

@@ -13,6 +13,7 @@ from hfield.rings.number_primes import primes_above
 from hfield.rings.residues.number_ideals import LocalPlace, local_place
 from hfield.structure.good_lattices import good_generators
 from hfield.structure.minimal_conics import Vector
+from hfield.structure.number_fields.integral_basis import coefficients
 
 
 def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list[Vector]:
@@ -38,7 +39,7 @@ def _unit(place: LocalPlace, n: int) -> FieldElement:
 def _basis(field: NumberField, generators: list[Vector]) -> list[Vector]:
     """Return a basis over ℤ, of rank 3n, of what vectors of K³ generate, scaled to be integral."""
     n = field.degree
-    rows = [[c for x in v for c in _coefficients(x, n)] for v in generators]
+    rows = [[c for x in v for c in coefficients(x)] for v in generators]
     scale = math.lcm(*(int(c.q) for row in rows for c in row))
     entries = [(c * scale).p for row in rows for c in row]
     matrix = flint.fmpz_mat(len(rows), 3 * n, entries).hnf()
@@ -46,8 +47,3 @@ def _basis(field: NumberField, generators: list[Vector]) -> list[Vector]:
         [FieldElement(field, flint.fmpq_poly(row[k : k + n])) for k in range(0, 3 * n, n)]
         for row in matrix.tolist()[: 3 * n]
     ]
-
-
-def _coefficients(x: FieldElement, n: int) -> list[flint.fmpq]:
-    coefficients = x.poly.coeffs()
-    return [*coefficients, *[flint.fmpq(0)] * (n - len(coefficients))]

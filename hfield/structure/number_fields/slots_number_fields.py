@@ -26,6 +26,7 @@ from hfield.structure.number_fields.hilbert_number_fields import (
     hilbert_symbol_number_field,
     ramified_places_number_field,
 )
+from hfield.structure.number_fields.integral_basis import coordinate_rows
 from hfield.structure.rationals.whole_numbers import crt
 
 TRIALS = 20_000
@@ -144,7 +145,7 @@ def _local_class(
         for _ in range(3 if p == 2 else 1):
             unit = prime.order.truncated(unit * unit * (3 - 2 * unit), modulus)
         e = prime.order.truncated(e + unit * prime.order.truncated(part, modulus), modulus)
-    coordinates = _coordinates(field, e)
+    coordinates = coordinate_rows(field, [e]).entries()
     return [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in coordinates], modulus
 
 
@@ -168,19 +169,6 @@ def _number_at(
         if all(hilbert_symbol_number_field(x, e, prime) == wanted for x in numbers):
             return e
     raise UndecidedError(f"no number was found that has the symbols asked for at {prime}")
-
-
-def _coordinates(field: NumberField, x: FieldElement) -> list[flint.fmpq]:
-    """Return the coordinates of a number in the integral basis."""
-    n = field.degree
-    rows = [c for w in field.integral_basis() for c in _padded(w, n)]
-    row = flint.fmpq_mat(1, n, _padded(x, n)) * flint.fmpq_mat(n, n, rows).inv()
-    return list(row.entries())
-
-
-def _padded(x: FieldElement, n: int) -> list[flint.fmpq]:
-    coefficients = x.poly.coeffs()
-    return [*coefficients, *[0] * (n - len(coefficients))]
 
 
 def _lifts(

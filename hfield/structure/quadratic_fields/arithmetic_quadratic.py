@@ -48,7 +48,7 @@ class QuadraticArithmetic(GlobalField):
 
     def read_place(self, text: object) -> QuadraticPlace:
         """Return a prime ideal or an infinite place."""
-        return place_of_quadratic(self.ring.d, text)
+        return place_of_quadratic(self.ring, text)
 
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
@@ -56,12 +56,12 @@ class QuadraticArithmetic(GlobalField):
         """Return the symbol; at a lone place above 2 the norms of a and b are factored."""
         x, y = (pair(self.ring, self.ring(x)) for x in (a, b))
         with known_primes(factors):
-            return hilbert_symbol_quadratic(self.ring.d, x, y, place)
+            return hilbert_symbol_quadratic(self.ring, x, y, place)
 
     def ramified(self, form: NormalForm) -> tuple[QuadraticPlace, ...]:
         """Return the places with a symbol of −1; the norms of a and b are factored."""
         a, b = (pair(self.ring, x) for x in form.constants)
-        return ramified_places_quadratic(self.ring.d, a, b)
+        return ramified_places_quadratic(self.ring, a, b)
 
     def discriminant(self, ramified: tuple[QuadraticPlace, ...]) -> tuple[QuadraticPlace, ...]:
         """Return the prime ideals, whose product it is."""

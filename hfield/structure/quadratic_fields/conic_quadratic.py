@@ -12,7 +12,6 @@ Compare Cremona and Rusin, "Efficient solution of rational conics", Math. Comp. 
 
 from __future__ import annotations
 
-import cmath
 import itertools
 import math
 import operator
@@ -25,6 +24,13 @@ import flint
 from hfield.errors import UndecidedError
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.residues.prime_ideals import coordinates
+from hfield.structure.lattice_reduction import (
+    Integers,
+    combination,
+    real_coordinates,
+    reduced,
+    turned,
+)
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
 from hfield.structure.rationals.whole_numbers import fraction
@@ -35,13 +41,11 @@ if TYPE_CHECKING:
 
 TRIALS = 10_000
 _PAIRS = list(itertools.combinations_with_replacement(range(6), 2))
-_AXES = ((0, 1), (0, 2), (1, 2))
 _MONOMIALS = [  # vectors of coefficients, one of v and −v, with their products in pairs
     (v, [v[i] * v[j] for i, j in _PAIRS])
     for v in itertools.product((0, 1, -1), repeat=6)
     if next((x for x in v if x), 0) == 1
 ]
-Integers = list[list[int]]
 
 
 def solve_conic_quadratic(
@@ -78,14 +82,17 @@ class Walk:
 
     def __init__(self, field: QuadraticField, form: Vector, basis: list[Vector]) -> None:
         self.real = field.d > 0
-        rows, steps = _lll(_embedded(field, form, basis))
-        self.basis = [_combine(row, basis) for row in steps]
+        self.signs: list[list[complex] | None]
+        rows, steps = reduced(_embedded(field, form, basis))
+        self.basis = [combination(row, basis) for row in steps]
         largest = max(abs(t) for row in rows for t in row)
         numbers = [[t / largest for t in row] for row in rows]
         if self.real:
-            self.unit = [1 if field.sign(f, n) > 0 else 1j for n in (0, 1) for f in form]
-            self.points = [[t * u for t, u in zip(row, self.unit, strict=True)] for row in numbers]
+            unit = [1 if field.sign(f, n) > 0 else 1j for n in (0, 1) for f in form]
+            self.points = [[t * u for t, u in zip(row, unit, strict=True)] for row in numbers]
+            self.signs = [unit[:3], unit[3:]]
         else:
+            self.signs = [None]
             self.points = [
                 [complex(s, t) for s, t in zip(row[::2], row[1::2], strict=True)] for row in numbers
             ]
@@ -104,48 +111,13 @@ class Walk:
                 or sum(map(operator.mul, second, monomials))
             ):
                 row = [sum(map(operator.mul, v, column)) for column in zip(*steps, strict=True)]
-                yield _combine(row, self.basis)
+                yield combination(row, self.basis)
 
     def moved(self, rng: random.Random) -> Integers:
-        """Return the steps to a basis that is reduced for another majorant, at random.
-
-        Planes of two axes are turned: by a real angle where the form is definite, by an imaginary one where
-        it is not, by a complex one at a complex place.
-        """
-        size = rng.uniform(0, 8)
-        points = self.points
-        for place in range(0, 3 * (1 + self.real), 3):
-            for i, j in _AXES:
-                i, j = place + i, place + j
-                turn, boost = rng.uniform(-math.pi, math.pi), rng.gauss(0, size)
-                if self.real:
-                    angle = complex(turn) if self.unit[i] == self.unit[j] else complex(0, boost)
-                else:
-                    angle = complex(turn, boost)
-                points = [_turned(v, i, j, angle) for v in points]
-        return _lll([[round(t * 2**60) for z in v for t in self._parts(z)] for v in points])[1]
-
-    def _parts(self, z: complex) -> list[float]:
-        return [z.real + z.imag] if self.real else [z.real, z.imag]
-
-
-def _turned(v: list[complex], i: int, j: int, angle: complex) -> list[complex]:
-    c, s = cmath.cos(angle), cmath.sin(angle)
-    v = list(v)
-    v[i], v[j] = c * v[i] + s * v[j], c * v[j] - s * v[i]
-    return v
-
-
-def _lll(rows: Integers) -> tuple[Integers, Integers]:
-    """Return a reduced basis and the transformation to it."""
-    reduced, steps = flint.fmpz_mat(6, 6, [t for row in rows for t in row]).lll(transform=True)
-    short, change = ([[int(t) for t in row] for row in m.tolist()] for m in (reduced, steps))
-    return short, change
-
-
-def _combine(coefficients: list[int], basis: list[Vector]) -> Vector:
-    terms = [[n * x for x in v] for n, v in zip(coefficients, basis, strict=True)]
-    return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
+        """Return the steps to a basis that is reduced for another majorant, at random."""
+        points = turned(self.points, self.signs, rng.uniform(0, 8), rng)
+        real = 6 if self.real else 0
+        return reduced([[round(t * 2**60) for t in real_coordinates(v, real)] for v in points])[1]
 
 
 def _grams(field: QuadraticField, form: Vector, basis: list[Vector]) -> list[flint.fmpz_mat]:
@@ -176,11 +148,11 @@ def _embedded(field: QuadraticField, form: Vector, basis: list[Vector]) -> Integ
         roots = [[embed(f, place).sqrt() * scale for f in form] for place in places]
         rows = []
         for v in basis:
-            row = []
-            for place, column in zip(places, roots, strict=True):
-                for x, r in zip(v, column, strict=True):
-                    z = embed(x, place) * r
-                    parts = [z.real + z.imag] if field.d > 0 else [z.real, z.imag]
-                    row += [int(t.mid().floor().unique_fmpz()) for t in parts]
-            rows.append(row)
+            row = [
+                embed(x, place) * r
+                for place, column in zip(places, roots, strict=True)
+                for x, r in zip(v, column, strict=True)
+            ]
+            numbers = real_coordinates(row, len(row) if field.d > 0 else 0)
+            rows.append([int(t.mid().floor().unique_fmpz()) for t in numbers])
     return rows

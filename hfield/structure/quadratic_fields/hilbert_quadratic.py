@@ -139,17 +139,17 @@ def is_local_square(v: QuadraticPlace, x: tuple[int, int]) -> bool:
 
 
 def ramified_places_quadratic(
-    d: int, a: Pair, b: Pair, known: Iterable[int] = ()
+    field: QuadraticField, a: Pair, b: Pair, known: Iterable[int] = ()
 ) -> tuple[QuadraticPlace, ...]:
     """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last.
 
     ``known`` may name primes of the norms of a and b. Raises :class:`UnfactoredError`.
     """
-    x, y = integral(a), integral(b)
+    x, y, d = integral(a), integral(b), field.d
     primes = {2}
     for s in (x, y):
         primes |= set(factorise(s[0] * s[0] - d * s[1] * s[1], known))
-    candidates = [v for p in (*sorted(primes), 0) for v in places_above(d, p)]
+    candidates = [v for p in (*sorted(primes), 0) for v in places_above(field, p)]
     bad = [v for v in candidates if not is_dyadic(v) and direct_symbol(v, x, y) < 0]
     lone = [v for v in candidates if is_dyadic(v)]
     if len(bad) % 2:
@@ -158,12 +158,12 @@ def ramified_places_quadratic(
     return tuple(bad)
 
 
-def hilbert_symbol_quadratic(d: int, a: Pair, b: Pair, place: object) -> int:
+def hilbert_symbol_quadratic(field: QuadraticField, a: Pair, b: Pair, place: object) -> int:
     """Return the Hilbert symbol of two nonzero elements at a place of ℚ(√d).
 
     Above a 2 that does not split the norms of a and b are factored. Raises :class:`UnfactoredError`.
     """
-    v = place_of_quadratic(d, place)
+    v = place_of_quadratic(field, place)
     if is_dyadic(v):
-        return -1 if v in ramified_places_quadratic(d, a, b) else 1
+        return -1 if v in ramified_places_quadratic(field, a, b) else 1
     return direct_symbol(v, integral(a), integral(b))

@@ -59,9 +59,9 @@ def common_slot(
         primes.update(found)
         if x in others:
             at_numbers.update(found)
-    ramified = ramified_places_quadratic(d, pair(field, c.a), pair(field, c.b), primes)
+    ramified = ramified_places_quadratic(field, pair(field, c.a), pair(field, c.b), primes)
     relevant = at_numbers.union(v.prime for v in ramified) - {0, 2}
-    e, new = _slot(d, others, ramified, sorted(relevant))
+    e, new = _slot(field, others, ramified, sorted(relevant))
     return field(e[0]) + field.gen * e[1], sorted(primes.union(new))
 
 
@@ -70,24 +70,27 @@ def _norm(d: int, x: Whole) -> int:
 
 
 def _slot(
-    d: int, numbers: list[Whole], ramified: Collection[QuadraticPlace], odd: list[int]
+    field: QuadraticField,
+    numbers: list[Whole],
+    ramified: Collection[QuadraticPlace],
+    odd: list[int],
 ) -> tuple[Whole, list[int]]:
     """Return e and the prime of its norm that is neither 2 nor one of those given, if any."""
-    rng = random.Random(1)
+    d, rng = field.d, random.Random(1)
 
     def fits(v: QuadraticPlace, e: Whole) -> bool:
         sign = -1 if v in ramified else 1
         return is_dyadic(v) or all(direct_symbol(v, x, e) == sign for x in numbers)
 
-    classes = [_local_class(d, p, fits, rng) for p in odd]
+    classes = [_local_class(field, p, fits, rng) for p in odd]
     for e in _lifts(d, classes, rng):
-        if all(fits(v, e) for v in places_above(d, 0)):
+        if all(fits(v, e) for v in places_above(field, 0)):
             rest = abs(_norm(d, e))
             for p in (2, *odd):
                 rest = remove(rest, p)[1]
             if rest == 1 or is_prime(rest):
                 new = [rest] if rest > 1 else []
-                if all(fits(v, e) for p in (2, *new) for v in places_above(d, p)):
+                if all(fits(v, e) for p in (2, *new) for v in places_above(field, p)):
                     return e, new
     raise UndecidedError(
         f"no common slot over QQ(sqrt({d})) was found among {TRIALS} numbers of fitting local classes"
@@ -95,10 +98,10 @@ def _slot(
 
 
 def _local_class(
-    d: int, p: int, fits: Callable[[QuadraticPlace, Whole], bool], rng: random.Random
+    field: QuadraticField, p: int, fits: Callable[[QuadraticPlace, Whole], bool], rng: random.Random
 ) -> tuple[Whole, int]:
     """Return a number and a modulus: what is congruent to it has right symbols above the odd prime p."""
-    above = places_above(d, p)
+    d, above = field.d, places_above(field, p)
     for size in range(len(above) + 1):
         for chosen in itertools.combinations(above, size):
             base = (1, 0)

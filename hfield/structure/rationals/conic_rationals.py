@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 
 import flint
 
+from hfield.structure.lattice_reduction import combination, steps_of_gram
 from hfield.structure.rationals.whole_numbers import crt, sqrt_mod, square_class, squarefree
 from hfield.structure.rationals.whole_numbers import fraction as to_fraction
 
@@ -65,11 +66,11 @@ def legendre(
         [sum(abs(f) * u * v for f, u, v in zip(form, p, q, strict=True)) for q in basis]
         for p in basis
     ]
-    reduced = _combine(_reduce(gram), basis)
+    reduced = [combination(c, basis) for c in steps_of_gram(gram)]
     first = None
     for coefficients in itertools.product(range(-2, 3), repeat=3):
         if any(coefficients):
-            v = _combine([list(coefficients)], reduced)[0]
+            v = combination(coefficients, reduced)
             size = sum(f * t * t for f, t in zip(form, v, strict=True)) // determinant
             if size == 0:
                 return _primitive(v)
@@ -112,21 +113,6 @@ def _sublattice(rows: list[Vector], values: list[int], modulus: int) -> list[Vec
     return rows
 
 
-def _reduce(gram: list[Vector]) -> list[Vector]:
-    """Return the transformation that LLL-reduces a positive definite Gram matrix."""
-    n = len(gram)
-    matrix = flint.fmpz_mat(n, n, [x for row in gram for x in row])
-    _, transformation = matrix.lll(transform=True, rep="gram", gram="exact")
-    return [[int(x) for x in row] for row in transformation.tolist()]
-
-
-def _combine(coefficients: list[Vector], rows: list[Vector]) -> list[Vector]:
-    return [
-        [sum(c * r for c, r in zip(cs, column, strict=True)) for column in zip(*rows, strict=True)]
-        for cs in coefficients
-    ]
-
-
 def _primitive(v: Vector) -> tuple[int, int, int]:
     g = math.gcd(*v)
     x, y, z = (t // g for t in v)
@@ -150,8 +136,8 @@ def _split_off(
             return p
         return [(1 - b) * s + a * t for s, t in zip(p, q, strict=True)]
     # definite and of determinant 1, hence a sum of two squares up to sign; the other sign than v
-    steps = _reduce([[abs(a), b if a > 0 else -b], [b if a > 0 else -b, abs(c)]])
-    w = _combine(steps, [p, q])[0]
+    steps = steps_of_gram([[abs(a), b if a > 0 else -b], [b if a > 0 else -b, abs(c)]])
+    w = combination(steps[0], [p, q])
     return [s + t for s, t in zip(v, w, strict=True)]
 
 

@@ -14,18 +14,16 @@ and nothing grows.
 """
 
 import itertools
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import Any
 
 import flint
 
 from hfield.rings.rational import fmpq
+from hfield.structure.lattice_reduction import Integers, combination, steps_of_gram
 from hfield.structure.rationals.whole_numbers import sqrt_mod
 
 Row = list[Fraction]
-Integers = list[list[int]]
 MAX_COEFFICIENT = 4
 
 
@@ -58,8 +56,8 @@ def _unimodular(form: list[int], primes: list[int]) -> tuple[list[Row], Integers
             at = next(i for i, x in enumerate(v) if x)
             inverse = pow(v[at], -1, p)
             v = [(x * inverse + p // 2) % p - p // 2 if p > 2 else x for x in v]
-            basis[at] = [x / p for x in _combine(v, basis)]
-            paired = _combine(v, gram)
+            basis[at] = [x / p for x in combination(v, basis)]
+            paired = combination(v, gram)
             value = sum(x * y for x, y in zip(v, paired, strict=True))
             for j in range(n):
                 gram[at][j] = gram[j][at] = paired[j] // p
@@ -73,7 +71,7 @@ def _divisible(gram: Integers, p: int) -> list[int] | None:
     radical = _kernel(gram, p)
     if p == 2:
         for chosen in itertools.product((0, 1), repeat=len(radical)):
-            v = [x % 2 for x in _combine(chosen, radical)] if any(chosen) else []
+            v = [x % 2 for x in combination(chosen, radical)] if any(chosen) else []
             if v and _pair(gram, v, v) % 8 == 0:
                 return v
         return None
@@ -101,7 +99,7 @@ def _zero(vectors: Integers, values: list[int], p: int) -> list[int] | None:
         rest = -(g * y * y + (values[2] * z if z else 0)) * pow(f, -1, p) % p
         if rest == 0 or flint.fmpz(rest).jacobi(p) == 1:
             x = sqrt_mod(rest, p) if rest else 0
-            return [s % p for s in _combine([x, y, z][: len(values)], vectors)]
+            return [s % p for s in combination([x, y, z][: len(values)], vectors)]
     return None
 
 
@@ -133,7 +131,7 @@ def _flags(form: list[int], basis: list[Row], gram: Integers) -> Iterator[list[R
     for u in itertools.islice(_isotropic(form, basis, gram, []), 3):
         for v in itertools.islice(_isotropic(form, basis, gram, [u]), 2):
             for w in itertools.islice(_isotropic(form, basis, gram, [u, v]), 2):
-                yield [_combine(x, basis) for x in (u, v, w)]
+                yield [combination(x, basis) for x in (u, v, w)]
 
 
 def _isotropic(
@@ -143,17 +141,17 @@ def _isotropic(
     n = len(basis)
     space = [[int(i == j) for j in range(n)] for i in range(n)]
     if given:
-        conditions = [[_combine(v, gram)[i] for v in given] + space[i] for i in range(n)]
+        conditions = [[combination(v, gram)[i] for v in given] + space[i] for i in range(n)]
         hermite = flint.fmpz_mat(conditions).hnf().tolist()
         space = [
             [int(x) for x in row[len(given) :]] for row in hermite if not any(row[: len(given)])
         ]
-    vectors = [_combine(c, basis) for c in space]
+    vectors = [combination(c, basis) for c in space]
     inner = [[_pair(gram, c, d) for d in space] for c in space]
     steps = _steps(form, vectors)
-    space = [_combine(c, space) for c in steps]
+    space = [combination(c, space) for c in steps]
     inner = [[_pair(inner, c, d) for d in steps] for c in steps]
-    majorant = _majorant(form, [_combine(c, basis) for c in space])
+    majorant = _majorant(form, [combination(c, basis) for c in space])
     for most in range(1, MAX_COEFFICIENT + 1):
         zeros = [
             (_pair(majorant, c, c), c)
@@ -161,7 +159,7 @@ def _isotropic(
             if max(map(abs, c)) == most and next(x for x in c if x) > 0 and not _pair(inner, c, c)
         ]
         for _, c in sorted(zeros):
-            v = _combine(c, space)
+            v = combination(c, space)
             if flint.fmpz_mat([*given, v]).rank() > len(given):
                 yield v
 
@@ -179,38 +177,25 @@ def _graph(isotropic: list[Row]) -> list[Row]:
 def _reduced(form: list[int], basis: list[Row], gram: Integers) -> tuple[list[Row], Integers]:
     steps = _steps(form, basis)
     return (
-        [_combine(c, basis) for c in steps],
+        [combination(c, basis) for c in steps],
         [[_pair(gram, c, d) for d in steps] for c in steps],
     )
 
 
 def _steps(form: list[int], vectors: list[Row]) -> Integers:
     """Return the transformation to a basis that is reduced for the definite form |f₁|x₁² + …."""
-    n = len(vectors)
-    gram = flint.fmpz_mat(n, n, [x for row in _majorant(form, vectors) for x in row])
-    _, steps = gram.lll(transform=True, rep="gram", gram="exact")
-    return [[int(x) for x in row] for row in steps.tolist()]
+    return steps_of_gram(_majorant(form, vectors))
 
 
 def _majorant(form: list[int], vectors: list[Row]) -> Integers:
     """Return the Gram matrix of the definite form, times the least integer that makes it integral."""
-    rows = [
-        [
-            sum((abs(f) * x * y for f, x, y in zip(form, u, v, strict=True)), Fraction(0))
-            for v in vectors
-        ]
-        for u in vectors
-    ]
-    m = math.lcm(*(x.denominator for row in rows for x in row))
-    return [[int(x * m) for x in row] for row in rows]
+    rows = flint.fmpq_mat([list(map(fmpq, v)) for v in vectors])
+    weighted = flint.fmpq_mat(
+        [[abs(f) * fmpq(x) for f, x in zip(form, v, strict=True)] for v in vectors]
+    )
+    numerators, _ = (rows * weighted.transpose()).numer_denom()
+    return [[int(x) for x in row] for row in numerators.tolist()]
 
 
 def _pair(gram: Integers, u: Sequence[int], v: Sequence[int]) -> int:
-    return sum(x * y for x, y in zip(u, _combine(v, gram), strict=True))
-
-
-def _combine(coefficients: Sequence[int], rows: Sequence[list[Any]]) -> list[Any]:
-    return [
-        sum(c * x for c, x in zip(coefficients, column, strict=True))
-        for column in zip(*rows, strict=True)
-    ]
+    return sum(x * y for x, y in zip(u, combination(v, gram), strict=True))

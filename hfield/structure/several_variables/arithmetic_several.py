@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
@@ -151,11 +152,10 @@ class SeveralArithmetic(GlobalField):
 
     def discriminant(self, ramified: tuple[Any, ...]) -> Any:
         """Return the product of the polynomials."""
-        product = self.ring.one
-        for v in ramified:
-            if v.poly is not None:
-                product = product * self.ring.quotient(v.poly, self.ring.polynomials.one)
-        return product
+        one = self.ring.one.num
+        return self.ring.quotient(
+            prod((v.poly for v in ramified if v.poly is not None), start=one), one
+        )
 
     # --- what is not known -----------------------------------------------------------------------
 

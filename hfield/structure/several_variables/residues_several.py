@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
-from hfield.rings.functions import build as build_functions
+from hfield.rings.function_specs import build as build_functions
 from hfield.rings.residues.prime_polynomials import multiplicity
 from hfield.rings.several_variables import RationalFunctions
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import flint
@@ -45,6 +46,16 @@ def positive(n: object, what: str) -> int:
     if isinstance(n, bool) or not isinstance(value, int) or value < 1:
         raise LatticeError(f"the {what} {shorten(repr(n))} is no positive integer")
     return value
+
+
+def expect_coprime(level: int, discriminant: int) -> None:
+    """Raise :class:`LatticeError` unless a level is prime to the discriminant of the algebra."""
+    common = math.gcd(level, discriminant)
+    if common > 1:
+        raise LatticeError(
+            f"the level {level} and the discriminant {discriminant} have the factor {common} in common: "
+            "Eichler orders have a level prime to the discriminant"
+        )
 
 
 def integer(n: object, what: str) -> int:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hfield.ledger.evaluated import evaluated
+from hfield.ledger.worked_counterexamples import worked_out
 
 I, J = ["0", "1", "0", "0"], ["0", "0", "1", "0"]  # noqa: E741
 ZERO = ["0", "0", "0", "0"]
@@ -27,10 +27,10 @@ ZERO = ["0", "0", "0", "0"]
     ],
 )
 def test_both_sides_are_worked_out(text, witness, field, lines):
-    assert evaluated(text, witness, field) == lines
+    assert worked_out(text, witness, field) == lines
 
 
 def test_in_another_algebra():
-    assert evaluated("i*i == -e", {}, "QQ", "(2,3|QQ)") == ["i·i = 2 ≠ −1 = −e"]
+    assert worked_out("i*i == -e", {}, "QQ", "(2,3|QQ)") == ["i·i = 2 ≠ −1 = −e"]
     values = {"q": I, "a": ["5"], "b": ["1"]}
-    assert evaluated("q*q == b", values, "QQ", "(a,b|F)") == ["q·q = 5 ≠ 1 = b"]
+    assert worked_out("q*q == b", values, "QQ", "(a,b|F)") == ["q·q = 5 ≠ 1 = b"]

@@ -9,9 +9,9 @@ from __future__ import annotations
 from typing import Any
 
 from hfield.errors import LatticeError
+from hfield.lattices.modulo_primes import kronecker
 from hfield.lattices.order import Order
-from hfield.lattices.reduction import kronecker
-from hfield.lattices.regular import regular
+from hfield.lattices.regular_representation import regular
 from hfield.primality import is_prime
 from hfield.quaternion import Parent
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -9,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import MASS
 from hfield.lattices import enumeration
-from hfield.lattices.answers import element_json
-from hfield.lattices.hermite import tuples
+from hfield.lattices.as_json import basis_json, element_json
+from hfield.lattices.order_invariants import OrderInvariants
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer
@@ -65,6 +66,24 @@ class Claim:
             "assumes": list(self.assumes),
             "evidence": self.evidence,
         }
+
+
+class Certified:
+    """What makes a claim that can be certified."""
+
+    @property
+    @abstractmethod
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+
+        There is none where the checker would have to do too much, nor for an ideal that is not invertible;
+        ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate
 
 
 def of_order(order: Order) -> Claim:
@@ -130,9 +149,7 @@ def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, object]
 
     Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.
     """
-    from hfield.lattices.order import Order
-
-    orders = [x for x in (first, second) if isinstance(x, Order)]
+    orders = [x for x in (first, second) if isinstance(x, OrderInvariants)]
     if len({order.discriminant() for order in orders}) == 2:
         return "discriminant", {}
     if not first._regular.definite:
@@ -168,9 +185,3 @@ def text(lattice: Lattice) -> str:
     """Write the Hermite form of a lattice as statements do."""
     den, rows = lattice.hnf
     return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
-
-
-def basis_json(lattice: Lattice) -> dict[str, object]:
-    """Return a reduced basis of a lattice: what is run through quickly."""
-    rows, _ = lattice._reduced
-    return {"den": lattice._den, "rows": [list(row) for row in tuples(rows)]}

@@ -15,10 +15,11 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
-from hfield.lattices.lattice import Lattice
-from hfield.lattices.reduction import kernel, lifted, roots, simple_root
+from hfield.lattices.checked_arguments import expect_coprime
+from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 
 if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
 
 
@@ -95,24 +96,15 @@ def _combine(x: list[int], rows: list[tuple[int, ...]]) -> list[int]:
     return [sum(a * row[n] for a, row in zip(x, rows, strict=True)) for n in range(4)]
 
 
-def eichler_suborder(order: Order, level: int) -> Order:
-    """Return the Eichler order ``ℤ + O·x + level·O`` of a maximal order, x being always the same.
+def eichler_suborder(order: Order, level: int) -> Lattice:
+    """Return the Eichler order ``ℤ + O·x + level·O`` in a maximal order, x being always the same.
 
     Raises :class:`LatticeError` when the level is not prime to the discriminant.
     """
-    from hfield.lattices.order import Order
-
-    primes = factorise(level)
-    for p in primes:
-        if order._discriminant % p == 0:
-            raise LatticeError(
-                f"the level {level} and the discriminant {order._discriminant} have the factor {p} in "
-                "common: Eichler orders have a level prime to the discriminant"
-            )
-    rows = left_multiples(order, primes, zero_divisor)
+    expect_coprime(level, order._discriminant)
+    rows = left_multiples(order, factorise(level), zero_divisor)
     rows.append(order._from_coordinates(list(order._one)))
-    found = above(order, rows, level)
-    return Order(found.algebra, found._den, found._matrix)
+    return above(order, rows, level)
 
 
 def left_multiples(

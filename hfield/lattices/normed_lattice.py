@@ -12,8 +12,8 @@ from flint import fmpq, fmpz_mat, fmpz_poly
 
 from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.given import natural
-from hfield.lattices.regular import Regular, regular
+from hfield.lattices.checked_arguments import natural
+from hfield.lattices.regular_representation import Regular, regular
 from hfield.quaternion import Parent, Quaternion
 from hfield.structure.rationals.whole_numbers import fraction
 
@@ -32,6 +32,11 @@ class NormedLattice:
     @property
     def _regular(self) -> Regular:
         return regular(self.algebra)
+
+    @cached_property
+    def hnf(self) -> tuple[int, hermite.Rows]:
+        """The least denominator, and the rows of the Hermite normal form, integers."""
+        return self._den, hermite.tuples(self._matrix)
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:

@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from functools import cached_property
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
-from hfield.lattices.given import element_row, listed
+from hfield.lattices.checked_arguments import element_row, listed
 from hfield.lattices.lattice import Lattice
-from hfield.lattices.order import Order
 from hfield.quaternion import Parent
+
+if TYPE_CHECKING:
+    from hfield.lattices.order import Order
 
 
 class OneSidedIdeal(Lattice):

@@ -22,7 +22,7 @@ MOST_LINES = 3
 MOST_WEIGHT = 2_000
 
 
-def evaluated(
+def worked_out(
     text: str,
     witness: Mapping[str, Sequence[str]] | None,
     field: str,

@@ -8,16 +8,19 @@ has units give the same lattice.
 from __future__ import annotations
 
 from collections import Counter
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat
 
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.lattice import Lattice
+
+if TYPE_CHECKING:
+    from hfield.lattices.lattice import Lattice
 
 Key = tuple[int, ...]
 
 
-def canonical(lattice: Lattice) -> tuple[Key, int]:
+def key_and_units(lattice: Lattice) -> tuple[Key, int]:
     """Return the lattice of a right ideal class as a key, and how many units the left order has."""
     r = lattice._regular
     rows, gram = lattice._reduced

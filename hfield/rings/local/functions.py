@@ -1,0 +1,34 @@
+"""The completions of fields of rational functions: Laurent series."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from hfield.errors import RingError
+from hfield.rings.function_places import place_of_functions
+from hfield.rings.local.field import LocalField
+from hfield.rings.printing import blackboard
+from hfield.rings.residues.prime_polynomials import AtInfinity, ResidueField
+
+if TYPE_CHECKING:
+    from hfield.rings.functions import FunctionField
+
+
+def completion_of_functions(field: FunctionField, place: object) -> LocalField:
+    """Return the completion of GF(q)(t): Laurent series over the residue field."""
+    v = place_of_functions(field, place)
+    if field.base.order is None:
+        raise RingError(
+            f"the completion of {field} at {v} is no local field: its residue field is infinite"
+        )
+    k = blackboard(field.base.name)
+    if v.poly is None:
+        words = f"Laurent series in 1/{field.gen_name} over {k}"
+        return LocalField(f"{field}_inf", words, field, v, AtInfinity(field))
+    residues = ResidueField(field, v.poly)
+    if v.poly == field.gen.num:
+        name, words = f"{field.base}(({v}))", f"Laurent series in {v} over {k}"
+    else:
+        name = f"{field}_({v})"
+        words = f"Laurent series in {v} over a field of {residues.order} elements"
+    return LocalField(name, words, field, v, residues)

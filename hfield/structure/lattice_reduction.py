@@ -1,0 +1,80 @@
+"""Lattices reduced by LLL, and forms whose majorant is changed at random until a zero is short.
+
+A form that is good at every prime has a zero among small vectors of a lattice, reduced for the sum of the
+absolute values of its terms, or for what automorphisms of the form over ℝ and ℂ make of this majorant.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import flint
+
+Integers = list[list[int]]
+AXES = ((0, 1), (0, 2), (1, 2))
+
+
+def combination(coefficients: Sequence[int], rows: Sequence[Sequence[Any]]) -> list[Any]:
+    """Return the sum of rows times integers; the rows may hold elements of any field."""
+    terms = [[x * n for x in row] for n, row in zip(coefficients, rows, strict=True) if n]
+    if not terms:
+        return [x * 0 for x in rows[0]]
+    return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
+
+
+def reduced(rows: Integers) -> tuple[Integers, Integers]:
+    """Return a reduced basis of the lattice of as many integer rows as columns, and the steps to it."""
+    n = len(rows)
+    short, steps = flint.fmpz_mat(n, n, [x for row in rows for x in row]).lll(transform=True)
+    return _integers(short), _integers(steps)
+
+
+def steps_of_gram(gram: Integers) -> Integers:
+    """Return the steps to a basis that is reduced for a positive definite Gram matrix."""
+    n = len(gram)
+    matrix = flint.fmpz_mat(n, n, [x for row in gram for x in row])
+    return _integers(matrix.lll(transform=True, rep="gram", gram="exact")[1])
+
+
+def _integers(matrix: flint.fmpz_mat) -> Integers:
+    return [[int(x) for x in row] for row in matrix.tolist()]
+
+
+def turned(
+    points: list[list[complex]],
+    places: Iterable[Sequence[object] | None],
+    size: float,
+    rng: random.Random,
+) -> list[list[complex]]:
+    """Return vectors, three coordinates a place, after planes of two axes are turned at every place.
+
+    ``places`` has the signs of the form at a real place, None at a complex one. The turn is by a real angle
+    where the form is definite, an imaginary one where it is not, a complex one at a complex place.
+    """
+    for k, signs in enumerate(places):
+        for i, j in AXES:
+            turn, boost = rng.uniform(-math.pi, math.pi), rng.gauss(0, size)
+            if signs is None:
+                angle = complex(turn, boost)
+            else:
+                angle = complex(turn) if signs[i] == signs[j] else complex(0, boost)
+            points = [_turned(v, 3 * k + i, 3 * k + j, angle) for v in points]
+    return points
+
+
+def _turned(v: list[complex], i: int, j: int, angle: complex) -> list[complex]:
+    c, s = cmath.cos(angle), cmath.sin(angle)
+    v = list(v)
+    v[i], v[j] = c * v[i] + s * v[j], c * v[j] - s * v[i]
+    return v
+
+
+def real_coordinates(v: Sequence[Any], real: int) -> list[Any]:
+    """Return one real number for each of the first coordinates, real or imaginary, and two for the others."""
+    return [
+        t for k, z in enumerate(v) for t in ([z.real + z.imag] if k < real else [z.real, z.imag])
+    ]

@@ -1,0 +1,59 @@
+"""What scipy's rotations and transforms share as arrays: lengths, and items that can be assigned."""
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from typing import Any, ClassVar, Self
+
+Array = Any
+
+
+class Assignable:
+    """One rotation or transform, or an array of them, each held in ``_axes`` axes of an array."""
+
+    __array_ufunc__ = None
+
+    _axes: ClassVar[int]
+    _called: ClassVar[str]  # what one of them is, for errors
+
+    @property
+    @abstractmethod
+    def _array(self) -> Array:
+        """The array that holds them."""
+
+    @classmethod
+    @abstractmethod
+    def _of(cls, array: Array) -> Self:
+        """Return what an array holds."""
+
+    @property
+    def single(self) -> bool:
+        """Whether this is one and not an array of them."""
+        return not self.shape
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The batch shape."""
+        shape: tuple[int, ...] = self._array.shape[: -self._axes]
+        return shape
+
+    def __len__(self) -> int:
+        if self.single:
+            raise TypeError(f"Single {self._called} has no len().")
+        return len(self._array)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def _expect_many(self) -> None:
+        if self.single:
+            raise TypeError(f"Single {self._called} is not subscriptable.")
+
+    @abstractmethod
+    def __getitem__(self, index: Any) -> Self:
+        """Return some of them."""
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[n] for n in range(len(self)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._of, (self._array.copy(),)
