@@ -111,14 +111,14 @@ def open_executor(jobs: int = 1, dask: str | None = None) -> Iterator[Executor]:
 @contextmanager
 def _processes(jobs: int) -> Iterator[Executor]:
     import multiprocessing
+    import signal
 
-    forked = _only_one_thread()
-    context = multiprocessing.get_context("fork" if forked else "spawn")
+    context = multiprocessing.get_context("fork" if _only_one_thread() else "spawn")
     pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_as_a_worker)
     before = set(multiprocessing.active_children())
-    if forked:
-        _fork_now(pool)
     try:
+        if hasattr(signal, "pthread_sigmask"):
+            _start_now(pool, jobs)
         yield pool
     except BaseException as error:
         # Not by cancelling: the pool trips over futures that are cancelled when its workers end.
@@ -147,13 +147,20 @@ def _only_one_thread() -> bool:
         return False
 
 
-def _fork_now(pool: Executor) -> None:
-    """Let all workers be forked, as a pool does at its first task: later there may be more threads."""
+def _start_now(pool: Executor, jobs: int) -> None:
+    """Let all workers start, as a pool does at its first tasks: later there may be more threads to fork.
+
+    They inherit that Ctrl-C is blocked until they ignore it: else one that is being spawned would end with a
+    traceback of Python's.
+    """
     import signal
 
-    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # until they ignore it
+    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        pool.submit(int)
+        for _ in range(
+            jobs
+        ):  # one that is spawned takes a task, and no second before it has started
+            pool.submit(int)
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
 

@@ -116,6 +116,31 @@ def test_a_missing_dask_is_told():
         pass
 
 
+SPAWNED = """
+import multiprocessing, os, signal, sys, threading, time
+from hfield.executors import open_executor
+
+if __name__ == "__main__":
+    threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
+    with open_executor(2) as executor:
+        futures = [executor.submit(abs, -1) for _ in range(2)]
+        time.sleep(float(sys.argv[1]))
+        for worker in multiprocessing.active_children():
+            os.kill(worker.pid, signal.SIGINT)
+        print([future.result() for future in futures])
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="a thread more changes nothing")
+@pytest.mark.parametrize("seconds", ["0", "0.05"])
+def test_workers_leave_an_interrupt_to_their_parent_from_the_start(tmp_path, seconds):
+    script = tmp_path / "spawned.py"
+    script.write_text(SPAWNED)
+    command = [sys.executable, str(script), seconds]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("[1, 1]\n", "")
+
+
 ORPHANS = """
 import os, sys, time
 from hfield.executors import open_executor

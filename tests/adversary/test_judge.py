@@ -105,6 +105,16 @@ def test_a_fact_that_says_less_is_valid_where_steps_use_no_more() -> None:
         assert bool(why_valid(weaker, genuine)) is (most in (2, 3, 4)), most
 
 
+def test_a_number_serves_in_place_of_what_is_not_0() -> None:
+    genuine = prove("q**2 == q => q == 0 or q == e", "GF(4)").certificate
+    assert genuine is not None
+    for number, right in (("1", True), ("3", True), ("2", False), ("q[0]", False)):
+        other = json.loads(json.dumps(genuine))
+        (item,) = (x for x in other["evidence"]["items"] if x["nonzero"] == ["q[2]", "q[2]"])
+        item["nonzero"][1] = number
+        assert bool(why_valid(other, genuine)) is right, number
+
+
 def test_a_campaign_reports_what_passes() -> None:
     true = next(d for d in pool() if d["verdict"] == "proved" and d["field"] == "QQ")
     false = {**true, "statement": "p*q == q*p"}

@@ -109,7 +109,10 @@ def _serves(mine: Any, item: Any, P: Polynomials) -> bool:
     if "member" in mine:
         known = [item["member"]] if "member" in item else item["nonzero"]
         return _among(mine["member"], known, P)
-    return "nonzero" in item and all(_among(g, item["nonzero"], P) for g in mine["nonzero"])
+    return "nonzero" in item and all(
+        _among(g, item["nonzero"], P) or (P.read(g).is_constant() and not P.zero(P.read(g)))
+        for g in mine["nonzero"]
+    )
 
 
 def _item(item: Any, P: Polynomials, data: Certificate) -> bool:
