@@ -19,7 +19,7 @@ from rotation.namespaces import Array, floats, namespace
 from rotation.rotation import Rotation
 from rotation.vectors import cross
 
-_STEPS = 100  # far more than are needed where steps stay below half a turn
+_STEPS = 1000  # some tens are enough unless keyframes are almost half a turn from each other
 
 
 class RotationSpline:

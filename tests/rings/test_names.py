@@ -159,7 +159,7 @@ REFUSED = {
     "RR(x,y)": "rational functions are over",
     "QQ(x,x)": "twice",
     "QQ(x,zeta5)": "reads like a constant",
-    "QQ[zeta5]": "the field that it generates is QQ(zeta5)",
+    "QQ[zeta5]": r"the field that it generates is QQ\(zeta5\)",
     "ZZ[x,zeta_5]": "zeta_5 is a number",
     "GF(4)(s,x)": "already names the generator",
     "GF(3)(t)[u]/(u^2-t^2)": r"reducible.*t \+ u",

@@ -25,6 +25,13 @@ def test_it_goes_through_the_keyframes_without_a_jump(scale: float) -> None:
         )
 
 
+@pytest.mark.parametrize("seed", [0, 598, 653])
+def test_keyframes_nearly_half_a_turn_apart(seed: int) -> None:
+    times, keys = np.arange(10.0), Rotation.random(10, rng=seed)
+    curve, inner, e = RotationSpline(times, keys), times[1:-1], 1e-9
+    np.testing.assert_allclose(curve(inner - e, 2), curve(inner + e, 2), rtol=0, atol=1e-5)
+
+
 def test_rates_and_accelerations_are_the_derivatives() -> None:
     times, keys = keyframes(6, 0.9)
     curve, e = RotationSpline(times, keys), 1e-5
