@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, by_claim
 from hfield.ledger.columns import panel_order
@@ -19,12 +20,12 @@ class Erratum:
     claim: Claim
     rows: tuple[Row, ...]
 
-    @property
+    @cached_property
     def refuted(self) -> list[Row]:
         """The rows in which the print is refuted."""
         return [row for row in self.rows if row.as_printed.verdict == REFUTED]
 
-    @property
+    @cached_property
     def telling(self) -> Row:
         """The refuted row with the smallest witness: fewest nonzero values, then shortest text."""
         return min(self.refuted, key=_size)

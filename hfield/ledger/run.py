@@ -80,12 +80,13 @@ def decide_row(claim: Claim, field: str) -> Row:
 def contradictions(rows: Sequence[Row]) -> list[str]:
     """Name what cannot all be true: proved in general and refuted in one field, or a false correction."""
     everywhere = {row.claim.id: row for row in rows if row.field == UNIVERSAL}
+    fields = {name for name in {row.field for row in rows} if _is_field(name)}
     found: dict[str, list[str]] = {}
     for row in rows:
         if row.as_corrected is not None and row.as_corrected.verdict == REFUTED:
             found.setdefault(f"{row.claim.id}: its correction is refuted", []).append(row.field)
         universal = everywhere.get(row.claim.id)
-        if universal is None or not _is_field(row.field):
+        if universal is None or row.field not in fields:
             continue
         pairs = {
             "printed": (universal.as_printed, row.as_printed),

@@ -1,6 +1,7 @@
 """Statements as text (which reads back to the same tree), as unicode and as LaTeX."""
 
 from fractions import Fraction
+from functools import cached_property
 from typing import TypeGuard
 
 from hfield.proving.statements.trees import walk_once
@@ -21,13 +22,18 @@ from hfield.syntax import (
 
 # How tightly each kind of node binds; a child that binds less tightly gets parentheses.
 IFF, IMPLIES, OR, AND, NOT, COMPARE, SUM, PRODUCT, UNARY, POWER, POSTFIX = range(11)
-_LOGIC = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
+_OPERATORS = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
+_OPERATORS |= {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
 _BINDS: dict[type[Node], int] = {
     Exists: -1,
     Not: NOT,
     Compare: COMPARE,
     Negate: UNARY,
     Power: POWER,
+    Index: POSTFIX,
+    Call: POSTFIX,
+    Name: POSTFIX,
+    Number: POSTFIX,
 }
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 UNICODE_SIGNS = {
@@ -73,11 +79,7 @@ def to_latex(node: Node) -> str:
 
 
 def _precedence(node: Node) -> int:
-    if isinstance(node, Logic):
-        return _LOGIC[node.op]
-    if isinstance(node, Binary):
-        return SUM if node.op in "+-" else PRODUCT
-    return _BINDS.get(type(node), POSTFIX)
+    return _OPERATORS[node.op] if isinstance(node, Binary | Logic) else _BINDS[type(node)]
 
 
 def _is_product(node: Node) -> TypeGuard[Binary]:
@@ -92,13 +94,20 @@ class Writer:
     """
 
     def __init__(self, node: Node) -> None:
-        self.nested = any(_is_product(n) and _is_product(n.right) for n in walk_once(node))
+        self.root = node
         self.written: dict[int, tuple[Node, str]] = {}  # trees share nodes: each is written once
+
+    @cached_property
+    def nested(self) -> bool:
+        """Whether a product is written to the right of another."""
+        return any(_is_product(n) and _is_product(n.right) for n in walk_once(self.root))
 
     def write(self, node: Node, floor: int = -1) -> str:
         """Write a node, in parentheses where it binds less tightly than ``floor``."""
-        known = self.written.get(id(node)) or (node, self.bare(node))
-        self.written[id(node)] = known
+        if isinstance(node, Name):
+            return self.name(node.name)
+        if (known := self.written.get(id(node))) is None:
+            known = self.written[id(node)] = node, self.bare(node)
         return self.group(known[1]) if self.precedence(node) < floor else known[1]
 
     def precedence(self, node: Node) -> int:
@@ -113,8 +122,6 @@ class Writer:
         match node:
             case Number(value):
                 return self.number(value)
-            case Name(name):
-                return self.name(name)
             case Negate(x):
                 return self.operator("neg").strip() + self.write(x, UNARY)
             case Power(x, exponent):
@@ -133,16 +140,16 @@ class Writer:
         """Take what is joined by an operator apart: each side with the floor below which it is grouped."""
         match node:
             case Binary(op, x, y):
-                floor = SUM if op in "+-" else PRODUCT
+                floor = _OPERATORS[op]
                 # A unary minus on the right would read back, but two signs in a row read badly.
                 right = max(floor + 1, POWER if isinstance(y, Negate) else 0)
-                if self.nested and op == "*" and _is_product(x):
+                if op == "*" and _is_product(x) and self.nested:
                     floor += 1
                 return x, floor, op, y, right
             case Compare(op, x, y):
                 return x, SUM, op, y, SUM
             case Logic(op, x, y):
-                floor = _LOGIC[op]
+                floor = _OPERATORS[op]
                 left = floor if op in ("and", "or") else floor + 1
                 right = floor if op == "=>" else floor + 1
                 return x, left, op, y, right
