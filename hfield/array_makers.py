@@ -17,14 +17,17 @@ class ArrayMakers(Parent):
         """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
 
         An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.
-        Raises :class:`CoercionError` for what stands for no elements.
+        Integers of one element give that element. Raises :class:`CoercionError` for what stands for no
+        elements.
 
         >>> import numpy as np
         >>> from hfield import H
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
         1 + 5k
         """
-        return held_by(self, self.array_holding, self.array_holding.from_array(values))
+        how = self.array_holding
+        held = how.from_array(values)
+        return held_by(self, how, held) if how.shape(held) else self(*how.single(held))
 
     def product(self, values: Any, axis: int | None = None) -> Quaternion:
         """Return the ordered product of an array, or of a list of elements, from left to right.

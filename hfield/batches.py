@@ -47,10 +47,11 @@ class BatchMethods:
         how = self._how
         if not isinstance(how, Batch) or not how.shape(self._held):
             raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
-        part = how.part(self._held, index)
-        if not how.shape(part):
-            return self._new(*how.single(part))
-        return self._alike(part)
+        return self._one_or_many(how, how.part(self._held, index))
+
+    def _one_or_many(self, how: Batch, held: Any) -> Self:
+        """Return what is held: without a dimension it is a single element."""
+        return self._alike(held) if how.shape(held) else self._new(*how.single(held))
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))
@@ -91,12 +92,13 @@ class BatchMethods:
         self._array("dot product")
         return (self * other).sum(axis)
 
-    def reshape(self, *shape: int) -> Any:
+    def reshape(self, *shape: int | tuple[int, ...]) -> Any:
         """Return the same entries in another shape, as numpy does it. Raises :class:`CoercionError`."""
         how = self._array("shape")
+        sizes: Any = shape[0] if len(shape) == 1 else shape
         try:
-            return self._alike(how.reshaped(self._held, shape))
-        except ValueError as error:
+            return self._one_or_many(how, how.reshaped(self._held, sizes))
+        except (ValueError, TypeError) as error:
             raise CoercionError(
                 f"an array of quaternions of shape {self.shape} has no shape {shape}: {error}"
             ) from None
@@ -130,7 +132,7 @@ class BatchMethods:
             held = folded(how, held, axis, combine, ordered)
         else:
             held = _filled(how, neutral, (*shape[:axis], *shape[axis + 1 :]))
-        return self._alike(held) if len(shape) > 1 else self._new(*how.single(held))
+        return self._one_or_many(how, held)
 
 
 def folded(

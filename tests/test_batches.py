@@ -97,3 +97,18 @@ def test_arrays_that_do_not_fit_are_refused(name):
     assert (q * A([[1], [1]], 0, 0, 0)).shape == (2, 3)
     assert q.is_zero().tolist() == [False, True, False]
     assert A([], 0, 0, 0).is_zero().shape == (0,)
+
+
+@pytest.mark.parametrize("name", ["GF(7)", "GF(9)", "ZZ", "QQ", "QQ(x)"])
+def test_without_a_dimension_there_is_one_element(name):
+    A = H(name)
+    p = A([1, 2], 3, 4, 5)
+    assert p[:1].reshape(()) == A(1, 3, 4, 5)
+    assert p[:1].reshape(()).shape == ()
+    assert p.reshape((2, 1)).shape == p.reshape(2, 1).shape == (2, 1)
+    with pytest.raises(CoercionError, match="has no shape"):
+        p.reshape("x")
+    if name != "QQ(x)":
+        q = A.from_array(p.to_array()[..., 0])
+        assert str(q) == str(A(1, 3, 4, 5))
+        assert q in {A(1, 3, 4, 5)}
