@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import sys
@@ -127,6 +126,8 @@ class Lines:
             self.out.write(json.dumps(data, ensure_ascii=False))
 
     def _row(self, cells: Sequence[str]) -> None:
+        import csv
+
         text = io.StringIO()
         csv.writer(text, lineterminator="").writerow(cells)
         self.out.write(text.getvalue())
