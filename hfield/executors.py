@@ -157,9 +157,7 @@ def _start_now(pool: Executor, jobs: int) -> None:
 
     blocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        for _ in range(
-            jobs
-        ):  # one that is spawned takes a task, and no second before it has started
+        for _ in range(jobs):  # a worker that is spawned takes one, and no second before it runs
             pool.submit(int)
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, blocked)

@@ -104,7 +104,7 @@ class ByLogarithms(OddExtension):
     def negate(self, code: Code, x: Number) -> Packed:
         """Return −x."""
         x = self._packed(code, x)
-        zero = Packed(("zeroinitializer" if "<" in self.word else "0",) * len(x.words), 0, 0)
+        zero = Packed(("zeroinitializer",) * len(x.words), 0, 0)  # of a number, or of a vector
         return self.subtract(code, zero, x)
 
     # --- forms ---------------------------------------------------------------------------------

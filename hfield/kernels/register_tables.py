@@ -12,7 +12,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from hfield.kernels.arithmetic import Code
+from hfield.kernels.arithmetic import Code, raw_type
 from hfield.kernels.logarithms import TERMS, ByLogarithms, Logarithm, Packed, powers
 
 PROCESSOR = "avx512vbmi"
@@ -20,7 +20,7 @@ LANES = 64
 ORDER = 256  # the largest that labels of a byte allow
 HALF = ORDER // 2  # bytes that one instruction looks up in
 LOG_ZERO = ORDER - 1
-VECTOR = f"<{LANES} x i8>"
+VECTOR = raw_type("u1", LANES)
 MASK = f"<{LANES} x i1>"
 LOOK_UP = f"{VECTOR} @llvm.x86.avx512.vpermi2var.qi.512"
 
