@@ -4,6 +4,10 @@ from collections.abc import Callable
 from typing import Any
 
 from numba import njit
+from numba.core import config
+
+from hfield.native import keeping
+from hfield.native.compiling import lock
 
 # FMA is allowed. Reassociation would change results, and assuming finite numbers would lose NaN, so
 # `fastmath=True` is out of the question. "numpy": a division by zero gives inf, no exception.
@@ -19,13 +23,16 @@ PART = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return ``function`` compiled at its first call for each set of argument types.
 
-    The machine code is cached in the first place that can be written: ``NUMBA_CACHE_DIR``, beside
-    the source, the user's cache directory. Where there is none it is compiled anew in each process.
+    The machine code is kept where `hfield.native.keeping` keeps its own, if that folder is this user's
+    alone: numba reads pickles, whoever wrote them. Else it is compiled anew in each process.
     """
-    try:
-        return njit(cache=True, **OPTIONS)(function)  # type: ignore[no-any-return]
-    except RuntimeError:  # numba found no place for its cache
-        return njit(**OPTIONS)(function)  # type: ignore[no-any-return]
+    place = keeping.private_directory()
+    with lock:
+        given, config.CACHE_DIR = config.CACHE_DIR, str(place)
+        try:
+            return njit(cache=place is not None, **OPTIONS)(function)  # type: ignore[no-any-return]
+        finally:
+            config.CACHE_DIR = given
 
 
 def called(function: Callable[..., Any]) -> Callable[..., Any]:

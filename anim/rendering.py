@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from math import ceil, degrees
 from pathlib import Path
+from threading import local
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,7 +24,6 @@ from hfield.executors import InProcess, ordered
 
 if TYPE_CHECKING:
     from anim.output.format import Film, Frame
-    from anim.picture.painting import Painter
 
 FINE = 5000
 """At how many instants, at least, the apex's path is followed."""
@@ -111,7 +111,7 @@ class Task:
 
 def draw(task: Task) -> Frame:
     """Draw one frame, uint8 (height, width, 3)."""
-    brush = _painter(task.model, task.look)
+    brush = _own.painter(task.model, task.look)
     if len(task.matrices) == 1:
         return brush.draw(task.matrices[0], task.trail)
     total = np.zeros((*task.look.size[::-1], 3), dtype=np.uint32)
@@ -120,10 +120,14 @@ def draw(task: Task) -> Frame:
     return ((2 * total + len(task.matrices)) // (2 * len(task.matrices))).astype(np.uint8)
 
 
-@lru_cache(maxsize=2)
-def _painter(model: Model, look: Look) -> Painter:
-    """Keep the painter from one frame to the next, in whichever process."""
-    return painter(model, look)
+class _Painters(local):
+    """The painters of a thread, kept from one frame to the next: each draws on a canvas of its own."""
+
+    def __init__(self) -> None:
+        self.painter = lru_cache(maxsize=2)(painter)
+
+
+_own = _Painters()
 
 
 def frames(

@@ -16,9 +16,8 @@ class ArrayMakers(Parent):
     def from_array(self, values: object) -> Quaternion:
         """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
 
-        An array of the type that ``to_array`` gives is not copied, and must not be changed afterwards.
-        Integers of one element give that element. Raises :class:`CoercionError` for what stands for no
-        elements.
+        They are copied. Integers of one element give that element. Raises :class:`CoercionError` for
+        what stands for no elements.
 
         >>> import numpy as np
         >>> from hfield import H

@@ -11,6 +11,7 @@ from hfield.errors import CoercionError, NotationError, NotInvertibleError, shor
 from hfield.product import Constants, Scalar
 from hfield.rings import ring
 from hfield.rings.base import Ring
+from hfield.syntax.brackets import outside, split
 
 BASIS = ("e", "i", "j", "k")
 _EXPECTED = "expected (a,b|F), [a,b|F), [a,b,t|F) or H(F), such as '(-1,-3|QQ)'"
@@ -27,7 +28,7 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
     m = re.fullmatch(r"([(\[])(.*)\|(.*)\)", s, re.DOTALL)
     if m is None:
         raise NotationError(f"{shorten(text)!r} is not an algebra: {_EXPECTED}")
-    constants, field = split_commas(m[2]), m[3].strip()
+    constants, field = [part.strip() for part in split(m[2], ",")], m[3].strip()
     if m[1] == "(" and len(constants) == 2:
         return constants[0], "0", constants[1], field
     if m[1] == "[" and len(constants) == 2:
@@ -102,12 +103,7 @@ def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str =
 
 def _is_atom(text: str) -> bool:
     """Tell whether a leading minus of the term may be drawn out: no sum outside parentheses."""
-    depth = 0
-    for char in text:
-        depth += (char in "([{") - (char in ")]}")
-        if depth == 0 and char in "+-−":
-            return False
-    return True
+    return not any(char in "+-−" for _, char in outside(text))
 
 
 def _factor(text: str, style: str) -> str:
@@ -115,18 +111,6 @@ def _factor(text: str, style: str) -> str:
     if _is_atom(body) and (style == "latex" or "/" not in body or body.replace("/", "").isdigit()):
         return text
     return rf"\left({text}\right)" if style == "latex" else f"({text})"
-
-
-def split_commas(text: str) -> list[str]:
-    """Split at the commas outside all parentheses."""
-    parts, depth = [""], 0
-    for char in text:
-        depth += (char in "([") - (char in ")]")
-        if char == "," and depth == 0:
-            parts.append("")
-        else:
-            parts[-1] += char
-    return [part.strip() for part in parts]
 
 
 def table_text(headers: Sequence[str], rows: Sequence[Sequence[str]], style: str = "plain") -> str:

@@ -63,7 +63,11 @@ class Quaternion(ElementFacts, ElementText):
 
     def __init__(self, algebra: Parent, coordinates: Coordinates) -> None:
         self._algebra = algebra
-        self._how = algebra.array_holding if is_array(coordinates[0]) else algebra.holding
+        self._how = algebra.holding
+        if is_array(coordinates[0]):
+            self._how = algebra.array_holding
+            w, x, y, z = (c.copy() for c in coordinates)
+            coordinates = w, x, y, z
         self._held = self._how.hold(coordinates)
 
     @property
@@ -81,8 +85,9 @@ class Quaternion(ElementFacts, ElementText):
 
     @property
     def coordinates(self) -> Coordinates:
-        """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or arrays of them."""
-        return self._how.coordinates(self._held)
+        """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or read-only arrays."""
+        how = self._how
+        return how.handed_out(self._held) if isinstance(how, Batch) else how.coordinates(self._held)
 
     @coordinates.setter
     def coordinates(self, value: object) -> NoReturn:

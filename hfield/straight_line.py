@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from hfield import product
 from hfield.product import Arithmetic, Constants, Scalar
+from hfield.syntax.brackets import outside
 
 S = TypeVar("S", bound=Arithmetic)
 T = TypeVar("T")
@@ -283,9 +284,6 @@ def arithmetic_text(operation: str, operands: Sequence[str]) -> str:
 
 def _closed(text: str, signs: str) -> str:
     """Put a text in parentheses that has one of the signs outside of parentheses, or begins with one."""
-    depth = 0
-    for n, sign in enumerate(text):
-        depth += (sign == "(") - (sign == ")")
-        if depth == 0 and (sign in signs or (sign == "-" and n == 0)):
-            return f"({text})"
+    if any(sign in signs or (sign == "-" and n == 0) for n, sign in outside(text)):
+        return f"({text})"
     return text

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from rotation.angles import waves
 from rotation.coordinates import (
     Coordinates,
     factor,
@@ -60,14 +61,14 @@ def _by_quaternion(q: Array, points: Array, inverse: bool) -> Array:
     return join(namespace(points), turned_by(q, split(points), inverse))
 
 
-def about_axis(axis: Array, angle: Array, points: Array) -> Array:
+def about_axis(axis: Array, angle: Array, points: Array, degrees: bool) -> Array:
     """Return ``v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|²``; tell where a is zero."""
     xp = namespace(points)
-    t = angle[...]
+    sine, cosine = waves(xp, angle[...], degrees)
     a, b, c = scaled = middling(xp, split(axis))
     square = sum_of_squares(scaled)
     tell(xp, square == 0.0)
-    w, versine, part = xp.sqrt(square) * xp.sin(t), 1.0 - xp.cos(t), 1.0 / square
+    w, versine, part = xp.sqrt(square) * sine, 1.0 - cosine, 1.0 / square
 
     def turned(v: Coordinates) -> Coordinates:
         x, y, z = v
@@ -90,26 +91,28 @@ def turned_about(axes: Iterable[int], waves: Iterable[Coordinates], v: Coordinat
     return tuple(image)
 
 
-def by_angles(angles: Array, points: Array, axes: tuple[int, ...], backward: bool) -> Array:
+def by_angles(
+    angles: Array, points: Array, axes: tuple[int, ...], backward: bool, degrees: bool
+) -> Array:
     """Return points turned by Euler angles of any size, the last of them first if ``backward``."""
     xp = namespace(points)
     turns = list(split(angles))[:: -1 if backward else 1]
     spoilt = unchanging(xp, split(angles))
-    waves = [(xp.sin(t), xp.cos(t)) for t in turns]
-    image = _steadily(lambda v: turned_about(axes, waves, v), split(points))
+    both = [waves(xp, t, degrees) for t in turns]
+    image = _steadily(lambda v: turned_about(axes, both, v), split(points))
     return join(xp, tuple(x + spoilt for x in image))
 
 
 BY_MATRIX = Formula(_by_matrix, (3, 3), (3,), single=(0,))
 BY_QUATERNION = Formula(_by_quaternion, (4,), (3,), parameters=(False,))
 BY_INVERSE = Formula(_by_quaternion, (4,), (3,), parameters=(True,))
-ABOUT_AXIS = Formula(about_axis, (3,), (), (3,))
+ABOUT_AXIS = [Formula(about_axis, (3,), (), (3,), parameters=(d,)) for d in (False, True)]
 
 
 @cache
-def by_euler(axes: tuple[int, ...], backward: bool) -> Formula:
+def by_euler(axes: tuple[int, ...], backward: bool, degrees: bool) -> Formula:
     """Return the formula for Euler angles about three axes, the last of the angles first if ``backward``."""
-    return Formula(by_angles, (len(axes),), (3,), parameters=(axes, backward))
+    return Formula(by_angles, (len(axes),), (3,), parameters=(axes, backward, degrees))
 
 
 def write(formula: Formula, target: Array, *arrays: Array) -> bool:

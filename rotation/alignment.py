@@ -2,8 +2,10 @@
 
 from typing import Any
 
+from rotation.averaging import mean_of_vectors
 from rotation.errors import RotationError
-from rotation.namespaces import Array, certainly, namespace, refuse_rows
+from rotation.matrices import largest
+from rotation.namespaces import Array, certainly, namespace, quiet, refuse_rows
 from rotation.rotation import Rotation
 from rotation.wahba import checked, fitted
 
@@ -42,6 +44,7 @@ def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Arra
     return Rotation._of(q), rssd
 
 
+@quiet
 def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Array, Array]:
     """Return the rigid motion that takes points ``source`` closest to ``target``.
 
@@ -65,11 +68,13 @@ def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotatio
     xp = namespace(a)
     if certainly(xp.any(xp.isinf(w))):
         raise RotationError("an infinite weight would fix a point of the motion; give a finite one")
-    heaviest = xp.max(w, axis=-1, keepdims=True)
-    refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
-    share = w / heaviest
-    share = (share / xp.sum(share, axis=-1, keepdims=True))[..., None]
-    to, fro = (xp.sum(share * v, axis=-2) for v in (a, b))
+    refuse_rows(xp.all(w == 0.0, axis=-1), "the weights", "are all zero")
+    # Differences of the largest floats are none: taken are those of quarters.
+    size = xp.maximum(largest(xp, a), largest(xp, b))
+    one = xp.ones_like(size)
+    f = xp.where(size > float(xp.finfo(a.dtype).max) / 8.0, 0.25 * one, one)
+    a, b = f * a, f * b
+    to, fro = (mean_of_vectors(v, w, (-2,)) for v in (a, b))
     q, rssd = fitted(a - to[..., None, :], b - fro[..., None, :], w)
     rotation = Rotation._of(q)
-    return rotation, to - rotation.apply(fro), rssd
+    return rotation, (to - rotation.apply(fro)) / f[..., 0], rssd / f[..., 0, 0]

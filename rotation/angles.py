@@ -1,29 +1,76 @@
-"""Degrees and radians. Whole turns are taken off in degrees, where that is exact."""
+"""Degrees and radians: whole quarters are taken off in degrees, where that is exact.
 
-import math
+What is left, an eighth of a turn at most, becomes radians with twice the digits, so that sines and cosines of
+degrees are as near as those of radians, and those of quarter turns 0 and ±1.
+"""
+
 from typing import Any
 
-from rotation.namespaces import Array
-from rotation.rowwise import rarely
+import numpy as np
 
-_RADIANS = math.pi / 180.0
+from rotation.compensated import Pair, product, sine_and_cosine, two_sum
+from rotation.namespaces import Array, namespace
+from rotation.rowwise import Formula, rarely
 
-
-def radians(xp: Any, degrees: Array) -> Array:
-    """Return degrees in radians, modulo two turns: 1e9 degrees lose nothing to the conversion.
-
-    Two turns and not one, so that a quaternion made of the half angle keeps its sign.
-    """
-    size = xp.abs(degrees)
-    far = ~(size < 720.0)
-    (rest,) = rarely(xp, far, lambda: (_within_two_turns(xp, size, far),), (size,))
-    return xp.where(degrees < 0.0, -rest, rest) * _RADIANS
+# π/180 and 180/π: as many bits as float32 holds, and the rest.
+RADIANS = (float.fromhex("0x1.1df46ap-6"), float.fromhex("0x1.294e9c8ae0ec6p-33"))
+_DEGREES = (float.fromhex("0x1.ca5dc2p+5"), float.fromhex("-0x1.670f8211e7ab4p-21"))
 
 
-def _within_two_turns(xp: Any, size: Array, far: Array) -> Array:
-    return xp.where(far, xp.remainder(size, xp.full_like(size, 720.0)), size)
+def waves(xp: Any, angle: Array, degrees: bool) -> tuple[Array, Array]:
+    """Return sine and cosine of angles of any size, in degrees or radians."""
+    if not degrees:
+        return xp.sin(angle), xp.cos(angle)
+    if type(angle) is np.ndarray:
+        both = _BOTH(angle[..., None])
+        return both[..., 0], both[..., 1]
+    return _rounded(xp, angle)
 
 
-def to_degrees(radians: Array) -> Array:
-    """Return radians in degrees."""
-    return radians * (180.0 / math.pi)
+def _rounded(xp: Any, angle: Array) -> tuple[Array, Array]:
+    (s, s_low), (c, c_low) = waves_of_degrees(xp, (angle, xp.zeros_like(angle)))
+    return s + s_low, c + c_low
+
+
+def _both(angle: Array) -> Array:
+    xp = namespace(angle)
+    return xp.stack(_rounded(xp, angle[..., 0]), axis=-1)
+
+
+_BOTH = Formula(_both, (1,))
+
+
+def waves_of_degrees(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
+    """Return sine and cosine of degrees as pairs, right to about 58 bits."""
+    far = ~(xp.abs(angle[0]) < 360.0)
+    a, b = rarely(xp, far, lambda: two_sum(*(_within_a_turn(xp, x) for x in angle)), angle)
+    quarters = xp.round(a / 90.0)
+    sine, cosine = sine_and_cosine(xp, _times(xp, (a - 90.0 * quarters, b), RADIANS))
+    turn = quarters - 4.0 * xp.round(quarters / 4.0)  # from −2 to 2
+    odd, back = xp.abs(turn) == 1.0, (turn == -1.0) | (xp.abs(turn) == 2.0)
+    parts = (
+        (xp.where(odd, c, s), xp.where(odd, 0.0 - s, c)) for s, c in zip(sine, cosine, strict=True)
+    )
+    (s, c), (s_low, c_low) = ([xp.where(back, 0.0 - x, x) for x in part] for part in parts)
+    return (s, s_low), (c, c_low)
+
+
+def _within_a_turn(xp: Any, degrees: Array) -> Array:
+    rest = xp.remainder(xp.abs(degrees), xp.full_like(degrees, 360.0))
+    return xp.where(degrees < 0.0, -rest, rest)
+
+
+def to_degrees(xp: Any, radians: Array) -> Array:
+    """Return radians in degrees, rounded once."""
+    high, low = in_degrees(xp, (radians, 0.0))
+    return high + low
+
+
+def in_degrees(xp: Any, radians: Pair) -> Pair:
+    """Return a pair that is in radians in degrees."""
+    return _times(xp, radians, _DEGREES)
+
+
+def _times(xp: Any, angle: Pair, factor: tuple[float, float]) -> Pair:
+    high, low = factor
+    return two_sum(*product(xp, angle, (xp.full_like(angle[0], high), low)))

@@ -16,7 +16,15 @@ from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
 from rotation.magnus import GAUSS, by_gauss, refined
-from rotation.namespaces import Array, certainly, expect_last, floats, is_numpy, namespace
+from rotation.namespaces import (
+    Array,
+    certainly,
+    expect_last,
+    floats,
+    is_numpy,
+    namespace,
+    quiet,
+)
 from rotation.products import check_frame, running_products
 from rotation.rotation import Rotation
 
@@ -37,7 +45,8 @@ def integrate(
         which a cubic is laid; or a function of one time that returns (…, 3), called at two inner
         points of each interval.
     times : array_like, shape (n,)
-        Of any one array library, as all arguments. Strictly monotonic; the first belongs to ``initial``.
+        Of any one array library, as all arguments. Strictly monotonic, in finite steps; the first belongs to
+        ``initial``.
     initial : Rotation, optional
         The attitude at ``times[0]``; by default the identity.
     frame : "body" or "world"
@@ -75,10 +84,12 @@ def integrate(
     known = None if callable(omega) else omega
     xp = namespace(known, times, None if initial is None else initial._q)
     t = floats(times, "times", xp)
-    steps = t[1:] - t[:-1] if t.ndim == 1 and t.shape[0] else xp.asarray([math.nan])
-    if certainly(~(xp.all(steps > 0.0) | xp.all(steps < 0.0))):
+    steps = _steps(t) if t.ndim == 1 and t.shape[0] else xp.asarray([math.nan])
+    monotonic = xp.all(steps > 0.0) | xp.all(steps < 0.0)
+    if certainly(~(monotonic & xp.all(xp.isfinite(steps)))):
         raise RotationError(
-            f"times of shape {tuple(t.shape)}: a list that strictly increases or decreases is expected"
+            f"times of shape {tuple(t.shape)}: a list that strictly increases or decreases, in finite steps, "
+            "is expected"
         )
     if tolerance is not None:
         if not callable(omega) or not tolerance > 0.0:
@@ -97,6 +108,11 @@ def integrate(
     parts = (start[None, ...], (1, *batch, 4)), (turns, (turns.shape[0], *batch, 4))
     chain = xp.concat([xp.broadcast_to(*part) for part in parts], axis=0)
     return Rotation._of(running_products(chain, frame))
+
+
+@quiet
+def _steps(times: Array) -> Array:
+    return times[1:] - times[:-1]
 
 
 def _values(omega: Any, times: Array, at: Array) -> Array:
@@ -125,6 +141,7 @@ def _values(omega: Any, times: Array, at: Array) -> Array:
     return w
 
 
+@quiet
 def _interpolated(samples: Array, times: Array, at: Array) -> Array:
     """Values between samples by the polynomial through the nearest four (fewer if there are fewer)."""
     xp = namespace(samples, times)

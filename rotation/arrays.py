@@ -77,8 +77,8 @@ def expect_numbers(value: object, name: str) -> None:
 
 def _masked(value: object) -> bool:
     """Tell whether an array is masked, without the import of numpy.ma that asking by its name would be."""
-    masked = sys.modules.get("numpy.ma")
-    return masked is not None and isinstance(value, masked.MaskedArray)
+    masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)  # or a thread imports it now
+    return masked is not None and isinstance(value, masked)
 
 
 def components(value: object, number: int, name: str, layout: Layout) -> tuple[Array, Shape]:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from rotation.coordinates import factor
 from rotation.errors import RotationError
 from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows, spread
 from rotation.optimum import following, held
@@ -81,6 +82,22 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     best = xp.where(finite[..., None], vectors[..., 3], xp.nan * vectors[..., 3])
     rows = tuple(tuple(moment[..., r, c] for c in range(4)) for r in range(4))
     return following(canonical(normalised(best)), rows)
+
+
+@quiet
+def mean_of_vectors(v: Array, weights: Array, axes: tuple[int, ...]) -> Array:
+    """Return the weighted mean of vectors (…, 3) over some of their axes; no sum on the way overflows.
+
+    The weights, of shape (…), are not negative and not all zero.
+    """
+    xp = namespace(v, weights)
+    w = weights[..., None]
+    heaviest = xp.max(w, axis=axes, keepdims=True)
+    usual = (heaviest > 2.0**-30) & (heaviest < 2.0**30)
+    w = w / xp.where(usual, xp.ones_like(heaviest), heaviest)
+    f = factor(xp, (xp.max(xp.abs(v), axis=axes, keepdims=True),))
+    total, share = (xp.sum(x, axis=axes, keepdims=True) for x in (w * (f * v), w))
+    return xp.squeeze(total / share / f, axis=axes)
 
 
 def _axes(axis: Any, ndim: int) -> tuple[int, ...]:

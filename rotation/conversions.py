@@ -3,7 +3,6 @@
 from typing import Any, Self
 
 from rotation import davenport, euler, hints, matrices, quaternions, vectors
-from rotation.angles import to_degrees
 from rotation.batch import Batch
 from rotation.errors import DTypeError
 from rotation.namespaces import (
@@ -245,5 +244,4 @@ class Conversions(Batch):
 
     def magnitude(self, degrees: bool = False) -> Array:
         """Return the angles of rotation, in [0, π]."""
-        angle = quaternions.angle(self._q)
-        return to_degrees(angle) if degrees else angle
+        return quaternions.angle(self._q, degrees)

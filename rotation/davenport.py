@@ -114,4 +114,4 @@ def to_davenport(
     start, end = (np.remainder(x + math.pi, 2.0 * math.pi) - math.pi for x in (start, end))
     middle = middle + lean
     angles = np.stack([end, middle, start] if intrinsic else [start, middle, end], axis=-1)
-    return (to_degrees(angles) if degrees else angles), flat | upside
+    return (to_degrees(np, angles) if degrees else angles), flat | upside

@@ -10,7 +10,7 @@ from functools import cache, reduce
 from itertools import pairwise, product
 from typing import Any, NamedTuple
 
-from rotation.angles import radians, to_degrees
+from rotation.angles import to_degrees, waves
 from rotation.coordinates import Coordinates, join, length, split
 from rotation.errors import RotationError
 from rotation.namespaces import Array, expect_last, floats, namespace
@@ -104,11 +104,11 @@ def _making(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
 
 def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
     xp = namespace(a)
-    half = [0.5 * (radians(xp, x) if degrees else x) for x in split(a)]
-    c, s = [xp.cos(x) for x in half], [xp.sin(x) for x in half]
-    zero = xp.zeros_like(c[0])
+    halves = [waves(xp, 0.5 * x, degrees) for x in split(a)]
+    zero = xp.zeros_like(halves[0][0])
     turns = [
-        (c[n], *(s[n] if axis == m else zero for m in range(3))) for n, axis in enumerate(axes)
+        (c, *(s if axis == m else zero for m in range(3)))
+        for (s, c), axis in zip(halves, axes, strict=True)
     ]
     return join(xp, steadied(reduce(multiplied, turns if intrinsic else turns[::-1])))
 
@@ -157,7 +157,7 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
     start = _wrapped(xp, plus - minus)
     end = sign * _wrapped(xp, plus + minus)
     angles = (end, middle, start) if intrinsic else (start, middle, end)
-    return join(xp, tuple(map(to_degrees, angles)) if degrees else angles)
+    return join(xp, tuple(to_degrees(xp, x) for x in angles) if degrees else angles)
 
 
 def _angle(xp: Any, y: Array, x: Array, free: Array) -> Array:

@@ -11,7 +11,6 @@ import numpy.typing as npt
 
 from rotation import kernels
 from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, FEW_SINES, by_euler, write
-from rotation.angles import radians
 from rotation.arrays import (
     Array,
     Layout,
@@ -25,7 +24,7 @@ from rotation.batch import Batch
 from rotation.euler import sequence
 from rotation.kernels.single import matrix_of_axis_angle, matrix_of_quaternion
 from rotation.matrices import TO_MATRIX
-from rotation.namespaces import expect_numpy, quiet
+from rotation.namespaces import expect_numpy
 from rotation.quaternions import normalised
 
 
@@ -76,19 +75,18 @@ def rotate(
     t = real(angle, "angle")
     batch = common_batch(points=points_batch, axis=axis_batch, angle=t.shape)
     result, target = destination(out, batch, p, (a, t), layout)
-    if degrees:
-        t = quiet(radians)(np, t.astype(np.float64, copy=False))
+    degrees = bool(degrees)
     if result.size <= 3 * FEW_SINES:
-        if write(ABOUT_AXIS, target, *_checked(out, p, a), t, p):
+        if write(ABOUT_AXIS[degrees], target, *_checked(out, p, a), t, p):
             require_nonzero(a, "axis")
         return result
     if a.size == 3 and t.size == 1:
         require_nonzero(a, "axis")
-        kernels.one(p, matrix_of_axis_angle(a.reshape(3), t.reshape(())), target)
+        kernels.one(p, matrix_of_axis_angle(a.reshape(3), t.reshape(()), degrees), target)
         return result
     if _in_place(out, p) and kernels.contains_zero(a):
         require_nonzero(a, "axis")
-    if kernels.axis_angle(p, a, t, target):
+    if kernels.axis_angle(p, a, t, target, degrees):
         require_nonzero(a, "axis")
     return result
 
@@ -194,13 +192,11 @@ def rotate_euler(
     a, angles_batch = components(angles, len(axes), f"angles for {seq!r}", layout)
     batch = common_batch(points=points_batch, angles=angles_batch)
     result, target = destination(out, batch, p, (a,), layout)
-    if degrees:
-        a = quiet(radians)(np, a.astype(np.float64, copy=False))
-    turns = axes[::-1] if intrinsic else axes
+    turns, degrees = axes[::-1] if intrinsic else axes, bool(degrees)
     if result.size <= 3 * FEW_SINES:
-        write(by_euler(turns, intrinsic), target, a, p)
+        write(by_euler(turns, intrinsic, degrees), target, a, p)
         return result
-    kernels.euler(p, a, turns, intrinsic, target)
+    kernels.euler(p, a, turns, intrinsic, target, degrees)
     return result
 
 

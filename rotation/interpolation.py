@@ -4,12 +4,22 @@ K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985, and "Qu
 fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion never matters.
 """
 
+import math
 from typing import Any
 
 from rotation import quaternions, vectors
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
-from rotation.namespaces import Array, certainly, copied, floats, namespace, quiet
+from rotation.namespaces import (
+    Array,
+    certainly,
+    copied,
+    floats,
+    is_numpy,
+    namespace,
+    number,
+    quiet,
+)
 from rotation.rotation import Rotation
 
 
@@ -37,6 +47,7 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     return p * Rotation._of(quaternions.power((p.inv() * q)._q, t))
 
 
+@quiet
 def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotation:
     """Return the point at ``t`` of the spherical cubic from ``p`` to ``q`` with inner points a, b.
 
@@ -57,7 +68,7 @@ def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotatio
 
 def _parameter(t: Any, *rotations: Rotation) -> Any:
     plain = isinstance(t, int | float)
-    return t if plain else floats(t, "t", namespace(t, *(r._q for r in rotations)))
+    return number(t, "t") if plain else floats(t, "t", namespace(t, *(r._q for r in rotations)))
 
 
 def _cubic(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotation:
@@ -140,6 +151,14 @@ def place(x: Array, times: Array) -> tuple[Array, Array]:
     return n, (x - start) / (taken(times, n + 1) - start)
 
 
+@quiet
+def ratios(times: Array) -> Array:
+    """Return how long each interval but the last is, in lengths of the next; within the range of floats."""
+    xp, h = namespace(times), times[1:] - times[:-1]
+    least = float(xp.finfo(h.dtype).smallest_normal)
+    return xp.clip(h[:-1] / h[1:], least, 1.0 / least)
+
+
 def taken(array: Array, n: Array) -> Array:
     """Return the rows of an array along its first axis that whole numbers n (…) say."""
     xp = namespace(array)
@@ -156,8 +175,10 @@ class Squad(Slerp):
     """The curve through keyframes whose angular velocity is continuous: spherical cubics, joined.
 
     The velocity at a keyframe is the mean of those of the two neighbouring slerps, each weighted by
-    the length of the other interval; at the ends it is that of the only neighbour. With two
-    keyframes it is a slerp. Parameters and errors as in `Slerp`.
+    the length of the other interval: that of the parabola through three keyframes. Where intervals are so
+    uneven that a spherical cubic cannot have it, the weights are the nearest with which one can; see
+    docs/rotation.md. At the ends it is that of the only neighbour. With two keyframes it is a slerp.
+    Parameters and errors as in `Slerp`.
 
     Examples
     --------
@@ -168,32 +189,48 @@ class Squad(Slerp):
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
         super().__init__(times, rotations)
-        xp = namespace(self.times, rotations._q)
-        steps = (rotations[:-1].inv() * rotations[1:]).as_rotvec()
-        h = xp.reshape(self.times[1:] - self.times[:-1], (-1, *(1,) * rotations.ndim))
-        rates = steps / h
-        (h0, h1), (before, after) = ((a[:-1, ...], a[1:, ...]) for a in (h, rates))
-        inner = (h1 * before + h0 * after) / (h1 + h0)
-        velocities = xp.concat([rates[:1, ...], inner, rates[-1:, ...]], axis=0)
+        steps = (rotations[:-1].inv() * rotations[1:])._q
+        keys = self.rotations = _continuous(rotations, steps)
+        turns = vectors.to_rotvec(steps)
+        late, early = _ends(self.times, turns, quaternions.angle(steps))
         # At t = 0 a squad turns by log(p⁻¹q) + 2·log(p⁻¹a) per unit of t, at t = 1 by
         # log(p⁻¹q) − 2·log(q⁻¹b); solved for the inner points a and b.
-        keys = self.rotations = _continuous(rotations)
-        self._after = keys[:-1] * _turn((velocities[:-1, ...] * h - steps) / 2.0)
-        self._before = keys[1:] * _turn((steps - velocities[1:, ...] * h) / 2.0)
+        self._after = keys[:-1] * _turn((early - turns) / 2.0)
+        self._before = keys[1:] * _turn((turns - late) / 2.0)
 
     def _between(self, n: Array, t: Array) -> Rotation:
         p, q = picked(self.rotations, n), picked(self.rotations, n + 1)
         return _cubic(p, q, picked(self._after, n), picked(self._before, n), t)
 
 
-def _continuous(rotations: Rotation) -> Rotation:
-    """The same rotations, each by the quaternion nearer to the one before."""
-    q = rotations._q
-    xp = namespace(q)
-    flips = xp.sum(q[1:, ...] * q[:-1, ...], axis=-1) < 0.0
+def _continuous(rotations: Rotation, steps: Array) -> Rotation:
+    """The same rotations, by such of their quaternions that each step (…, 4) is the canonical one."""
+    q, xp = rotations._q, namespace(rotations._q)
+    flips = xp.any(quaternions.canonical(steps) != steps, axis=-1)
     odd = xp.cumulative_sum(xp.astype(flips, xp.int64), axis=0) % 2 == 1
     rest = xp.where(odd[..., None], -q[1:, ...], q[1:, ...])
     return Rotation._of(xp.concat([q[:1, ...], rest], axis=0))
+
+
+@quiet
+def _ends(times: Array, turns: Array, sizes: Array) -> tuple[Array, Array]:
+    """What the velocities at the ends of intervals, and at their starts, would turn in them (n − 1, …, 3).
+
+    Where intervals h₀ and h₁ with turns p and s meet the velocity is ``x·p/h₀ + y·s/h₁``, x + y = 1. That
+    of a parabola has x : y = h₁ : h₀. No logarithm goes round as long as ``x·(|s| + |p|·h₁/h₀) ≤ 2π − |s|``
+    and ``y·(|p| + |s|·h₀/h₁) ≤ 2π − |p|``: x : y = h₀ : h₁ is so, and taken is the nearest to the first.
+    """
+    xp = namespace(times, turns)
+    r = xp.reshape(ratios(times), (-1, *(1,) * (turns.ndim - 1)))
+    (p, s), (before, after) = ((a[:-1, ...], a[1:, ...]) for a in (turns, sizes[..., None]))
+    x = xp.minimum(1.0 / (1.0 + r), (2.0 * math.pi - after) / (after + before / r))
+    y = xp.minimum(
+        xp.maximum(r / (1.0 + r), 1.0 - x), (2.0 * math.pi - before) / (before + r * after)
+    )
+    x = xp.maximum(x, 1.0 - y)
+    late = xp.concat([x * p + (y * r) * s, turns[-1:, ...]], axis=0)
+    early = xp.concat([turns[:1, ...], (x / r) * p + y * s], axis=0)
+    return late, early
 
 
 def _turn(rotvec: Array) -> Rotation:
@@ -203,7 +240,7 @@ def _turn(rotvec: Array) -> Rotation:
 @quiet
 def _times(times: Any, rotations: Rotation) -> Array:
     xp = namespace(times, rotations._q)
-    x = copied(floats(times, "times", xp))  # which nobody else can change
+    x = copied(floats(times, "times", xp))
     if rotations.single or len(rotations) < 2 or tuple(x.shape) != rotations.shape[:1]:
         raise RotationError(
             f"times of shape {tuple(x.shape)} for rotations of shape {rotations.shape}: "
@@ -214,4 +251,7 @@ def _times(times: Any, rotations: Rotation) -> Array:
         raise RotationError(
             "the times of the keyframes must be finite, as their differences, and strictly increasing"
         )
+    if is_numpy(xp):
+        x.flags.writeable = False
+        x = x.view()  # whose flag cannot be set back
     return x

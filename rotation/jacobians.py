@@ -9,7 +9,7 @@ import math
 from fractions import Fraction
 from typing import Any
 
-from rotation.coordinates import Coordinates, join, polynomial, split, sum_of_squares
+from rotation.coordinates import Coordinates, factor, join, polynomial, split, sum_of_squares
 from rotation.namespaces import Array, expect_last, floats, namespace
 from rotation.rowwise import Formula
 
@@ -73,51 +73,60 @@ def _vectors(rotvec: Any) -> Array:
     return v
 
 
-def _factors(xp: Any, t: Array) -> tuple[Array, Array, Array, Array]:
-    """Return θ, where it is small enough for series, and where not θ² and else 1."""
+def _parts(xp: Any, v: Coordinates) -> tuple[Array, Array, Coordinates, Array]:
+    """Return where v is short enough for series, θ² there, v there and elsewhere its direction, and θ/2.
+
+    Nothing is squared where that may overflow, and where a value is not asked for it is harmless.
+    """
+    t = sum_of_squares(v)
     near = t < _NEAR
-    far = xp.where(near, xp.ones_like(t), t)
-    return xp.sqrt(far), near, far, xp.where(near, t, xp.zeros_like(t))
+    far = tuple(xp.where(near, xp.ones_like(t), c) for c in v)
+    f = factor(xp, far)
+    scaled = tuple(f * c for c in far)
+    n = xp.sqrt(sum_of_squares(scaled))
+    part = 1.0 / n
+    axis = tuple(xp.where(near, c, part * u) for c, u in zip(v, scaled, strict=True))
+    return near, xp.where(near, t, xp.zeros_like(t)), axis, 0.5 * n / f
 
 
-def exponential_factors(xp: Any, v: Coordinates) -> tuple[Array, Array]:
-    """Return A and B for rotation vectors."""
-    theta, near, far, small = _factors(xp, sum_of_squares(v))
-    half = xp.sin(0.5 * theta)
-    a = xp.where(near, polynomial(_A, small), 2.0 * half * half / far)
-    b = xp.where(near, polynomial(_B, small), (theta - xp.sin(theta)) / (far * theta))
-    return a, b
+def exponential_factors(xp: Any, v: Coordinates) -> tuple[Coordinates, Array, Array]:
+    """Return the vectors u, and a and b, for which J(v) is ``1 + a·[u]× + b·[u]×²``."""
+    near, small, axis, half = _parts(xp, v)
+    sine, cosine = xp.sin(half), xp.cos(half)
+    a = xp.where(near, polynomial(_A, small), sine * (sine / half))
+    b = xp.where(near, polynomial(_B, small), 1.0 - cosine * (sine / half))
+    return axis, a, b
 
 
-def logarithm_factor(xp: Any, v: Coordinates) -> Array:
-    """Return C for rotation vectors."""
-    theta, near, far, small = _factors(xp, sum_of_squares(v))
-    half = 0.5 * theta
-    return xp.where(near, polynomial(_C, small), (1.0 - half * xp.cos(half) / xp.sin(half)) / far)
+def logarithm_factor(xp: Any, v: Coordinates) -> tuple[Coordinates, Array]:
+    """Return the vectors u, and c, for which J⁻¹(v) is ``1 − ½·[v]× + c·[u]×²``."""
+    near, small, axis, half = _parts(xp, v)
+    return axis, xp.where(near, polynomial(_C, small), 1.0 - half * xp.cos(half) / xp.sin(half))
 
 
-def _matrix(xp: Any, v: Coordinates, linear: Array, square: Array) -> Array:
-    """``1 + linear·[v]× + square·[v]×²``."""
-    x, y, z = v
+def _matrix(xp: Any, linear: Coordinates, axis: Coordinates, square: Array) -> Array:
+    """``1 + [linear]× + square·[axis]×²``."""
+    (p, q, r), (x, y, z) = linear, axis
     one = xp.ones_like(square)
     xy, xz, yz = square * (x * y), square * (x * z), square * (y * z)
     entries = [
-        [one - square * (y * y + z * z), xy - linear * z, xz + linear * y],
-        [xy + linear * z, one - square * (x * x + z * z), yz - linear * x],
-        [xz - linear * y, yz + linear * x, one - square * (x * x + y * y)],
+        [one - square * (y * y + z * z), xy - r, xz + q],
+        [xy + r, one - square * (x * x + z * z), yz - p],
+        [xz - q, yz + p, one - square * (x * x + y * y)],
     ]
     return xp.stack([join(xp, tuple(row)) for row in entries], axis=-2)
 
 
 def _left(v: Array) -> Array:
     xp = namespace(v)
-    return _matrix(xp, split(v), *exponential_factors(xp, split(v)))
+    axis, a, b = exponential_factors(xp, split(v))
+    return _matrix(xp, tuple(a * c for c in axis), axis, b)
 
 
 def _inverse(v: Array) -> Array:
     xp = namespace(v)
-    c = logarithm_factor(xp, split(v))
-    return _matrix(xp, split(v), -0.5 * xp.ones_like(c), c)
+    axis, c = logarithm_factor(xp, split(v))
+    return _matrix(xp, tuple(-0.5 * x for x in split(v)), axis, c)
 
 
 _LEFT = Formula(_left, (3,))

@@ -11,7 +11,7 @@ import numpy as np
 
 from rotation.coordinates import join, length, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, namespace
+from rotation.namespaces import Array, namespace, quiet
 from rotation.vectors import cross
 
 GAUSS = (0.5 - math.sqrt(3.0) / 6.0, 0.5 + math.sqrt(3.0) / 6.0)
@@ -26,17 +26,21 @@ _SAFELY = 1.5
 Values = Callable[[Array], Array]  # from times (n,) to angular velocities (n, …, 3)
 
 
+@quiet
 def by_gauss(first: Array, second: Array, steps: Array, frame: str) -> Array:
     """Return rotation vectors (n, …, 3) of intervals (n,) with the angular velocities at Gauss's points."""
     h = _column(steps, first)
-    bend = (math.sqrt(3.0) / 12.0) * h * h * _crossed(first, second)
-    return 0.5 * h * (first + second) + _sign(frame) * bend
+    first, second = h * first, h * second  # turns, which may be squared
+    bend = (math.sqrt(3.0) / 12.0) * _crossed(first, second - first)
+    return 0.5 * (first + second) + _sign(frame) * bend
 
 
 def _by_simpson(start: Array, middle: Array, end: Array, steps: Array, frame: str) -> Array:
-    h, total = _column(steps, start), start + 4.0 * middle + end
-    bend = (1.0 / 72.0) * h * h * _crossed(total, end - start)
-    return (h / 6.0) * total + _sign(frame) * bend
+    h = _column(steps, start)
+    start, middle, end = h * start, h * middle, h * end
+    total = start + 4.0 * middle + end
+    bend = (1.0 / 72.0) * _crossed(total, end - start)
+    return total / 6.0 + _sign(frame) * bend
 
 
 def _sign(frame: str) -> float:
@@ -102,11 +106,12 @@ def _differences(
         found[k * len(row) : (k + 1) * len(row), ...] for k in range(len(points))
     )
     steps = _at(times, row, start + share) - _at(times, row, start)
-    by_other = _by_simpson(early, middle, late, steps, frame)
-    difference = by_gauss(first, second, steps, frame) - by_other
-    if 0 in difference.shape:
+    if 0 in first.shape:
         return np.zeros(len(row))
-    sizes = xp.reshape(length(xp, split(difference)), (len(row), -1))
+    with np.errstate(all="ignore"):
+        by_other = _by_simpson(early, middle, late, steps, frame)
+        difference = by_gauss(first, second, steps, frame) - by_other
+        sizes = xp.reshape(length(xp, split(difference)), (len(row), -1))
     return np.array([float(x) for x in xp.max(sizes, axis=-1)])
 
 

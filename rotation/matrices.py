@@ -4,7 +4,7 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from rotation.angles import radians
+from rotation.angles import waves
 from rotation.coordinates import Coordinates, join, split, unit
 from rotation.namespaces import (
     Array,
@@ -70,8 +70,7 @@ def R_z(angle: Any, degrees: bool = False) -> Array:
 def _about(axis: int, angle: Any, degrees: bool) -> Array:
     a = floats(angle, "angles")
     xp = namespace(a)
-    a = radians(xp, a) if degrees else a
-    c, s, zero = xp.cos(a), xp.sin(a), 0.0 * xp.abs(a)  # NaN in the whole matrix where it is
+    (s, c), zero = waves(xp, a, degrees), 0.0 * xp.abs(a)  # NaN in the whole matrix where it is
     entries = [[zero] * 3 for _ in range(3)]
     j, k = (axis + 1) % 3, (axis + 2) % 3  # the plane that turns, from j towards k
     entries[axis][axis] = 1.0 + zero
@@ -234,8 +233,13 @@ def _bits(matrix: Any, xp: Any) -> int:
 @quiet
 def scaled(xp: Any, m: Array) -> Array:
     """Matrices whose largest entry is 1, so that no product of entries over- or underflows."""
-    largest = xp.max(xp.abs(m), axis=(-2, -1), keepdims=True)
-    return m / xp.where(largest > 0.0, largest, xp.ones_like(largest))
+    return m / largest(xp, m)
+
+
+def largest(xp: Any, m: Array) -> Array:
+    """Return the largest absolute entries of matrices, shape (…, 1, 1); 1 where all are 0."""
+    found = xp.max(xp.abs(m), axis=(-2, -1), keepdims=True)
+    return xp.where(found > 0.0, found, xp.ones_like(found))
 
 
 def _faults(m: Array) -> Array:

@@ -122,6 +122,23 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     raise DTypeError(f"{what} has dtype {array.dtype}; expected integers or real floats")
 
 
+def number(value: int | float, what: str) -> float:
+    """Return a plain number as a float.
+
+    Raises
+    ------
+    RotationError
+        A whole number beyond the largest float.
+    """
+    try:
+        return float(value)
+    except OverflowError as error:
+        raise RotationError(
+            f"{what} is a whole number of {int(value).bit_length()} bits, beyond the largest float, "
+            "1.8e308; where the rotation has a finite order, take the remainder by it"
+        ) from error
+
+
 def _as_array(xp: Any, value: Any, what: str) -> Array:
     """Return numbers or nested lists as an array of a library, whose own errors say less than ours."""
     expect_numbers(value, what)

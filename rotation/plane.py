@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rotation.angles import waves
 from rotation.arrays import common_batch, components, real
 from rotation.errors import RotationError
 
@@ -199,18 +200,10 @@ def orientation(polygon: ArrayLike) -> Floats:
 
 
 def _cos_sin(angles: ArrayLike, degrees: bool = False) -> tuple[Floats, Floats]:
-    """Return cosines and sines; those of degrees from the nearest multiple of 90, so exact there."""
-    a = real(angles, "angles")
+    """Return cosines and sines; those of degrees are exact at multiples of 90."""
     with np.errstate(invalid="ignore"):  # inf gives NaN
-        if not degrees:
-            return np.cos(a), np.sin(a)
-        turned = np.fmod(a, 360)  # exact, as is the difference below
-        quarters = np.rint(turned / 90)
-        rest = np.deg2rad(turned - 90 * quarters)
-    c, s = np.cos(rest), np.sin(rest)
-    n = np.nan_to_num(quarters).astype(int) % 4
-    c4, s4 = (np.array(v, a.dtype)[n] for v in ((1, 0, -1, 0), (0, 1, 0, -1)))
-    return c4 * c - s4 * s, s4 * c + c4 * s
+        s, c = waves(np, real(angles, "angles"), degrees)
+    return c, s
 
 
 def _precise(angles: ArrayLike) -> Floats:

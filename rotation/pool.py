@@ -1,10 +1,10 @@
 """How many threads a call may use; they are those of :mod:`hfield.native.pool`."""
 
 from hfield.native import pool
-from hfield.native.pool import share
+from hfield.native.pool import share, taken
 from rotation.errors import RotationError
 
-__all__ = ["share", "threads"]
+__all__ = ["share", "taken", "threads"]
 
 
 def threads(number: int | None = None) -> int:

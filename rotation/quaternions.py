@@ -8,9 +8,10 @@ rotation with quaternion curves", SIGGRAPH 1985.
 from typing import Any
 
 from hfield import product as formula
+from rotation.angles import to_degrees
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
-from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_zeros
+from rotation.namespaces import Array, expect_last, floats, namespace, number, quiet, refuse_zeros
 from rotation.optimum import derived, held
 from rotation.rowwise import Formula, rarely, tell
 
@@ -127,18 +128,19 @@ def upright(xp: Any, c: Coordinates) -> Coordinates:
     return tuple(xp.where(sign < 0.0, -a, a) for a in c)
 
 
-def angle(q: Array) -> Array:
+def angle(q: Array, degrees: bool = False) -> Array:
     """Return the angle of rotation in [0, π], accurate for the smallest and the largest."""
-    return _ANGLE(q)
+    return _ANGLE[bool(degrees)](q)
 
 
-def _angle(q: Array) -> Array:
+def _angle(q: Array, degrees: bool) -> Array:
     xp = namespace(q)
     w, *u = split(q)
-    return 2.0 * xp.atan2(length(xp, tuple(u)), xp.abs(w))
+    found = 2.0 * xp.atan2(length(xp, tuple(u)), xp.abs(w))
+    return to_degrees(xp, found) if degrees else found
 
 
-_ANGLE = Formula(_angle, (4,))
+_ANGLE = [Formula(_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
 def power(q: Array, exponent: Any) -> Array:
@@ -150,6 +152,11 @@ def power(q: Array, exponent: Any) -> Array:
         Unit quaternions; of q and −q the canonical one counts.
     exponent : array or float
         Its shape broadcasts with that of the rotations.
+
+    Raises
+    ------
+    RotationError
+        A whole number beyond the largest float.
     """
     return _raised(q, exponent, True)
 
@@ -161,7 +168,7 @@ def direct_power(q: Array, exponent: Any) -> Array:
 
 def _raised(q: Array, exponent: Any, shorter: bool) -> Array:
     if isinstance(exponent, int | float):
-        exponent = namespace(q).asarray(float(exponent), dtype=q.dtype)
+        exponent = namespace(q).asarray(number(exponent, "exponent"), dtype=q.dtype)
     else:
         namespace(q, exponent)  # of two libraries it raises
         common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))

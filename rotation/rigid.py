@@ -7,8 +7,19 @@ from rotation import hints
 from rotation import rigid_motions as motions
 from rotation.alignment import align_points
 from rotation.arrays import common_batch, real
+from rotation.averaging import mean_of_vectors
+from rotation.coordinates import length, split
 from rotation.errors import DTypeError
-from rotation.namespaces import Array, expect_last, floats, is_numpy, namespace, spread
+from rotation.namespaces import (
+    Array,
+    expect_last,
+    floats,
+    is_numpy,
+    namespace,
+    number,
+    quiet,
+    spread,
+)
 from rotation.rigid_forms import Forms
 from rotation.rotation import Rotation
 
@@ -50,9 +61,18 @@ class RigidTransform(Forms):
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
 
+    @quiet
     def __pow__(self, exponent: Any) -> Self:
-        """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast."""
-        if not isinstance(exponent, int | float):
+        """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast.
+
+        Raises
+        ------
+        RotationError
+            A whole number beyond the largest float, or shapes that do not fit.
+        """
+        if isinstance(exponent, int | float):
+            exponent = number(exponent, "exponent")
+        else:
             exponent = floats(exponent, "exponent", namespace(self._q, exponent))
             common_batch(transforms=self.shape, exponents=tuple(exponent.shape))
             exponent = exponent[..., None]
@@ -94,12 +114,12 @@ class RigidTransform(Forms):
             raise TypeError("a batch of transforms is compared entry by entry and has no hash")
         return hash((self.rotation, tuple(float(c) + 0.0 for c in self._t)))
 
+    @quiet
     def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Any:
         """Return where the angle (radians) and the distance from one to the other are at most ``atol``."""
         expect_transforms(other=other)
         between = self.inv() * other
-        xp = namespace(between._t)
-        near = xp.sqrt(xp.sum(between._t**2, axis=-1)) <= atol
+        near = length(namespace(between._t), split(between._t)) <= atol
         return near & (between.rotation.magnitude() <= atol)
 
     # Many into one
@@ -134,11 +154,8 @@ class RigidTransform(Forms):
         w = xp.ones_like(self._t[..., 0])
         if weights is not None:
             w = spread(xp, floats(weights, "weights", xp), self.shape, "weights")
-        w = w[..., None]
         axes = tuple(a - 1 if a < 0 else a for a in ((axes,) if isinstance(axes, int) else axes))
-        if not axes:
-            return self._of(turn._q, self._t)
-        return self._of(turn._q, xp.sum(w * self._t, axis=axes) / xp.sum(w, axis=axes))
+        return self._of(turn._q, mean_of_vectors(self._t, w, axes) if axes else self._t)
 
     @classmethod
     def align(cls, source: Any, target: Any, weights: Any = None) -> tuple[Self, Array]:

@@ -112,7 +112,7 @@ class Forms(Shaped):
             d = xp.concat(
                 [xp.roll(d[..., :4], 1, axis=-1), xp.roll(d[..., 4:], 1, axis=-1)], axis=-1
             )
-        return cls._of(*motions.from_dual(d))
+        return cls._of_rows(motions.from_dual(d))
 
     @classmethod
     def from_screw(

@@ -6,13 +6,13 @@ R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic ma
 
 from hfield import product as formula
 from rotation.acting import turned_by
-from rotation.coordinates import Coordinates, join, split, sum_of_squares, unit
+from rotation.coordinates import Coordinates, factor, join, split, sum_of_squares, unit
 from rotation.errors import RotationError
 from rotation.jacobians import exponential_factors, logarithm_factor
 from rotation.matrices import matrix_entries
-from rotation.namespaces import Array, namespace, quiet, refuse_rows, refuse_zeros
+from rotation.namespaces import Array, namespace, refuse_rows, refuse_zeros
 from rotation.quaternions import HAMILTON, multiplied, steadied
-from rotation.rowwise import Formula
+from rotation.rowwise import Formula, tell
 
 
 def _moved(q: Array, t: Array, points: Array) -> Array:
@@ -45,7 +45,8 @@ def _matrix(q: Array, t: Array) -> Array:
     return xp.stack([join(xp, row) for row in rows], axis=-2)
 
 
-def _cross(a: Coordinates, b: Coordinates) -> Coordinates:
+def cross(a: Coordinates, b: Coordinates) -> Coordinates:
+    """Return ``a × b``."""
     (x, y, z), (u, v, w) = a, b
     return y * w - z * v, z * u - x * w, x * v - y * u
 
@@ -54,9 +55,9 @@ def _swept(rotvec: Array, along: Array) -> Array:
     """``J(v)·u``: the translation of the motion whose twist is (v, u)."""
     xp = namespace(rotvec)
     v, u = split(rotvec), split(along)
-    a, b = exponential_factors(xp, v)
-    first = _cross(v, u)
-    rows = zip(u, first, _cross(v, first), strict=True)
+    axis, a, b = exponential_factors(xp, v)
+    first = cross(axis, u)
+    rows = zip(u, first, cross(axis, first), strict=True)
     return join(xp, tuple(x + (a * y + b * z) for x, y, z in rows))
 
 
@@ -64,9 +65,9 @@ def _unswept(rotvec: Array, translation: Array) -> Array:
     """``J⁻¹(v)·t``."""
     xp = namespace(rotvec)
     v, t = split(rotvec), split(translation)
-    c = logarithm_factor(xp, v)
-    first = _cross(v, t)
-    rows = zip(t, first, _cross(v, first), strict=True)
+    axis, c = logarithm_factor(xp, v)
+    second = cross(axis, cross(axis, t))
+    rows = zip(t, cross(v, t), second, strict=True)
     return join(xp, tuple(x + (c * z - 0.5 * y) for x, y, z in rows))
 
 
@@ -86,23 +87,33 @@ UNSWEPT = Formula(_unswept, (3,), (3,))
 DUAL = Formula(_dual, (4,), (3,))
 
 
-@quiet
-def from_dual(dual: Array) -> tuple[Array, Array]:
-    """Return the motions (q, t) of dual quaternions (…, 8), made unit: their dual norm to 1.
+def from_dual(dual: Array) -> Array:
+    """Return the motions (…, 7) of dual quaternions (…, 8), made unit: their dual norm to 1.
 
     Raises
     ------
     RotationError
         The first four coordinates are zero.
     """
-    xp = namespace(dual)
-    refuse_zeros(dual[..., :4], "real part of a dual quaternion")
-    real, rest = split(dual[..., :4]), split(dual[..., 4:])
-    n = xp.sqrt(sum_of_squares(real))
+    motions, zeros = _FROM_DUAL.told(dual)
+    if zeros:
+        refuse_zeros(dual[..., :4], "real part of a dual quaternion")
+    return motions
+
+
+def _from_dual(dual: Array) -> Array:
+    xp, d = namespace(dual), split(dual)
+    real, f = d[:4], factor(xp, d[:4])
+    norm = sum_of_squares([f * c for c in real])
+    tell(xp, norm == 0.0)
+    n = xp.sqrt(norm)
     q = unit(xp, real)
-    d = tuple(c / n for c in rest)
-    whole = multiplied(tuple(2.0 * c for c in d), formula.conjugate(HAMILTON, q))
-    return join(xp, q), join(xp, whole[1:])
+    rest = tuple(f * (c / n) for c in d[4:])  # n / f might be no float
+    half = multiplied(rest, formula.conjugate(HAMILTON, q))[1:]
+    return join(xp, (*q, *(2.0 * c for c in half)))
+
+
+_FROM_DUAL = Formula(_from_dual, (8,))
 
 
 def expect_affine(m: Array) -> None:

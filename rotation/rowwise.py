@@ -6,20 +6,20 @@ over rows: for one rotation and for a million. Arrays of other libraries take th
 """
 
 import itertools
+from collections import deque
 from collections.abc import Callable
-from threading import Lock
 from typing import Any
 
 import numpy as np
 
+from hfield.native import compiling
 from rotation.namespaces import Array, quiet
 from rotation.native import assembling
-from rotation.pool import share, threads
+from rotation.pool import share, taken, threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
 _MUCH = 200_000  # numbers that are worth a second thread
 _FLOAT64 = np.dtype(np.float64)
-_lock = Lock()
 
 
 def compile_all() -> None:
@@ -88,7 +88,7 @@ class Formula:
         """Return the machine code, or None where there can be none."""
         if not assembling.available():
             return None
-        with _lock:
+        with compiling.lock:
             if self._function is None:
                 function, self._row = assembling.assembled(
                     self._formula, self._shapes, self._parameters, self._single
@@ -120,11 +120,11 @@ class Formula:
             for a, shape in zip(self._straightened(arrays, batch), self._shapes, strict=True)
         ]
         result = out.reshape(rows, *self._row)
-        starts = iter(range(0, rows, _ROWS))
+        starts = deque(range(0, rows, _ROWS))
 
         def work(_: int) -> bool:
             told = False
-            for start in starts:
+            for start in taken(starts):
                 piece = slice(start, start + _ROWS)
                 status = function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
                 told |= status == 2

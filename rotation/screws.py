@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from rotation.acting import BY_QUATERNION
 from rotation.angles import to_degrees
 from rotation.arrays import common_batch
-from rotation.coordinates import join, length, split
+from rotation.coordinates import join, length, split, unit
 from rotation.namespaces import Array, expect_last, floats, namespace, quiet, refuse_zeros
 from rotation.vectors import cross, from_axis_angle, to_axis_angle
 
@@ -48,7 +48,7 @@ def from_screw(
         displacement=tuple(d.shape),
     )
     q = from_axis_angle(a, t, degrees)
-    along = a / length(xp, split(a))[..., None]
+    along = join(xp, unit(xp, split(a)))
     return q, p - BY_QUATERNION(q, p) + d[..., None] * along
 
 
@@ -65,14 +65,14 @@ def to_screw(q: Array, t: Array, degrees: bool = False) -> Screw:
     shift = length(xp, s)
     still = angle == 0.0
     pure = still & (shift > 0.0)
-    safe = xp.where(pure, shift, xp.ones_like(shift))
-    u = tuple(xp.where(pure, b / safe, a) for a, b in zip(u, s, strict=True))
+    way = unit(xp, tuple(xp.where(pure, b, xp.ones_like(b)) for b in s))
+    u = tuple(xp.where(pure, b, a) for a, b in zip(u, way, strict=True))
     along = sum((a * b for a, b in zip(u, s, strict=True)), 0.0 * shift)
     half = 0.5 * xp.where(still, xp.ones_like(angle), angle)
-    cotangent = xp.cos(half) / xp.sin(half)
+    sine, cosine = xp.sin(half), xp.cos(half)
     across = tuple(b - along * a for a, b in zip(u, s, strict=True))
     point = tuple(
-        xp.where(still, 0.0 * a, 0.5 * (a + cotangent * b))
+        xp.where(still, 0.0 * a, 0.5 * (a + cosine * b / sine))
         for a, b in zip(across, cross(u, across), strict=True)
     )
-    return Screw(join(xp, u), join(xp, point), to_degrees(angle) if degrees else angle, along)
+    return Screw(join(xp, u), join(xp, point), to_degrees(xp, angle) if degrees else angle, along)

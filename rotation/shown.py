@@ -22,10 +22,10 @@ def table(q: Any, t: Any = None) -> str | None:
     if not is_numpy(namespace(q)):
         return None  # a notebook then takes the repr
     rows = q.reshape(-1, 4)[:ROWS]
-    axes, angles = to_axis_angle(rows)
+    axes, angles = to_axis_angle(rows, degrees=True)
     heads = ["", "angle", "axis", "quaternion w, x, y, z"]
     columns = [
-        [f"{np.degrees(angle):.6g}°" for angle in angles],
+        [f"{angle:.6g}°" for angle in angles],
         [_numbers(axis) for axis in axes],
         [_numbers(row) for row in rows],
     ]
@@ -48,4 +48,4 @@ def _row(tag: str, cells: list[str]) -> str:
 
 
 def _numbers(values: Any) -> str:
-    return ", ".join(f"{x + 0.0:.5g}" for x in np.round(values, 12).tolist())
+    return ", ".join(f"{round(x, 12) + 0.0:.5g}" for x in values.tolist())

@@ -7,7 +7,7 @@ not overflow.
 import math
 from typing import Any
 
-from rotation.angles import radians, to_degrees
+from rotation.angles import in_degrees, to_degrees, waves, waves_of_degrees
 from rotation.arrays import common_batch
 from rotation.compensated import Pair, angle, norm, quotient, sine_and_cosine, two_product
 from rotation.coordinates import (
@@ -36,7 +36,7 @@ def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
     """Return the unit quaternions of rotation vectors of shape (…, 3).
 
     The length is computed with twice the digits, for it is an angle: half an ulp of 1e9 is a
-    visible turn. Beyond 2π in degrees whole turns are taken off.
+    visible turn. Degrees are reduced as degrees.
     """
     v = floats(vectors, "rotation vectors")
     expect_last(v, (3,), "rotation vectors")
@@ -50,10 +50,8 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     n = norm(xp, c)
     turning = n[0] > 0.0
     n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
-    half = (0.5 * (n[0] / f), 0.5 * (n[1] / f))
-    if degrees:
-        half = (radians(xp, half[0]), math.radians(1.0) * half[1])
-    sine, cosine = _sine_and_cosine(xp, half)
+    half = (0.5 * n[0] / f, 0.5 * n[1] / f)
+    sine, cosine = waves_of_degrees(xp, half) if degrees else _sine_and_cosine(xp, half)
     ratio, rest = quotient(xp, sine[0], n)
     rest = rest + sine[1] / n[0]
     products = (two_product(xp, ratio, a) for a in c)
@@ -100,14 +98,18 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
     turning = n[0] > 0.0
     n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
     half = angle(xp, (n[0] / f, n[1] / f), w)
-    ratio, rest = quotient(xp, 2.0 * half[0], n)
-    rest = rest + 2.0 * half[1] / n[0]
+    whole = (2.0 * half[0], 2.0 * half[1])
+    if degrees:
+        whole = in_degrees(xp, whole)
+    ratio, rest = quotient(xp, whole[0], n)
+    rest = rest + whole[1] / n[0]
     products = (two_product(xp, ratio, a) for a in c)
-    v = tuple(
-        xp.where(turning, p + (e + rest * a), 2.0 * b)
+    tangent = 2.0 * (math.degrees(1.0) if degrees else 1.0)  # only the derivative at 0 needs it
+    v = (
+        xp.where(turning, p + (e + rest * a), tangent * b)
         for (p, e), a, b in zip(products, c, u, strict=True)
     )
-    return join(xp, tuple(map(to_degrees, v)) if degrees else v)
+    return join(xp, tuple(v))
 
 
 _TO_ROTVEC = [Formula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in (False, True)]
@@ -134,9 +136,8 @@ def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
 def _from_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
     xp = namespace(axis)
     v, a = split(axis), angle[...]
-    half = 0.5 * (radians(xp, a) if degrees else a)
-    c, s = xp.cos(half) + poison(v), xp.sin(half)
-    return join(xp, (c, *(s * x for x in unit(xp, v))))
+    s, c = waves(xp, 0.5 * a, degrees)
+    return join(xp, (c + poison(v), *(s * x for x in unit(xp, v))))
 
 
 _FROM_AXIS_ANGLE = [
@@ -161,7 +162,7 @@ def _to_axis_angle(q: Array, degrees: bool) -> Array:
     usual = (zero, zero, one)
     axis = unit(xp, tuple(xp.where(still, a, b) for a, b in zip(usual, c, strict=True)))
     angle = 2.0 * xp.atan2(n, w)
-    return join(xp, (*axis, to_degrees(angle) if degrees else angle))
+    return join(xp, (*axis, to_degrees(xp, angle) if degrees else angle))
 
 
 _TO_AXIS_ANGLE = [Formula(_to_axis_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]

@@ -10,7 +10,7 @@ import numpy as np
 
 from rotation.coordinates import length, split
 from rotation.errors import RotationError
-from rotation.matrices import from_matrix, scaled, to_matrix
+from rotation.matrices import from_matrix, largest, scaled, to_matrix
 from rotation.namespaces import (
     Array,
     certainly,
@@ -82,8 +82,7 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
             share * ((others * turned).sum(axis=-1) - (others @ axis) * (turned @ axis))
         )
         q = product(from_axis_angle(axis, np.arctan2(sine, cosine)), first)
-    image = b @ to_matrix(q).T
-    return q, np.sqrt(np.sum(weights * ((a - image)[rest] ** 2).sum(axis=-1)))
+    return q, remaining(q, a, b, np.where(rest, w, 0.0))
 
 
 @quiet
@@ -103,8 +102,11 @@ def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
         raise RotationError(
             "sensitivity is that of a fit of several vectors with finite weights; this is none"
         )
+    w = w[..., None]
+    sizes = [largest(xp, x) for x in (a, b, w)]
+    a, b, w = (x / size for x, size in zip((a, b, w), sizes, strict=True))
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
-    p = xp.matmul(xp.matrix_transpose(a * w[..., None]), turned)
+    p = xp.matmul(xp.matrix_transpose(a * w), turned)
     trace = p[..., 0, 0] + p[..., 1, 1] + p[..., 2, 2]
     information = trace[..., None, None] * xp.eye(3, dtype=p.dtype) - p
     values = xp.linalg.svdvals(information)
@@ -113,22 +115,28 @@ def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
         "the set of vectors",
         "leaves the angle about one line free, so its sensitivity is infinite",
     )
-    return xp.mean(w, axis=-1)[..., None, None] * xp.linalg.inv(information)
+    return xp.mean(w, axis=-2)[..., None] * xp.linalg.inv(information) / sizes[0] / sizes[1]
 
 
 @quiet
 def fitted(a: Array, b: Array, w: Array) -> tuple[Array, Array]:
     """Return the quaternions (…, 4) that take b closest to a, and the roots of the sums that remain."""
-    xp = namespace(a)
     exact = certain(a, b, w)
     if exact is not None:
         return exact
-    q = _best(xp, a, b, w)
+    q = _best(namespace(a), a, b, w)
+    return q, remaining(q, a, b, w)
+
+
+@quiet
+def remaining(q: Array, a: Array, b: Array, w: Array) -> Array:
+    """Return ``√(Σ w‖a − R·b‖²)``; no square overflows."""
+    xp = namespace(a)
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
     rests = xp.sqrt(w) * length(xp, split(a - turned))
-    largest = xp.max(rests, axis=-1, keepdims=True)  # divided out, so that no square overflows
-    largest = xp.where(largest > 0.0, largest, xp.ones_like(largest))
-    return q, xp.sqrt(xp.sum((rests / largest) ** 2, axis=-1)) * largest[..., 0]
+    longest = xp.max(rests, axis=-1, keepdims=True)
+    longest = xp.where(longest > 0.0, longest, xp.ones_like(longest))
+    return xp.sqrt(xp.sum((rests / longest) ** 2, axis=-1)) * longest[..., 0]
 
 
 def _weights(xp: Any, weights: Any, vectors: Array) -> Array:

@@ -5,11 +5,11 @@ from itertools import product
 
 import numpy as np
 
-from rotation import acting, euler, jacobians, kernels, rigid_motions, rotation, rowwise
+from rotation import acting, euler, jacobians, kernels, rigid_motions, rotation, rowwise, spline
 from rotation.arrays import Array
 
 _PRECISIONS = ((np.float64, np.float64), (np.float32, np.float64), (np.float32, np.float32))
-_ROOMS = (jacobians, rigid_motions, rotation)  # whose formulas are made on import
+_ROOMS = (jacobians, rigid_motions, rotation, spline)  # whose formulas are made on import
 # Of the points and of what turns them, whether there are many or one for all.
 _MANY_OR_ONE = ((True, True), (True, False), (False, True))
 
@@ -44,7 +44,8 @@ def warm_up(sequences: str | Iterable[str] = ("ZYX", "xyz")) -> None:
         euler.prepare(seq)
         axes, intrinsic = euler.sequence(seq)
         turns.append((axes[::-1] if intrinsic else axes, intrinsic))
-        acting.by_euler(*turns[-1])
+        for degrees in (False, True):
+            acting.by_euler(*turns[-1], degrees)
     rowwise.compile_all()
     for (kind, finer), columns in product(_PRECISIONS, (False, True)):
         _loops(np.dtype(kind), np.dtype(finer), columns, turns)
@@ -64,11 +65,13 @@ def _loops(
     for several, each in _MANY_OR_ONE:
         v = rows(3, several, kind)
         kernels.quaternions(v, rows(4, each, finer), out)
-        for axes, backward in turns:
-            kernels.euler(v, rows(len(axes), each, finer), axes, backward, out)
-        for other in (True, False):
-            if each or other:
-                kernels.axis_angle(v, rows(3, each, finer), rows(1, other, finer)[:, 0], out)
+        for degrees in (False, True):
+            for axes, backward in turns:
+                kernels.euler(v, rows(len(axes), each, finer), axes, backward, out, degrees)
+            for other in (True, False):
+                if each or other:
+                    angles = rows(1, other, finer)[:, 0]
+                    kernels.axis_angle(v, rows(3, each, finer), angles, out, degrees)
     kernels.one(rows(3, True, kind), np.eye(3), out)
     for width in (3, 4):
         kernels.contains_zero(rows(width, True, kind))

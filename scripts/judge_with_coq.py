@@ -1,7 +1,8 @@
-"""Lets Coq judge certificates: how many it accepts, and what is not covered, each with its reason.
+"""Lets Coq judge certificates: how many it accepts, and what is not covered or not judged, with reasons.
 
 Usage: ``python scripts/judge_with_coq.py FOLDER [--every N] [--batch N]``, with a folder of
-certificates such as ``hfield verify --certificates FOLDER`` writes. Exit status 1 if Coq rejects one.
+certificates such as ``hfield verify --certificates FOLDER`` writes. Exit status 1 if Coq does not
+accept all that is translated.
 """
 
 from __future__ import annotations
@@ -11,9 +12,11 @@ import json
 import re
 import sys
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
-from hfield.coq.coqc import Coqc
+from hfield.commands.second_judge import ACCEPTED, NOT_JUDGED, REJECTED
+from hfield.coq.coqc import Coqc, NotJudgedError
 from hfield.coq.theorem import Theorem, theorem
 from hfield.errors import HFieldError
 
@@ -37,19 +40,31 @@ def main() -> int:
     print(f"{len(files)} certificates, {len(theorems)} translated, {left.total()} not covered")
     for reason, count in left.most_common():
         print(f"{count:6} {reason}")
-    rejected = 0
+    told: Counter[str] = Counter()
     with Coqc() as coq:
         for start in range(0, len(theorems), args.batch):
             batch = theorems[start : start + args.batch]
-            if coq.reject([t for _, t in batch]) is not None:
+            said = judged(coq, [t for _, t in batch])
+            if said == ACCEPTED:
+                told[ACCEPTED] += len(batch)
+            else:  # each by itself
                 for file, one in batch:
-                    reason = coq.reject([one])
-                    if reason is not None:
-                        rejected += 1
-                        print(f"rejected: {file.name}: {reason}")
-            print(f"{start + len(batch)} judged, {rejected} rejected", file=sys.stderr, flush=True)
-    print(f"{len(theorems) - rejected} accepted by Coq, {rejected} rejected")
-    return int(bool(rejected))
+                    said = judged(coq, [one])
+                    told[said.partition(":")[0]] += 1
+                    if said != ACCEPTED:
+                        print(f"{file.name}: {said}")
+            print(f"{start + len(batch)} judged: {dict(told)}", file=sys.stderr, flush=True)
+    print(", ".join(f"{told[word]} {word}" for word in (ACCEPTED, REJECTED, NOT_JUDGED)))
+    return int(told[ACCEPTED] < len(theorems))
+
+
+def judged(coq: Coqc, theorems: Sequence[Theorem]) -> str:
+    """Return ``accepted``, or what else became of theorems, and why."""
+    try:
+        rejected = coq.judge(theorems).rejected
+    except NotJudgedError as error:
+        return f"{NOT_JUDGED}: {error}"
+    return f"{REJECTED}: {rejected}" if rejected else ACCEPTED
 
 
 if __name__ == "__main__":

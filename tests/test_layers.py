@@ -10,9 +10,16 @@ import pytest
 ROOT = Path(__file__).parent.parent
 # From the ground up. A room may import rooms of lower floors, and its own.
 FLOORS = [
-    {"hfield.errors", "hfield.product", "hfield.certificates", "hfield.hints", "hfield.handed_on"},
     {
-        "hfield.syntax",
+        "hfield.errors",
+        "hfield.product",
+        "hfield.certificates",
+        "hfield.hints",
+        "hfield.handed_on",
+        "hfield.locking",
+    },
+    {"hfield.syntax"},
+    {
         "hfield.executors",
         "hfield.atomic",
         "hfield.primality",
@@ -42,11 +49,12 @@ FLOORS = [
     {"rotation.errors", "rotation.hints", "rotation.native", "rotation.thesis"},
     {"rotation.arrays", "rotation.pool"},
     {"rotation.sampling"},
-    {"rotation.namespaces", "rotation.plane"},
+    {"rotation.namespaces"},
     {"rotation.rowwise", "rotation.shaped"},
-    {"rotation.coordinates", "rotation.angles"},
+    {"rotation.coordinates"},
     {"rotation.compensated", "rotation.optimum"},
-    {"rotation.quaternions", "rotation.matrices"},
+    {"rotation.angles"},
+    {"rotation.quaternions", "rotation.matrices", "rotation.plane"},
     {"rotation.vectors", "rotation.euler", "rotation.averaging"},
     {"rotation.davenport", "rotation.groups"},
     {"rotation.acting", "rotation.jacobians", "rotation.magnus"},

@@ -11,6 +11,8 @@ from typing import Any
 from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.language import walk
 from hfield.certificates.rejection import Rejected, a_text, an_object, reject, texts
+from hfield.certificates.scalars.fields import read_ring
+from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import read_setting
 from hfield.certificates.work import bounded
@@ -40,8 +42,8 @@ def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[
     elif by == "level":
         _by_level(field, c)
     elif by == "place":
-        name = a_text(data["place"], "a place")
-        _by_place(field, c, name, _quaternion(field, data["u"]), _quaternion(field, data["j"]))
+        u, j = _quaternion(field, data["u"]), _quaternion(field, data["j"])
+        _by_place(field, c, field.place(data["place"]), u, j)
     else:
         point = a_text(data["at"], "a point")
         base, value = field.at(point)
@@ -50,32 +52,30 @@ def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[
     return ()
 
 
-def is_certified(algebra: str, field: str, data: object) -> bool:
+def is_certified(algebra: str, ring: object, data: object) -> bool:
     """Tell whether this shows that the norm form of a named algebra is 0 only at 0."""
     try:
         with bounded():
-            ring, c = constants_of(algebra, field)
-            anisotropic(ring, c, data, algebra)
+            field, c = constants_of(algebra, ring)
+            anisotropic(field, c, data, algebra)
     except Rejected:
         return False
     return True
 
 
-def is_readable(algebra: str, field: str) -> bool:
+def is_readable(algebra: str, ring: object) -> bool:
     """Tell whether the constants of an algebra are numbers that are known here."""
     try:
-        constants_of(algebra, field)
+        constants_of(algebra, ring)
     except Rejected:
         return False
     return True
 
 
-def constants_of(algebra: str, field: str) -> tuple[Ring, Constants]:
-    """Return the field and (a, t, b). Raises :class:`Rejected`."""
-    setting = read_setting(algebra, field)
-    ring = setting.field
-    if ring is None:
-        reject("the field must be named")
+def constants_of(algebra: str, data: object) -> tuple[Ring, Constants]:
+    """Return the field that the data say, and (a, t, b). Raises :class:`Rejected`."""
+    ring = read_ring(data)
+    setting = read_setting(algebra, ring)
     constants: dict[Any, Any] = {}
     for tree in setting.constants:
         constants |= {
@@ -114,13 +114,14 @@ def _by_level(field: Ring, c: Constants) -> None:
         reject("−1 may be a sum of two squares, or this is not H(F)")
 
 
-def _by_place(field: Ring, c: Constants, name: str, u: list[Hashable], j: list[Hashable]) -> None:
+def _by_place(
+    field: Ring, c: Constants, place: Place, u: list[Hashable], j: list[Hashable]
+) -> None:
     """Let X² − tr(u)·X + N(u) be integral without root among the residues, N(j) as odd as ``odd`` is.
 
     Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
     """
-    place = field.place(name)
-    odd = field.inverse(place.odd)
+    name, odd = place.name, field.inverse(place.odd)
 
     def paired(p: list[Hashable], q: list[Hashable]) -> Hashable:
         both = norm(field, c, [field.add(x, y) for x, y in zip(p, q, strict=True)])

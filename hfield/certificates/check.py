@@ -6,6 +6,7 @@ docs/certificates.md describes the format.
 
 from dataclasses import dataclass
 
+from hfield.certificates.first_schema import current
 from hfield.certificates.glossary import CERTIFIED, FIELD, KEYS, REFUTED, SCHEMA, THEOREMS
 from hfield.certificates.json_text import read_json
 from hfield.certificates.pin import Pin
@@ -13,14 +14,16 @@ from hfield.certificates.rejection import (
     Rejected,
     a_text,
     an_object,
+    keyed,
     one_line,
     reject,
     shown,
     texts,
 )
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.statement import read_setting
 from hfield.certificates.vocabulary.logic import establish_any, meaning
-from hfield.certificates.work import bounded
+from hfield.certificates.work import Work, bounded
 
 MAX_ASSUMES = 20
 
@@ -29,17 +32,22 @@ MAX_ASSUMES = 20
 class Established:
     """What a certificate establishes; ``scope`` is ``commutative rings``, ``fields`` or ``field``.
 
-    ``assumes`` are the general ``theorems`` that it cites, and ``assumptions``: whatever else it takes for
-    granted. ``vacuous`` lists the parts of an ``every{…}`` that hold because their hypotheses never do.
+    ``words`` say what the field is, ``rings`` what those are that the statement names. ``assumes`` are the
+    general ``theorems`` that it cites, and ``assumptions``: whatever else it takes for granted. ``vacuous``
+    lists the parts of an ``every{…}`` that hold because their hypotheses never do, ``left_out`` what the
+    words of the statement say besides, of which the verdict tells nothing.
     """
 
     statement: str
     algebra: str
     field: str | None
+    words: str | None
     verdict: str
     scope: str
     assumes: tuple[str, ...]
     vacuous: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    rings: tuple[str, ...] = ()
 
     @property
     def theorems(self) -> tuple[str, ...]:
@@ -65,9 +73,11 @@ class Established:
         return [
             f"{self.verdict} {self.where}",
             f"statement: {one_line(self.statement)}",
-            f"field: {one_line(self.field or 'all')}",
+            f"field: {one_line(f'{self.field}, {self.words}' if self.field else 'all')}",
             f"algebra: {one_line(self.algebra)}",
+            *(f"names the ring: {one_line(text)}" for text in self.rings),
             *(f"vacuous part: {one_line(part)}" for part in self.vacuous),
+            *(f"left out: {one_line(text)}" for text in self.left_out),
             *(f"cites the theorem: {one_line(text)}" for text in self.theorems),
             *(f"assumes, unproved: {one_line(text)}" for text in self.assumptions),
         ]
@@ -76,15 +86,22 @@ class Established:
         return "\n".join(self.lines())
 
 
-def check_text(text: str, pin: Pin | None = None) -> Established:
-    """Check a certificate from its JSON text. Raises :class:`Rejected`."""
-    return check(read_json(text), pin)
+def check_text(text: str, pin: Pin | None = None, work: Work | None = None) -> Established:
+    """Check a certificate from its JSON text, with no more than this work. Raises :class:`Rejected`."""
+    work = work or Work()
+    with bounded(work):
+        data = read_json(text)
+    return check(data, pin, work)
 
 
-def check(data: object, pin: Pin | None = None) -> Established:
-    """Check a certificate from JSON data. Raises :class:`Rejected`, and nothing else."""
+def check(data: object, pin: Pin | None = None, work: Work | None = None) -> Established:
+    """Check a certificate from JSON data. Raises :class:`Rejected`, and nothing else.
+
+    ``work`` is how much may be done, ``Work(10)`` by default: ten million units, each of which takes a
+    microsecond and 100 bytes at worst; its ``spent`` tells afterwards what was.
+    """
     try:
-        with bounded():
+        with bounded(work):
             return _check(data, pin)
     except RecursionError:
         reject("the certificate nests too deeply")
@@ -95,18 +112,24 @@ def check(data: object, pin: Pin | None = None) -> Established:
 
 
 def _check(data: object, pin: Pin | None) -> Established:
-    c = an_object(data, " ".join(KEYS), "a certificate")
-    if c["schema"] != SCHEMA:
+    data = keyed(current(data), "a certificate")
+    if data.get("schema") != SCHEMA:
         reject(f"the schema must be {SCHEMA!r}")
+    c = an_object(data, " ".join(KEYS), "a certificate")
     statement, algebra = a_text(c["statement"], "statement"), a_text(c["algebra"], "algebra")
-    field = None if c["field"] is None else a_text(c["field"], "field")
+    ring = None if c["ring"] is None else read_ring(c["ring"])
+    field = None if ring is None else ring.name
+    if c["field"] != field:
+        reject(
+            f"the data say {shown(field or 'all fields', 120)}, and not {shown(c['field'], 120)!r}"
+        )
     if c["verdict"] not in CERTIFIED:
         reject(f"the verdict must be one of {', '.join(CERTIFIED)}")
     if not statement.strip():
         reject("the statement is empty")
-    setting = read_setting(algebra, field)
+    setting = read_setting(algebra, ring)
     if pin is not None:
-        pin.check(statement, algebra, field)
+        pin.check(statement, setting)
     found = establish_any(statement, setting, c["verdict"], c["evidence"])
     if c["method"] != found.method:
         reject(f"the method {shown(c['method'])!r} is not that of the evidence: {found.method}")
@@ -121,8 +144,17 @@ def _check(data: object, pin: Pin | None) -> Established:
             + ("; ".join(found.cites) or "nothing")
         )
     return Established(
-        statement, algebra, field, c["verdict"], found.scope, tuple(assumes), found.vacuous
+        statement,
+        algebra,
+        field,
+        None if ring is None else ring.words,
+        c["verdict"],
+        found.scope,
+        tuple(assumes),
+        found.vacuous,
+        found.left_out,
+        tuple(f"{x.name}, {x.words}" for x in found.rings),
     )
 
 
-__all__ = ["Established", "Pin", "Rejected", "check", "check_text", "meaning"]
+__all__ = ["Established", "Pin", "Rejected", "Work", "check", "check_text", "meaning"]

@@ -19,6 +19,7 @@ from hfield.certificates.polynomials import (
     constant,
     divide,
     multiply,
+    width,
 )
 from hfield.certificates.rejection import reject
 from hfield.certificates.statement import Setting, Statement
@@ -34,6 +35,7 @@ Quotient = tuple[Poly, Pieces]
 
 def freeze(f: Poly) -> Frozen:
     """Return a hashable polynomial, the same for f and −f."""
+    charge(1 + 2 * len(f) + width(f) // 4)
     return frozenset(f.items() if not f or f[max(f)] > 0 else [(m, -c) for m, c in f.items()])
 
 
@@ -66,6 +68,8 @@ class Fractions:
 
     def __init__(self) -> None:
         self.factors = list[Poly]()
+        self._places: dict[Frozen, int] = {}  # of the factors
+        self._literals: dict[frozenset[Frozen], frozenset[Frozen]] = {}
         self.zero: Quotient = ({}, ())
         self.one: Quotient = self.polynomial(constant(1))
 
@@ -85,6 +89,8 @@ class Fractions:
         """Return x + y over the least common denominator."""
         if not x[0] or not y[0]:
             return y if not x[0] else x
+        if x[1] or y[1]:
+            charge(len(x[1]) + len(y[1]))
         if x[1] == y[1]:
             return self._made(add(x[0], y[0]), x[1])
         common = dict(x[1])
@@ -95,14 +101,18 @@ class Fractions:
 
     def neg(self, x: Quotient) -> Quotient:
         """Return −x."""
+        charge(2 * len(x[0]))
         return {m: -c for m, c in x[0].items()}, x[1]
 
     def mul(self, x: Quotient, y: Quotient) -> Quotient:
         """Return x·y."""
+        top = multiply(x[0], y[0])
+        if not x[1] or not y[1]:
+            return self._made(top, x[1] or y[1])
+        charge(len(x[1]) + len(y[1]))
         pieces = dict(x[1])
         for piece, n in y[1]:
             pieces[piece] = pieces.get(piece, 0) + n
-        top = multiply(x[0], y[0])
         return self._made(top, tuple(sorted(pieces.items())))
 
     def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions]:
@@ -116,16 +126,25 @@ class Fractions:
                 below = multiply(below, self.factors[piece])
         if top == constant(1):
             return self.polynomial(below), ()
-        if top not in self.factors:
+        charge(2 * len(top))
+        place = self._places.setdefault(frozenset(top.items()), len(self.factors))
+        if place == len(self.factors):
             self.factors.append(top)
-        return self._made(below, ((self.factors.index(top), 1),)), (self.polynomial(top),)
+        return self._made(below, ((place, 1),)), (self.polynomial(top),)
 
     def compare(self, differences: list[Quotient], conditions: Conditions, equal: bool) -> Formula:
         """Return "defined, and, being defined, (not) all numerators are 0"."""
         tops = [d[0] for d in differences]
-        literal = _literal(tops, equal)
-        parts = [_literal([c[0]], False) for c in conditions]
+        literal = self.literal(tops, equal)
+        parts = [self.literal([c[0]], False) for c in conditions]
         return ("and", (*parts, ("or", (literal, *(deny(part) for part in parts)))))
+
+    def literal(self, tops: list[Poly], zero: bool) -> Formula:
+        """Return "all are 0" or "not all are 0"; equal ones share their polynomials, to compare fast."""
+        polynomials = frozenset(freeze(f) for f in tops if f)
+        if not polynomials:
+            return ("and" if zero else "or", ())
+        return ("zero" if zero else "nonzero", self._literals.setdefault(polynomials, polynomials))
 
     def join(self, kind: str, x: Formula, y: Formula) -> Formula:
         """Return "x and y" or "x or y"."""
@@ -150,17 +169,10 @@ class Fractions:
 def deny(f: Formula) -> Formula:
     """Return the opposite formula."""
     kind, parts = f
-    charge(5)
+    charge(10)
     if kind in ("zero", "nonzero"):
         return ("nonzero" if kind == "zero" else "zero", parts)
     return ("or" if kind == "and" else "and", tuple(deny(x) for x in parts))
-
-
-def _literal(tops: list[Poly], zero: bool) -> Formula:
-    polynomials = frozenset(freeze(f) for f in tops if f)
-    if not polynomials:
-        return ("and" if zero else "or", ())
-    return ("zero" if zero else "nonzero", polynomials)
 
 
 def expand(statement: Statement, setting: Setting) -> Expansion:
@@ -180,7 +192,7 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
     formula = evaluator.truth(statement.matrix)
     # The algebra exists only where its structure constants are defined.
     conditions = tuple(c[0] for c in evaluator.conditions)
-    undefined = [_literal([f], True) for f in conditions]
+    undefined = [scalars.literal([f], True) for f in conditions]
     clauses = tuple(_clause(c) for c in _conjunction(("or", (*undefined, formula))))
     factors = tuple(scalars.factors)
     return Expansion(names, len(variables), clauses, factors, conditions, evaluator)
@@ -199,7 +211,11 @@ def _conjunction(f: Formula) -> list[frozenset[Formula]]:
         charge(20 * size)
         if size > MAX_CLAUSES:
             reject("the statement has too many clauses")
-        out = [*out, *right] if kind == "and" else [a | b for a in out for b in right]
+        if kind == "and":
+            out += right
+        else:
+            charge(len(out) * sum(map(len, right)) + len(right) * sum(map(len, out)))
+            out = [a | b for a in out for b in right]
     return [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
 
 
@@ -210,6 +226,7 @@ def _clause(literals: frozenset[Formula]) -> Clause:
 
 def without_factors(f: Poly, known: list[Poly]) -> Poly:
     """Divide by factors that are known not to be 0, as often as they divide."""
+    charge(1 + len(known))
     for factor in known:
         while f and factor not in (constant(1), constant(-1)):
             quotient = divide(f, factor)

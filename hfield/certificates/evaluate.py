@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeVar
 
-from hfield.certificates.language import Tree
+from hfield.certificates.language import FUNCTIONS, Tree
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import MAX_EXPONENT, Ring, power
 from hfield.certificates.work import charge
@@ -90,6 +90,7 @@ class Evaluator(Generic[S, T]):
     def product(self, x: Quaternion, y: Quaternion) -> Quaternion:
         """Return x·y."""
         s = self.s
+        charge(20)
         out = [s.zero] * 4
         for m, u in enumerate(x):
             for n, v in enumerate(y):
@@ -118,12 +119,16 @@ class Evaluator(Generic[S, T]):
         charge(10)
         if kind == "num":
             return self._defined(s.number(tree[1]))
+        if (
+            kind == "call" and tree[1] in FUNCTIONS
+        ):  # others are short; all of a tree would be hashed
+            return self._call(tree[1], *map(self.value, tree[2]))
         if kind in ("name", "call") and tree in self.values:
             return self.values[tree]
         if kind == "name":
             return self._name(tree[1])
         if kind == "call":
-            return self._call(tree[1], *map(self.value, tree[2]))
+            reject(f"there is no function {tree[1]!r}")
         x = self.value(tree[1])
         if kind == "neg":
             return Quaternion(map(s.neg, x)) if isinstance(x, Quaternion) else s.neg(x)
@@ -153,12 +158,15 @@ class Evaluator(Generic[S, T]):
         return c
 
     def _defined(self, found: tuple[S, Conditions]) -> S:
-        self.needed += found[1]
+        if found[1]:
+            charge(1 + len(self.needed) // 16)
+            self.needed += found[1]
         return found[0]
 
     def truth(self, tree: Tree) -> T:
         """Return the truth of a statement without quantifiers."""
         kind, s = tree[0], self.s
+        charge(10)
         if kind in ("==", "!="):
             self.needed = ()
             x, y = self.value(tree[1]), self.value(tree[2])
@@ -224,8 +232,6 @@ class Evaluator(Generic[S, T]):
             return self.conjugate(x)
         if function == "norm":
             return self.norm(x)
-        if function != "scalar":
-            reject(f"there is no function {function!r}")
         return self._coordinate(x, 0)
 
 

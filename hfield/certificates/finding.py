@@ -1,9 +1,10 @@
-"""What evidence shows: how far it reaches, by which method, what it cites, which parts are vacuous."""
+"""What evidence shows: how far it reaches, by which method, what it cites, what is vacuous or left out."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
+from hfield.certificates.scalars.ring import Ring
 
 WIDTH = {FIELD: 0, FIELDS: 1, COMMUTATIVE_RINGS: 2}
 
@@ -12,13 +13,17 @@ WIDTH = {FIELD: 0, FIELDS: 1, COMMUTATIVE_RINGS: 2}
 class Finding:
     """``scope``: over the field named (or as it stands), over all fields, over all commutative rings.
 
-    ``method`` is the name that the certificate has to give: what shows it has one name.
+    ``method`` is the name that the certificate has to give: what shows it has one name. ``left_out`` tells
+    what a statement says besides and was not looked at, since the verdict does not depend on it; ``rings``
+    are those that its words name.
     """
 
     scope: str
     method: str
     cites: tuple[str, ...] = ()
     vacuous: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    rings: tuple[Ring, ...] = ()
 
     def within(self, scope: str) -> "Finding":
         """Return the same with no wider a scope than this."""
@@ -32,6 +37,10 @@ class Finding:
         """Return the same, citing more."""
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
+    def without(self, *texts: str) -> "Finding":
+        """Return the same, with more left out."""
+        return replace(self, left_out=tuple(dict.fromkeys((*self.left_out, *texts))))
+
 
 def together(findings: Iterable[Finding]) -> Finding:
     """Return what several findings show that are all needed: the narrowest scope, and each method once."""
@@ -41,4 +50,5 @@ def together(findings: Iterable[Finding]) -> Finding:
         "; ".join(dict.fromkeys(f.method for f in every)),
         tuple(dict.fromkeys(text for f in every for text in f.cites)),
         tuple(dict.fromkeys(text for f in every for text in f.vacuous)),
+        tuple(dict.fromkeys(text for f in every for text in f.left_out)),
     )

@@ -4,8 +4,13 @@ Plain data, and the only thing of this folder that a prover needs; nothing is de
 checked.
 """
 
-SCHEMA = "hfield-cert/1"
-KEYS = ("schema", "statement", "algebra", "field", "verdict", "method", "assumes", "evidence")
+import re
+
+SCHEMA = "hfield-cert/2"
+KEYS = (
+    *("schema", "statement", "algebra", "field", "ring", "verdict", "method", "assumes"),
+    "evidence",
+)
 
 PROVED, REFUTED, VACUOUS = "proved", "refuted", "vacuous"
 CERTIFIED = (PROVED, REFUTED, VACUOUS)  # the verdicts that a certificate may state
@@ -134,3 +139,28 @@ THEOREMS = {
 }
 # Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.
 CITED_BY_NAME = {"odd-degree": ODD_DEGREE, "limits": LIMITS, "induction": INDUCTION}
+
+# The basis, and the words of the language: these mean something in every statement.
+BASIS = ("e", "i", "j", "k")
+WORDS = (
+    *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
+    *("sqrt", "cbrt", "root", "I"),
+)
+GREEK = (
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
+    "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
+)  # fmt: skip
+# Greek letters, functions, e and i with an index, roots, infinity, and names of rings such as Qp or GF9.
+_CONSTANT = re.compile(
+    rf"(?i:{'|'.join(GREEK)}|varphi|vartheta|varepsilon|root|cos|sin|tan|exp|log|cis|golden|euler)[_0-9]*"
+    r"|[eijkEI][_0-9]*|(?:sqrt|cbrt|zeta)[a-zA-Z0-9_]*|(?i:inf|infinity|oo|infty|sqrt[_0-9]*|cbrt[_0-9]*)"
+    r"|(?:QQ?|ZZ?|R|RR|C|CC|RDF|GF|NN|Zmod)_?(?:[pqI]|[0-9]+|bar)?|FF?_?[0-9]+"
+)
+
+
+def reads_like_a_constant(name: str) -> bool:
+    """Tell whether a reader may take the name for a number, a place or a ring, as ``zeta5`` or ``inf``.
+
+    The rational functions in such a variable are written ``Frac(QQ[zeta5])``.
+    """
+    return _CONSTANT.fullmatch(name) is not None

@@ -7,6 +7,7 @@ from hfield.certificates.over_field import Place
 from hfield.certificates.polynomials import (
     Names,
     Poly,
+    accumulate,
     add,
     constant,
     modulo,
@@ -16,6 +17,7 @@ from hfield.certificates.polynomials import (
 from hfield.certificates.rejection import a_list, a_text, an_integer, an_object, reject, texts
 from hfield.certificates.rules import FORMS, Rules
 from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.work import charge, charge_products
 
 MAX_DEPTH = 8
 
@@ -86,7 +88,7 @@ class Item:
             reject(f"there are {len(cofactors)} cofactors for {len(known)} polynomials")
         total: Poly = {}
         for text, f in zip(cofactors, known, strict=True):
-            total = add(total, multiply(names.read(text, "a cofactor"), f))
+            accumulate(total, multiply(names.read(text, "a cofactor"), f))
         return total
 
     def _steps(self, data: object, known: list[Poly], names: Names, depth: int) -> None:
@@ -147,9 +149,11 @@ def texts_of_polynomials(data: object) -> list[str]:
 
 def _proportional(f: Poly, g: Poly, p: int) -> bool:
     """Tell whether f = λ·g with a number λ that is not 0 in characteristic p."""
+    charge(3 * (len(f) + len(g)))
     f, g = modulo(f, p), modulo(g, p)
     if not f or not g or f.keys() != g.keys():
         return not f and not g
     top = max(f)
     c, d = f[top], g[top]
+    charge_products([c, d], [*f.values(), *g.values()])
     return not any((f[m] * d - g[m] * c) % p if p else f[m] * d - g[m] * c for m in f)

@@ -4,6 +4,7 @@ import json
 from typing import NoReturn
 
 from hfield.certificates.rejection import MAX_DIGITS, reject, shown
+from hfield.certificates.work import charge
 
 MAX_BYTES = 8_000_000
 MAX_NESTING = 120
@@ -13,6 +14,7 @@ def read_json(text: str) -> object:
     """Read JSON. Raises :class:`Rejected`."""
     if len(text) > MAX_BYTES:
         reject(f"the file has more than {MAX_BYTES} characters")
+    charge(len(text) // 3)
     try:
         data = json.loads(
             text,

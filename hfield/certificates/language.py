@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Any, NoReturn
 
 from hfield.certificates.rejection import MAX_DIGITS, reject, shown
+from hfield.certificates.work import charge
 
 Tree = tuple[Any, ...]
 
@@ -18,16 +19,23 @@ MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 200
 BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
 NOT, COMPARE, SIGN = 5, 6, 9
 WORDS = ("and", "or", "not", "exists")
+# By the sorts of their values, q for quaternions and s for scalars; other calls are constants of a field.
+FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "trace": "s"} | {
+    "scalar": "s"
+}
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9_.]))?)"
-    r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))"
+    r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))",
+    re.ASCII,  # so of blanks: what looks like a blank is one
 )
+BLANKS = " \t\n\r\f\v"
 
 
 def parse(text: str) -> Tree:
     """Read a statement or a term."""
     if len(text) > MAX_LENGTH:
         reject(f"a text of {len(text)} characters; at most {MAX_LENGTH} are read")
+    charge(10 + 2 * len(text))
     parser = _Parser(text)
     tree = parser.infix(0)
     if parser.word:
@@ -47,6 +55,7 @@ def walk(tree: Tree) -> list[Tree]:
         node = stack.pop()
         out.append(node)
         stack.extend(children(node))
+    charge(len(out))
     return out
 
 
@@ -59,6 +68,7 @@ def children(tree: Tree) -> tuple[Tree, ...]:
 
 def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
     """Put trees in the place of names (there is no ``exists`` in ``tree``)."""
+    charge(1)
     if tree[0] == "name":
         return values.get(tree[1], tree)
     if tree[0] == "num":
@@ -70,6 +80,26 @@ def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
     )
 
 
+CLOSING = {"(": ")", "[": "]", "{": "}"}
+
+
+def split(text: str, separator: str) -> list[str]:
+    """Part a text at the separators that are in no brackets."""
+    parts, closing = [""], list[str]()
+    for char in text:
+        if char == separator and not closing:
+            parts.append("")
+            continue
+        parts[-1] += char
+        if char in CLOSING:
+            closing.append(CLOSING[char])
+        elif char in ")]}" and (not closing or closing.pop() != char):
+            reject(f"the brackets of {shown(text)!r} do not match")
+    if closing:
+        reject(f"the brackets of {shown(text)!r} do not match")
+    return parts
+
+
 class _Parser:
     """Precedence climbing."""
 
@@ -77,7 +107,7 @@ class _Parser:
         self.text, self.at, self.depth = text, 0, 0
         self.words: list[tuple[str, str]] = []
         clean = text.translate({0x2212: "-", 0xB7: "*", 0xD7: "*"})
-        position, end = 0, len(clean.rstrip())
+        position, end = 0, len(clean.rstrip(BLANKS))
         while position < end:
             match = _TOKEN.match(clean, position)
             if match is None:
@@ -193,6 +223,7 @@ class _Parser:
             digits, _, exponent = word.lower().partition("e")
             if len(digits) > MAX_DIGITS or len(exponent) > 4:
                 self.fail("a number is too large")
+            charge(abs(int(exponent or 0)) // 50)
             return "num", Fraction(word)
         if self.kind == "name" and self.word not in WORDS:
             name = self.name()

@@ -14,11 +14,12 @@ from hfield.certificates.polynomials import (
     modulo,
     multiply,
     variables,
+    width,
 )
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
-from hfield.certificates.work import charge
+from hfield.certificates.work import charge, charge_products
 
 
 class Place:
@@ -38,6 +39,7 @@ class Place:
 
         The constants of the field are put in; with ``functions`` exponents are reduced by x^q = x.
         """
+        charge(1 + 2 * len(f) + width(f))
         f, ring = modulo(f, self.p), self.ring
         if ring is None:
             return dict(f)
@@ -64,6 +66,7 @@ class Place:
 
     def vanishes(self, f: Frozen | Poly) -> bool:
         """Tell whether f is 0 at every place of the field (as a function, over a finite field)."""
+        charge(1 + 2 * len(f))
         key = f if isinstance(f, frozenset) else frozenset(f.items())
         if key not in self._known:
             self._known[key] = not self.coefficients(dict(key), True)
@@ -105,7 +108,7 @@ class Place:
 
     def same(self, f: Poly) -> Frozen:
         """Return what f has in common with its multiples by units: coefficients made monic."""
-        charge(5 + len(f))
+        charge(5 + 2 * len(f) + width(f) // 4)
         f = modulo(f, self.p)
         if not f:
             return frozenset()
@@ -114,8 +117,10 @@ class Place:
             scale = pow(lead, -1, self.p)
             return frozenset((m, c * scale % self.p) for m, c in f.items())
         if self.ring is not None and self.ring.is_field:
+            charge_products([lead], f.values())
             scale = gcd(*f.values()) * (1 if lead > 0 else -1)
             return frozenset((m, c // scale) for m, c in f.items())
+        charge(10 * len(f))
         opposite = modulo({m: -c for m, c in f.items()}, self.p)
         return frozenset(min(f, opposite, key=lambda g: sorted(g.items())).items())
 

@@ -18,7 +18,12 @@ def reject(why: str) -> NoReturn:
 
 def shown(value: object, limit: int = 60) -> str:
     """Write a value for a message, cut to ``limit`` characters."""
-    text = value if isinstance(value, str) else repr(value)[: 4 * limit]
+    if isinstance(value, int) and value.bit_length() > 3 * MAX_DIGITS:
+        return f"a number of {value.bit_length()} bits"
+    try:
+        text = value if isinstance(value, str) else repr(value)[: 4 * limit]
+    except ValueError:  # Python writes no numbers of more than 4300 digits
+        text = "a number that is too long to be shown"
     text = "".join(c if c.isprintable() else "?" for c in text[: 4 * limit])
     return text if len(text) <= limit else text[: limit - 1] + "…"
 
@@ -78,7 +83,7 @@ def an_integer(value: object, what: str, least: int | None = None) -> int:
     """Return a JSON integer (no bool, no float)."""
     if not isinstance(value, int) or isinstance(value, bool):
         reject(f"{what} must be an integer, found {shown(value)}")
-    if value.bit_length() > 4 * MAX_DIGITS:
+    if value.bit_length() > 10 * MAX_DIGITS // 3:
         reject(f"{what} has more than {MAX_DIGITS} digits")
     if least is not None and value < least:
         reject(f"{what} must be at least {least}, found {shown(value)}")

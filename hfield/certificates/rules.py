@@ -76,7 +76,7 @@ class Rules:
         setting, name = self.setting, ""
         if "algebra" in fact:
             name = a_text(fact["algebra"], "an algebra")
-            setting = read_setting(name, ring.name)
+            setting = read_setting(name, ring)
         if name in self.norms:
             reject("a fact stands there twice")
         known: dict[Tree, Any] = {

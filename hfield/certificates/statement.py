@@ -1,23 +1,18 @@
 """What a certificate is about: the statement with its unknowns, the algebra and the field.
 
-Everything here is derived from the three keys ``statement``, ``algebra`` and ``field`` alone.
+Everything here is derived from the keys ``statement``, ``algebra`` and ``ring`` alone.
 """
 
 import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from hfield.certificates.language import Tree, parse, substitute, walk
+from hfield.certificates.language import FUNCTIONS, Tree, parse, split, substitute, walk
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.scalars.names import without_blanks
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
 QUATERNIONS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
-FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "trace": "s"} | {
-    "scalar": "s"
-}
 MAX_CONSTANT_SIZE = 200
 
 
@@ -25,7 +20,8 @@ MAX_CONSTANT_SIZE = 200
 class Setting:
     """A ring, or None for all fields at once, and the trees of the structure constants.
 
-    ``moved`` marks one of the fields at which a statement about all of them is looked at.
+    ``moved`` marks one of the fields at which a statement about all of them is looked at. ``named`` are the
+    rings that words of the statement name.
     """
 
     field: Ring | None
@@ -33,6 +29,7 @@ class Setting:
     letters: tuple[str, ...]
     algebra: str
     moved: bool = False
+    named: tuple[Ring, ...] = ()
 
     def with_letters(self, values: dict[str, Tree]) -> "Setting":
         """Return the algebra with terms of the field for all of its letters."""
@@ -43,36 +40,20 @@ class Setting:
 HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("num", 1)))
 
 
-def read_setting(algebra: str, field: str | None) -> Setting:
-    """Read ``(a,b|F)``, ``[a,b|F)`` (t = 1) or ``[a,b,t|F)`` and the field, which must agree."""
-    ring = None if field is None else read_field(field)
-    m = re.fullmatch(r"([(\[])([^|]*)\|(.*)\)", without_blanks(algebra))
-    if m is None:
+def read_setting(algebra: str, ring: Ring | None) -> Setting:
+    """Read ``(a,b|F)``, ``[a,b|F)`` (t = 1) or ``[a,b,t|F)``, where F is the name of the ring."""
+    name = "F" if ring is None else ring.name
+    if algebra[:1] not in ("(", "[") or not algebra.endswith(f"|{name})"):
+        reject(
+            f"the algebra {shown(algebra)!r} is none over {shown(name)}, as (-1,-1|{shown(name)}) is"
+        )
+    parts = split(algebra[1 : -len(name) - 2], ",")
+    if len(parts) != 2 and (len(parts) != 3 or algebra[0] == "("):
         reject(f"the algebra {shown(algebra)!r} cannot be read; expected the form (a,b|F)")
-    inside = None if m[3] == "F" else read_field(m[3])
-    if (None if inside is None else inside.name) != (None if ring is None else ring.name):
-        reject(f"the algebra {shown(algebra)!r} is not over the field of the certificate")
-    parts = _split(m[2])
-    if len(parts) == 2:
-        parts.insert(1, "0" if m[1] == "(" else "1")
-    elif len(parts) == 3 and m[1] == "[":
-        parts = [parts[0], parts[2], parts[1]]
-    else:
-        reject(f"the algebra {shown(algebra)!r} cannot be read; expected the form (a,b|F)")
-    trees = [parse(part) for part in parts]
+    t = parts[2] if len(parts) == 3 else "0" if algebra[0] == "(" else "1"
+    trees = [parse(part) for part in (parts[0], t, parts[1])]
     letters = {name: None for tree in trees for name in _letters(tree, ring)}
     return Setting(ring, (trees[0], trees[1], trees[2]), tuple(letters), algebra)
-
-
-def _split(text: str) -> list[str]:
-    parts, depth = [""], 0
-    for char in text:
-        depth += (char in "([") - (char in ")]")
-        if char == "," and not depth:
-            parts.append("")
-        else:
-            parts[-1] += char
-    return parts
 
 
 def _letters(tree: Tree, field: Ring | None) -> list[str]:
@@ -188,6 +169,7 @@ class _Reader:
 
     def truth(self, tree: Tree) -> None:
         """Read a statement without quantifiers."""
+        charge(5)
         kind = tree[0]
         if kind in ("==", "!="):
             self.unequal |= kind == "!="

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator, Mapping, Sequence
 from math import cos, pi, sin
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.orders import algebra_of, level_of
+from hfield.commands.orders import SECONDS_A_CLASS, algebra_of, announce, level_of
 from hfield.commands.output import OutputError, open_output
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.errors import shorten
@@ -21,6 +22,8 @@ HELP = (
 )
 DOING = "enumerating classes"
 EXAMPLES = ("hfield brandt 11 --prime 2",)
+LARGEST = 10_000
+"""Matrices of more rows are not computed: they take six gigabytes, and their polynomials days."""
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -46,9 +49,17 @@ def run(args: Namespace) -> int:
             f"--prime {shorten(args.prime)!r}: expected a positive number, a prime such as 2 or any other"
         )
     n = int(args.prime)
+    from hfield.primality import is_prime
+
     with given_factors(args), open_output(args.output) as out:
         A, level = algebra_of(args.algebra), level_of(args.level)
-        C = A.eichler_order(level).class_set()
+        O = A.eichler_order(level)
+        sparse = args.format == "edges" and is_prime(n) and not args.plot
+        _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
+        C = O.class_set()
+        if sparse:
+            out.write("\n".join(_edges(C.neighbours(n))))
+            return 0
         matrix = C.brandt_matrix(n)
         if args.plot:
             _plot(matrix, args.plot)
@@ -67,17 +78,31 @@ def run(args: Namespace) -> int:
                 }
             )
         elif args.format == "edges":
-            out.write(
-                "\n".join(
-                    f"{i} {j} {m}" for i, row in enumerate(matrix) for j, m in enumerate(row) if m
-                )
-            )
+            out.write("\n".join(_edges([dict(enumerate(row)) for row in matrix])))
         elif args.format == "latex":
             rows = " \\\\\n".join(" & ".join(map(str, row)) for row in matrix)
             out.write(f"\\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}")
         else:
             out.write("\n".join(_plain(C, matrix, n)))
     return 0
+
+
+def _announce(number: int, sparse: bool, polynomial: bool) -> None:
+    """Say how long it will take, where that is long. Raises :class:`UsageError` for what has no room."""
+    instead = "--format edges, with a prime, writes only the entries that are not 0"
+    seconds = number * SECONDS_A_CLASS
+    if not sparse:
+        if number > LARGEST:
+            raise UsageError(
+                f"there are {number} classes, by Eichler's formula, so the matrix has {number**2} entries; "
+                f"at most {LARGEST} rows are computed: {instead}"
+            )
+        seconds += number**2 * 4e-7 + (number**4 * 2e-11 if polynomial else 0)
+    announce(number, seconds, "hfield classes --formula counts them" if sparse else instead)
+
+
+def _edges(rows: Sequence[Mapping[int, int]]) -> Iterator[str]:
+    return (f"{i} {j} {row[j]}" for i, row in enumerate(rows) for j in sorted(row) if row[j])
 
 
 def _plain(C: ClassSet, matrix: list[list[int]], n: int) -> list[str]:

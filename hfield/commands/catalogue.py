@@ -19,6 +19,7 @@ COMMANDS = {
     "explain": "show one decision in full",
     "prove": "prove or refute a statement of your own",
     "check": "re-check certificates, independently",
+    "upgrade": "write certificates of the first schema in today's",
     "export": "write what is proved for all fields as theorems for Coq",
     "info": "tell what an algebra is",
     "order": "show an order over the integers",

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass
 from pathlib import Path
 
-from hfield.certificates.check import Established, Pin, check_text
-from hfield.certificates.json_text import MAX_BYTES
+from hfield.certificates.check import Established, Pin, check
+from hfield.certificates.json_text import MAX_BYTES, read_json
 from hfield.certificates.rejection import Rejected, one_line
+from hfield.certificates.work import MILLIONS, Work, bounded
 from hfield.commands.many import LINES, Lines, add_inputs, check_given, texts
-from hfield.commands.output import open_output
+from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError, add_output
-from hfield.commands.second_judge import FLAG_HELP, Verdict, coq_verdicts, exit_status
+from hfield.commands.second_judge import Judge, Verdict, add_coq, exit_status, judge_by_coq
 from hfield.errors import HFieldError, shorten
 
 HELP = (
@@ -20,7 +23,8 @@ HELP = (
     "establishes: the whole statement, each theorem that it cites, each assumption it makes. With "
     "--claim or --statement a certificate of anything else is rejected; a statement without --field is "
     "one about all fields. Exit status: 0 all accepted, 1 some rejected, 3 some accepted under an "
-    "assumption only that --allow-assumptions does not allow, 2 bad usage or a file that cannot be read."
+    "assumption only that --allow-assumptions does not allow, 4 some that Coq, asked by --coq, did not "
+    "judge, 2 bad usage or a file that cannot be read."
 )
 DOING = "checking"
 EXAMPLES = (
@@ -31,7 +35,7 @@ EXAMPLES = (
 MANY = ".jsonl"  # a file of many, one a line
 COLUMNS = (
     *("file", "accepted", "statement", "algebra", "field", "verdict", "scope"),
-    *("theorems", "assumptions", "vacuous", "reason"),
+    *("theorems", "assumptions", "vacuous", "left_out", "rings", "reason"),
 )
 UNIVERSAL = ("universal", "-")
 ASSUMING = 3  # the exit status where an assumption is left
@@ -44,7 +48,7 @@ class UnreadableError(HFieldError, OSError):
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_inputs(
-        parser, "FILE", f"certificates, hfield-cert/1; in a {MANY} one a line", "plain", "json"
+        parser, "FILE", f"certificates, hfield-cert/2; in a {MANY} one a line", "plain", "json"
     )
     parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
     parser.add_argument("--statement", metavar="S", help="they must be of this statement")
@@ -62,67 +66,108 @@ def configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="exit with 0 also where a certificate assumes what it does not prove",
     )
-    parser.add_argument("--coq", action="store_true", help=FLAG_HELP)
+    parser.add_argument(
+        "--work",
+        type=_millions,
+        default=float(MILLIONS),
+        metavar="N",
+        help="do no more for one file than N million units of work, each a microsecond and 100 bytes "
+        f"at worst (default: {MILLIONS})",
+    )
+    add_coq(parser)
     add_output(parser)
 
 
-def run(args: Namespace) -> int:
-    """Check every file, report, and return the exit status."""
-    pin = _pin(args)
-    check_given(args)
-    names = list(texts(args))
-    if args.coq and any(name.endswith(MANY) for name in names):
-        raise UsageError(f"--coq takes files of one certificate each, no {MANY}")
-    outcomes = [found for name in names for found in _checked(name, pin)]
-    accepted = [name for name, outcome in outcomes if isinstance(outcome, Established)]
-    coq = coq_verdicts(accepted) if args.coq else {}
-    with open_output(args.output) as out:
-        results = [_json(name, outcome, coq.get(name)) for name, outcome in outcomes]
-        if args.format in LINES:
-            lines = Lines(out, args.format, COLUMNS)
-            for result in results:
-                lines.write(result)
-        elif args.format == "json":
-            out.write_json({"schema": "hfield-check/1", "results": results})
-        else:
-            told = (_told(name, outcome, coq.get(name)) for name, outcome in outcomes)
-            out.write_lines([line for each in told for line in each], "    ")
-    return exit_status(coq, _exit_status(outcomes, args.allow_assumptions))
-
-
-def _exit_status(outcomes: Sequence[tuple[str, Outcome]], allow_assumptions: bool) -> int:
-    if any(isinstance(outcome, UnreadableError) for _, outcome in outcomes):
-        return 2
-    if any(isinstance(outcome, Rejected) for _, outcome in outcomes):
-        return 1
-    assuming = any(isinstance(x, Established) and x.assumptions for _, x in outcomes)
-    return ASSUMING if assuming and not allow_assumptions else 0
+def _millions(text: str) -> float:
+    """Read a positive number."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value <= 1e9:
+        raise ArgumentTypeError(f"expected a positive number, found {shorten(text)!r}")
+    return value
 
 
 Outcome = Established | Rejected | UnreadableError
 
 
-def _checked(name: str, pin: Pin | None) -> Iterator[tuple[str, Outcome]]:
+@dataclass(frozen=True)
+class Checked:
+    """One certificate, by its name: what came out, and what Coq says of one that is accepted."""
+
+    name: str
+    outcome: Outcome
+    coq: Verdict | None = None
+
+
+def run(args: Namespace) -> int:
+    """Check every file, report, and return the exit status."""
+    pin = _pin(args)
+    if pin is not None:
+        note(_in_words(pin, args.claim))
+    check_given(args)
+    names = list(texts(args))
+    with judge_by_coq(args) if args.coq else nullcontext() as judge:
+        checked = [each for name in names for each in _checked(name, pin, judge, args.work)]
+    with open_output(args.output) as out:
+        results = [_json(each) for each in checked]
+        if args.format in LINES:
+            lines = Lines(out, args.format, (*COLUMNS, "coq") if args.coq else COLUMNS)
+            for result in results:
+                lines.write(result)
+        elif args.format == "json":
+            out.write_json({"schema": "hfield-check/1", "results": results})
+        else:
+            out.write_lines([line for each in checked for line in _told(each)], "    ")
+    status = _exit_status([each.outcome for each in checked], args.allow_assumptions)
+    return exit_status([each.coq for each in checked], status)
+
+
+def _exit_status(outcomes: Sequence[Outcome], allow_assumptions: bool) -> int:
+    if any(isinstance(outcome, UnreadableError) for outcome in outcomes):
+        return 2
+    if any(isinstance(outcome, Rejected) for outcome in outcomes):
+        return 1
+    assuming = any(isinstance(x, Established) and x.assumptions for x in outcomes)
+    return ASSUMING if assuming and not allow_assumptions else 0
+
+
+def _checked(name: str, pin: Pin | None, judge: Judge | None, work: float) -> Iterator[Checked]:
     """Yield a file, or each line of one that has many, with what came out."""
+    for each, content in _contents(name):
+        if isinstance(content, UnreadableError):
+            yield Checked(each, content)
+        else:
+            yield _check(each, content, pin, judge, work)
+
+
+def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
+    """Open a file, once, and yield what is in it, or each line of one that has many, each by its name."""
     try:
         with Path(name).open("rb") as stream:
             if not name.endswith(MANY):
-                yield name, _check(stream.read(MAX_BYTES + 1), pin)
+                yield name, stream.read(MAX_BYTES + 1)
                 return
             lines = iter(lambda: stream.readline(MAX_BYTES + 1), b"")
             for number, line in enumerate(lines, 1):
                 if line.strip():
-                    yield f"{name}:{number}", _check(line, pin)
+                    yield f"{name}:{number}", line
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         yield name, UnreadableError(f"cannot read {shorten(name)!r}: {reason}")
 
 
-def _check(content: bytes, pin: Pin | None) -> Outcome:
+def _check(name: str, content: bytes, pin: Pin | None, judge: Judge | None, work: float) -> Checked:
+    """Check what was read; Coq judges the very data that was checked."""
+    most = Work(work)
     try:
-        return check_text(_decoded(content), pin)
+        with bounded(most):
+            data = read_json(_decoded(content))
+        found = check(data, pin, most)
     except Rejected as error:
-        return error
+        return Checked(name, error)
+    return Checked(name, found, judge(name, found, data) if judge else None)
 
 
 def _decoded(content: bytes) -> str:
@@ -159,7 +204,7 @@ def _pin(args: Namespace) -> Pin | None:
             )
         field = None if args.field is None or everywhere else ring(args.field).name
         statements = tuple(p.statement for p in propositions)
-        return Pin(statements, field, any_field=args.field is None)
+        return Pin(statements, field, any_field=args.field is None, claim=True)
     if args.statement is None:
         if args.field is not None or args.algebra is not None or args.given:
             raise UsageError(
@@ -181,20 +226,35 @@ def _pin(args: Namespace) -> Pin | None:
         raise UsageError(f"--statement: {error}") from None
 
 
-def _told(name: str, outcome: Outcome, coq: Verdict | None) -> list[str]:
+def _in_words(pin: Pin, claim: str | None) -> str:
+    """Say what the certificates have to be about."""
+    from hfield.rings import ring
+
+    what = f"claim {claim}" if claim else one_line(pin.statements[0])
+    if pin.any_field:
+        return f"asked for {what} over any field: each certificate says below over which"
+    where = "all fields"
+    if isinstance(pin.field, str):
+        where = f"{pin.field}, {ring(pin.field).in_words()}"
+    return f"asked for {what} over {where}" + (f", in {pin.algebra}" if pin.algebra else "")
+
+
+def _told(each: Checked) -> list[str]:
     """Return the lines on a file, those after the first set in."""
+    outcome = each.outcome
     if isinstance(outcome, Established):
-        first, *rest = [*outcome.lines(), *([str(coq)] if coq else [])]
-        return [f"{one_line(name)}: {first}", *(f"  {line}" for line in rest)]
+        first, *rest = [*outcome.lines(), *(each.coq.lines() if each.coq else [])]
+        return [f"{one_line(each.name)}: {first}", *(f"  {line}" for line in rest)]
     word = "rejected: " if isinstance(outcome, Rejected) else ""
-    return [f"{one_line(name)}: {word}{' '.join(str(outcome).split())}"]
+    return [f"{one_line(each.name)}: {word}{' '.join(str(outcome).split())}"]
 
 
-def _json(name: str, outcome: Outcome, coq: Verdict | None) -> dict[str, object]:
+def _json(each: Checked) -> dict[str, object]:
+    outcome = each.outcome
     if not isinstance(outcome, Established):
-        return {"file": name, "accepted": False, "reason": str(outcome)}
+        return {"file": each.name, "accepted": False, "reason": str(outcome)}
     return {
-        "file": name,
+        "file": each.name,
         "accepted": True,
         "statement": outcome.statement,
         "algebra": outcome.algebra,
@@ -205,5 +265,7 @@ def _json(name: str, outcome: Outcome, coq: Verdict | None) -> dict[str, object]
         "theorems": list(outcome.theorems),
         "assumptions": list(outcome.assumptions),
         "vacuous": list(outcome.vacuous),
-        **({"coq": {"verdict": coq.word, "reason": coq.reason}} if coq else {}),
+        "left_out": list(outcome.left_out),
+        "rings": list(outcome.rings),
+        **({"coq": each.coq.json()} if each.coq else {}),
     }

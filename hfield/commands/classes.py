@@ -6,9 +6,11 @@ from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from hfield.commands.orders import (
+    SECONDS_A_CLASS,
     add_answers,
     add_where,
     algebra_of,
+    announce,
     level_of,
     open_answers,
     write_certificate,
@@ -42,6 +44,8 @@ def run(args: Namespace) -> int:
         A, level = algebra_of(args.algebra), level_of(args.level)
         O = A.eichler_order(level)
         number, mass = A.class_number(level), O.mass()
+        if not args.formula:
+            announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")
         C = None if args.formula else O.class_set()
         if C is not None and args.certificate is not None:
             write_certificate(file, C.claim)

@@ -24,6 +24,12 @@ if TYPE_CHECKING:
     from hfield.lattices.certificates import Claim
     from hfield.quaternion import Quaternion
 
+PATIENCE = 10
+"""Seconds: for what takes longer, one is told before how long it will be."""
+
+SECONDS_A_CLASS = 5e-4
+"""How long it takes to find a class, and its type."""
+
 
 def add_answers(parser: ArgumentParser) -> None:
     """Declare the file for a certificate, the primes that are known, formats and the output."""
@@ -84,6 +90,20 @@ def algebra_of(text: str) -> QuaternionAlgebra:
             "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
         )
     return QuaternionAlgebra.from_ramification("QQ", sorted(primes))
+
+
+def announce(number: int, seconds: float, instead: str) -> None:
+    """Say before a long enumeration how many classes there are, how long it takes, and what to do instead."""
+    from hfield.lattices.classes import MOST_CLASSES
+
+    if seconds < PATIENCE or number > MOST_CLASSES:  # more are refused at once
+        return
+    units = {"days": 86_400, "hours": 3_600, "minutes": 60, "seconds": 1}
+    unit = next(unit for unit, size in units.items() if seconds >= 1.5 * size or size == 1)
+    note(
+        f"there are {number} classes, by Eichler's formula, and this takes about "
+        f"{round(seconds / units[unit])} {unit}; {instead}"
+    )
 
 
 def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:

@@ -22,6 +22,7 @@ _OPTION = re.compile(r"\[[^][]*(\[[^][]*\][^][]*)*\]")
 _SHELL_WORD = re.compile(r"""(?:'[^']*'|"[^"]*"|[^\s'"])+""")
 _LONG_OPTION = re.compile(r"--[A-Za-z][\w-]*(=.*)?", re.DOTALL)
 MOST_PROCESSES = 1024
+MOST_SECONDS = 86_400.0
 
 
 class UsageError(HFieldError, ValueError):
@@ -139,6 +140,17 @@ def processes(text: str) -> int:
             f"expected a number from 1 to {MOST_PROCESSES}, found {shorten(text)!r}"
         )
     return int(word)
+
+
+def seconds(text: str) -> float:
+    """Read a number of seconds for argparse."""
+    try:
+        found = float(text)
+    except ValueError:
+        found = 0.0
+    if not 0 < found <= MOST_SECONDS:
+        raise ArgumentTypeError(f"expected a number of seconds above 0, found {shorten(text)!r}")
+    return found
 
 
 def add_format(parser: ArgumentParser, *formats: str) -> None:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from functools import partial
 
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import Sink, note, open_output
-from hfield.commands.parser import UsageError, add_output, add_standalone
+from hfield.commands.parser import UsageError, add_output, add_standalone, seconds
 from hfield.commands.status import Waiting
-from hfield.errors import shorten
 
 HELP = (
     "Prove or refute a statement about quaternions p q r u v w and scalars s t x y z, such as "
@@ -34,7 +33,6 @@ COLUMNS = (
     "assumes",
     "error",
 )
-MOST_SECONDS = 86_400.0
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -48,7 +46,7 @@ def configure(parser: ArgumentParser) -> None:
         "--given", action="append", default=[], metavar="H", help="assume H; may be repeated"
     )
     parser.add_argument(
-        "--timeout", type=_seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
+        "--timeout", type=seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_standalone(parser)
@@ -94,13 +92,3 @@ def _decide(
             out.write(decision_text(answer.text, answer.decision, *where, out.style()))
 
     return answer.exit_status, data, show
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = 0.0
-    if not 0 < seconds <= MOST_SECONDS:
-        raise ArgumentTypeError(f"expected a number of seconds above 0, found {shorten(text)!r}")
-    return seconds

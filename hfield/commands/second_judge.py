@@ -1,77 +1,126 @@
-"""``hfield check --coq``: what Coq says of the same certificates."""
+"""``hfield check --coq``: what Coq says of the certificates that the checker has accepted."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
+from functools import partial
 from typing import TYPE_CHECKING
 
+from hfield.certificates.check import Established
+from hfield.certificates.glossary import COMMUTATIVE_RINGS
+from hfield.certificates.rejection import one_line
+from hfield.commands.parser import seconds
 from hfield.commands.status import Waiting
+from hfield.coq.bounded import MEMORY, SECONDS
+from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
     from hfield.coq.coqc import Coqc
 
 ACCEPTED, REJECTED, NOT_COVERED, NOT_JUDGED = "accepted", "rejected", "not covered", "not judged"
 NOT_CONFIRMED = 4  # the exit status where Coq has not seen a certificate that the checker accepts
-FLAG_HELP = (
-    "let Coq judge the accepted ones too: each becomes a theorem, proved by its evidence. Exit "
-    "status 1 if Coq rejects one, 4 if it did not judge one, since the translation does not cover it "
-    "or there is no coqc"
-)
+MOST_MEMORY = 1 << 24  # MiB
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of one certificate, and why."""
+    """What became of one certificate, why, and the proposition that Coq accepted, as it prints it."""
 
     word: str
-    reason: str = ""
+    reason: str
+    proposition: str = ""
 
-    def __str__(self) -> str:
-        return f"Coq: {self.word}" + (f": {self.reason}" if self.reason else "")
+    def lines(self) -> list[str]:
+        """Return the same in lines."""
+        theorem = [f"Coq's theorem: {self.proposition}"] if self.proposition else []
+        return [f"Coq: {self.word}: {self.reason}", *theorem]
 
-
-def coq_verdicts(files: Sequence[str]) -> dict[str, Verdict]:
-    """Translate certificates that were read before, and let ``coqc`` judge them one by one."""
-    from hfield.coq.coqc import Coqc, CoqMissingError
-
-    if not files:
-        return {}
-    try:
-        with Coqc() as coq:
-            out = {}
-            for file in files:
-                Waiting.at(f"Coq judges {file}")
-                out[file] = _judged(file, coq)
-            return out
-    except CoqMissingError as error:
-        return {file: Verdict(NOT_JUDGED, str(error)) for file in files}
+    def json(self) -> dict[str, str | None]:
+        """Return the same for JSON."""
+        return {
+            "verdict": self.word,
+            "reason": self.reason,
+            "proposition": self.proposition or None,
+        }
 
 
-def _judged(file: str, coq: Coqc) -> Verdict:
+Judge = Callable[[str, Established, object], Verdict]
+"""What asks Coq about a certificate: its name, what the checker established, the data that it checked."""
+
+
+def add_coq(parser: ArgumentParser) -> None:
+    """Declare ``--coq`` and its bounds."""
+    parser.add_argument(
+        "--coq",
+        action="store_true",
+        help="let Coq judge the accepted ones too: each becomes a theorem, proved by its evidence. Exit "
+        "status 1 if Coq rejects one, 4 if it did not judge one: the translation does not cover it, or "
+        "coqc is missing, failed or was ended",
+    )
+    parser.add_argument(
+        "--coq-timeout",
+        type=seconds,
+        default=SECONDS,
+        metavar="S",
+        help=f"seconds that one run of coqc may take (default: {SECONDS:g})",
+    )
+    parser.add_argument(
+        "--coq-memory",
+        type=_mebibytes,
+        default=MEMORY,
+        metavar="MIB",
+        help=f"memory that it may take, in MiB (default: {MEMORY})",
+    )
+
+
+def _mebibytes(text: str) -> int:
+    word = text.strip()
+    if not (word.isascii() and word.isdecimal() and len(word) < 9 and 0 < int(word) <= MOST_MEMORY):
+        raise ArgumentTypeError(
+            f"expected a number of MiB from 1 to {MOST_MEMORY}, found {shorten(text)!r}"
+        )
+    return int(word)
+
+
+@contextmanager
+def judge_by_coq(args: Namespace) -> Iterator[Judge]:
+    """Let ``coqc`` judge certificates inside the ``with``, one by one."""
+    from hfield.coq.coqc import Coqc
+
+    with Coqc(args.coq_timeout, args.coq_memory) as coq:
+        yield partial(_judge, coq)
+
+
+def _judge(coq: Coqc, name: str, found: Established, data: object) -> Verdict:
     from hfield.coq.cofactors import MismatchError
+    from hfield.coq.coqc import NotJudgedError
+    from hfield.coq.rooms import FIELDS
     from hfield.coq.theorem import theorem
-    from hfield.errors import HFieldError
 
+    Waiting.at(f"Coq judges {one_line(name)}")
     try:
-        one = theorem("certificate", json.loads(Path(file).read_text(encoding="utf-8")))
+        one = theorem("certificate", data)
+        judged = coq.judge([one])
+    except NotJudgedError as error:
+        return Verdict(NOT_JUDGED, str(error))
     except MismatchError as error:
-        return Verdict(REJECTED, str(error))
+        return Verdict(NOT_JUDGED, f"no theorem can be made of it: {error}")
     except HFieldError as error:
         return Verdict(NOT_COVERED, str(error))
-    except (OSError, ValueError) as error:
-        return Verdict(NOT_JUDGED, str(error))
-    reason = coq.reject([one])
-    if reason is None:
-        return Verdict(ACCEPTED, "a theorem without axioms")
-    return Verdict(REJECTED, reason)
+    if judged.rejected:
+        return Verdict(REJECTED, judged.rejected)
+    (proposition,) = judged.propositions
+    if found.scope == COMMUTATIVE_RINGS and FIELDS.opening in one.text:
+        return Verdict(NOT_COVERED, "Coq's theorem is about fields only", proposition)
+    return Verdict(ACCEPTED, "a theorem without axioms", proposition)
 
 
-def exit_status(verdicts: Mapping[str, Verdict], status: int) -> int:
+def exit_status(verdicts: Iterable[Verdict | None], status: int) -> int:
     """Return the exit status, ``status`` being that of the checker."""
-    words = {v.word for v in verdicts.values()}
+    words = {v.word for v in verdicts if v is not None}
     if status in (1, 2) or not words:
         return status
     if REJECTED in words:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError
+from hfield.syntax.brackets import outside
 
 if TYPE_CHECKING:
     import flint
@@ -80,12 +81,7 @@ class _Values:
 
 
 def _is_sum(text: str) -> bool:
-    depth = 0
-    for n, char in enumerate(text):
-        depth += (char == "(") - (char == ")")
-        if not depth and n and char in "+-" and text[n - 1] == " ":
-            return True
-    return False
+    return any(n and char in "+-" and text[n - 1] == " " for n, char in outside(text))
 
 
 class _Parser:

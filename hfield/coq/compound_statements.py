@@ -12,7 +12,8 @@ from hfield.coq.rooms import room_of
 from hfield.coq.sentences import Proved
 from hfield.coq.terms import NotCoveredError
 from hfield.proving.statements.setting import Setting
-from hfield.rings import ring
+from hfield.rings import Ring, ring
+from hfield.syntax.brackets import split
 
 LOGIC = ("every", "implies", "iff", "not-everywhere", "over", "angles", "citing")
 MAX_DEPTH = 6
@@ -33,20 +34,7 @@ def read_whole(text: str) -> Whole | None:
         word = text.strip()
         words = ("division", "formally-real", "modulus-exists")
         return Whole(word, ()) if word in words else None
-    return Whole(m[1], tuple(_split(m[2])))
-
-
-def _split(text: str) -> list[str]:
-    parts, depth = [""], 0
-    for char in text:
-        depth += (char == "{") - (char == "}")
-        if depth < 0:
-            raise MismatchError("the braces of the statement do not match")
-        if char == ";" and not depth:
-            parts.append("")
-        else:
-            parts[-1] += char
-    return parts
+    return Whole(m[1], tuple(split(m[2], ";")))
 
 
 def judge(
@@ -64,7 +52,7 @@ def judge(
     if whole is not None:
         return _Logic(name, whole, setting, depth).judge(verdict, evidence)
     if is_presentation(text):
-        return presentation(name, text, setting, verdict, evidence)
+        return presentation(text, setting, verdict, evidence)
     if setting.field is None and evidence.get("kind") == "over":
         evidence = _over(evidence)
     return Judgement(name, text, setting).by(verdict, evidence)
@@ -73,9 +61,9 @@ def judge(
 def _over(evidence: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return evidence from one field as evidence against all fields, whose field it names."""
     inner = evidence["evidence"]
-    if "field" in inner and ring(inner["field"]) != ring(evidence["field"]):
+    if inner.get("ring", evidence["ring"]) != evidence["ring"]:
         raise MismatchError("the fields of the evidence do not agree")
-    return {**inner, "field": evidence["field"]}
+    return {**inner, "ring": evidence["ring"]}
 
 
 def claimed(text: str, setting: Setting) -> str:
@@ -94,16 +82,27 @@ def claimed(text: str, setting: Setting) -> str:
             return f"({p}) -> {q}"
         case "iff", [p, q]:
             return f"({p}) <-> ({q})"
-        case "angles", _ if not _is_real(setting):
+        case "angles", _ if _core_alone(whole, setting):
             return claimed(whole.parts[0], setting)
         case "over", _:
-            here = replace(setting, field=ring(whole.parts[0].strip()))
+            here = replace(setting, field=_named(whole.parts[0]))
             return claimed(whole.parts[1], here)
     raise _no_word(whole.word)
 
 
-def _is_real(setting: Setting) -> bool:
-    return setting.field is not None and setting.field.name == "RR"
+def _named(name: str) -> Ring:
+    """Return the ring of a canonical name."""
+    found = ring(name.strip())
+    if found.name != name.strip():
+        raise MismatchError(f"{name} is not the name of {found.name}")
+    return found
+
+
+def _core_alone(angles: Whole, setting: Setting) -> bool:
+    """Tell whether ``angles{P; Q}`` says P alone: Q is said of RR, which is among all fields."""
+    if setting.field is None:
+        return len(angles.parts) == 1
+    return setting.field.name != "RR"
 
 
 def _no_word(word: str) -> NotCoveredError:
@@ -123,6 +122,10 @@ class _Logic:
         if verdict == "vacuous" and read_whole(text) is None:
             return Judgement(name, text, self.setting).true_vacuously(evidence), name
         own = judge(name, text, self.setting, verdict, evidence, self.depth + 1)
+        if verdict == "vacuous":  # of implies{P; Q} it says that P is false
+            never = f"{name}_never"
+            lines = (f"intro P; elim ({never} P).",)
+            return Proved(claimed(text, self.setting), lines, (own.lemma(never),)), name
         if own.place:
             raise NotCoveredError("a table against associative algebras inside another statement")
         return own, name
@@ -133,9 +136,9 @@ class _Logic:
         if word not in LOGIC:
             raise _no_word(word)
         if word == "over":
-            here = replace(self.setting, field=ring(self.whole.parts[0].strip()))
+            here = replace(self.setting, field=_named(self.whole.parts[0]))
             return judge(self.name, self.whole.parts[1], here, verdict, evidence, self.depth + 1)
-        if word == "angles" and not _is_real(self.setting):
+        if word == "angles" and _core_alone(self.whole, self.setting):
             return judge(
                 self.name, self.whole.parts[0], self.setting, verdict, evidence, self.depth + 1
             )

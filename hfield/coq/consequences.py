@@ -138,6 +138,9 @@ class Directly:
                 return cases is not None and all(
                     self.derives([*more, *zeros], right) for more in cases
                 )
+            case Junction("<=>", left, right):
+                there, back = Junction("=>", left, right), Junction("=>", right, left)
+                return self.derives(zeros, there) and self.derives(zeros, back)
         return False
 
     def _zero(self, zeros: Sequence[flint.fmpz_mpoly], f: flint.fmpz_mpoly) -> bool:
@@ -161,6 +164,30 @@ class Directly:
                     return first + second
                 return [u + v for u in first for v in second]
         return None
+
+
+def is_positive(formula: Formula) -> bool:
+    """Tell whether Coq can derive a formula where it does not decide whether two elements are equal."""
+    match formula:
+        case Equation():
+            return True
+        case Junction("and" | "or", left, right):
+            return is_positive(left) and is_positive(right)
+        case Junction("=>", left, right):
+            return has_cases(left) and is_positive(right)
+        case Junction("<=>", left, right):
+            return has_cases(left) and has_cases(right)
+    return False
+
+
+def has_cases(formula: Formula) -> bool:
+    """Tell whether a hypothesis says that some polynomials are 0, or others, or …"""
+    match formula:
+        case Equation():
+            return True
+        case Junction("and" | "or", left, right):
+            return has_cases(left) and has_cases(right)
+    return False
 
 
 def _is_one(f: flint.fmpz_mpoly) -> bool:

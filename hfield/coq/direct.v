@@ -273,6 +273,13 @@ Proof.
     assert (X := cases_sound f1 css C H). apply Exists_exists in X; destruct X as [more [I M]].
     rewrite forallb_forall in E. apply (IHf2 (more ++ zs)); [| exact (E more I)].
     apply Forall_app; split; assumption.
+  - destruct (cases_of known (evaluate known st) (evaluate_quat known st) f1) as [gs |] eqn:C1; [| discriminate].
+    destruct (cases_of known (evaluate known st) (evaluate_quat known st) f2) as [hs |] eqn:C2; [| discriminate].
+    apply andb_true_iff in E; destruct E as [E1 E2]. rewrite forallb_forall in E1, E2. split; intro H.
+    + assert (X := cases_sound f1 gs C1 H). apply Exists_exists in X; destruct X as [more [I M]].
+      apply (IHf2 (more ++ zs)); [apply Forall_app; split; assumption | exact (E1 more I)].
+    + assert (X := cases_sound f2 hs C2 H). apply Exists_exists in X; destruct X as [more [I M]].
+      apply (IHf1 (more ++ zs)); [apply Forall_app; split; assumption | exact (E2 more I)].
 Qed.
 End Directly.
 

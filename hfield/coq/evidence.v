@@ -299,6 +299,11 @@ Fixpoint derived (zs : list polynomial) (f : formula) : bool :=
       | Some gs => forallb (fun more => derived (more ++ zs) h) gs
       | None => false
       end
+  | Iff g h => match cases_of g, cases_of h with
+      | Some gs, Some hs => forallb (fun more => derived (more ++ zs) h) gs &&
+          forallb (fun more => derived (more ++ zs) g) hs
+      | _, _ => false
+      end
   | _ => false
   end.
 End Computed.

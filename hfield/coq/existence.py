@@ -13,7 +13,7 @@ from hfield.coq.terms import NotCoveredError, Terms
 from hfield.proving.existence.witness_terms import put_in
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.trees import substitute
-from hfield.rings import ring
+from hfield.rings import ring_of_data
 from hfield.syntax import Binary, Logic, Name, Node, Not, parse
 
 if TYPE_CHECKING:
@@ -121,12 +121,14 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     """Refute that something exists: for some values of what is given, nothing serves."""
     field, statement = j.setting.field, j.statement
     if field is None:
-        field = ring(evidence["field"])
+        field = ring_of_data(evidence["ring"])
     if j.setting.letters:
         raise NotCoveredError("that nothing exists, in an algebra with letters")
     here = replace(j.setting, field=field)
     room = room_of(field)
     sentence = Sentence(j.read(statement.text, here), here, room)
+    if sentence.defined:
+        raise NotCoveredError("that nothing exists, where structure constants divide")
     matrix, proof = statement.conclusion, evidence["proof"]
     for h in reversed(statement.hypotheses):
         matrix = Logic("=>", h, matrix)

@@ -18,7 +18,7 @@ from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
 from hfield.proving.statements.trees import walk
-from hfield.rings import ring
+from hfield.rings import QQ, ZZ
 from hfield.syntax import Name, Node, Not
 
 FEW = 4_096  # cases
@@ -69,7 +69,7 @@ class Judgement:
                 return exhausted(self)
             case "multilinear":
                 return multilinear(self, evidence)
-            case "fractions" if self.setting.field == ring("ZZ") and evidence["field"] == "QQ":
+            case "fractions" if self.setting.field == ZZ and evidence["ring"] == QQ.data:
                 return self.proved(evidence["proof"])
         raise NotCoveredError(f"evidence of the kind {kind!r}")
 

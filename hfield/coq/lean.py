@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from hfield.certificates.first_schema import current
+from hfield.certificates.glossary import SCHEMA
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.rooms import RINGS
 from hfield.coq.sentences import Sentence
@@ -103,8 +105,9 @@ def lean_theorem(name: str, data: object) -> LeanTheorem:
 
     Raises :class:`NotCoveredError` for any other, and :class:`MismatchError` for what is no certificate.
     """
+    data = current(data)
     if not isinstance(data, Mapping) or not isinstance(data.get("statement"), str):
-        raise MismatchError("this is no certificate hfield-cert/1")
+        raise MismatchError(f"this is no certificate {SCHEMA}")
     if data.get("verdict") != "proved" or data.get("field") is not None:
         raise NotCoveredError("Lean gets what is proved for all fields")
     kind = data["evidence"].get("kind") if isinstance(data.get("evidence"), Mapping) else None

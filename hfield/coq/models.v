@@ -84,37 +84,37 @@ Proof.
   apply truth_is, H.
 Qed.
 
-(* All cases. *)
+(* All cases. A list of values is a function, since most statements need none of the quaternions. *)
 Variable elements : list R.
 Hypothesis elements_are : forall x, In x elements.
-Definition all_quaternions : list (quaternion R) :=
+Definition all_quaternions (_ : Datatypes.unit) : list (quaternion R) :=
   flat_map (fun a => flat_map (fun b => flat_map (fun c =>
     List.map (fun d => Quaternion a b c d) elements) elements) elements) elements.
-Lemma all_quaternions_are : forall q, In q all_quaternions.
+Lemma all_quaternions_are : forall q, In q (all_quaternions tt).
 Proof.
   intros [a b c d]. unfold all_quaternions.
   apply in_flat_map; exists a; split; [apply elements_are |].
   apply in_flat_map; exists b; split; [apply elements_are |].
   apply in_flat_map; exists c; split; [apply elements_are |]. apply in_map, elements_are.
 Qed.
-Fixpoint every_case {T} (values : list T) (n : nat) (P : list T -> bool) : bool :=
+Fixpoint every_case {T} (values : Datatypes.unit -> list T) (n : nat) (P : list T -> bool) : bool :=
   match n with
   | O => P List.nil
-  | S m => forallb (fun x => every_case values m (fun l => P (List.cons x l))) values
+  | S m => forallb (fun x => every_case values m (fun l => P (List.cons x l))) (values tt)
   end.
-Fixpoint some_case {T} (values : list T) (n : nat) (P : list T -> bool) : bool :=
+Fixpoint some_case {T} (values : Datatypes.unit -> list T) (n : nat) (P : list T -> bool) : bool :=
   match n with
   | O => P List.nil
-  | S m => existsb (fun x => some_case values m (fun l => P (List.cons x l))) values
+  | S m => existsb (fun x => some_case values m (fun l => P (List.cons x l))) (values tt)
   end.
-Lemma every_case_is : forall T (values : list T), (forall x, In x values) -> forall n P,
+Lemma every_case_is : forall T (values : Datatypes.unit -> list T), (forall x, In x (values tt)) -> forall n P,
   every_case values n P = true -> forall l, length l = n -> P l = true.
 Proof.
   intros T values F; induction n as [| n IH]; intros P E [| x l] L; try discriminate L; [exact E |].
   cbn [every_case] in E. rewrite forallb_forall in E.
   exact (IH (fun l => P (List.cons x l)) (E x (F x)) l (eq_add_S _ _ L)).
 Qed.
-Lemma some_case_is : forall T (values : list T) n P,
+Lemma some_case_is : forall T (values : Datatypes.unit -> list T) n P,
   some_case values n P = true -> exists l, length l = n /\ P l = true.
 Proof.
   intros T values; induction n as [| n IH]; intros P E; [exists List.nil; split; [reflexivity | exact E] |].
@@ -122,11 +122,12 @@ Proof.
   destruct (IH _ E) as [l [L F]]. exists (List.cons x l); split; [cbn; congruence | exact F].
 Qed.
 Definition exhausted (st : statement) : bool :=
-  every_case all_quaternions (quaternions st) (fun qs => every_case elements (scalars st) (fun ss =>
+  let all_scalars := fun _ => elements in
+  every_case all_quaternions (quaternions st) (fun qs => every_case all_scalars (scalars st) (fun ss =>
     let A := constants st ss in
     if forallb (truth A qs ss) (given st) then
       some_case all_quaternions (found_quaternions st) (fun more =>
-        some_case elements (found_scalars st) (fun others =>
+        some_case all_scalars (found_scalars st) (fun others =>
           truth A (qs ++ more) (ss ++ others) (conclusion st)))
     else true)).
 Theorem all_cases : forall st, exhausted st = true -> says st.
@@ -134,7 +135,7 @@ Proof.
   intros st E. apply same_for_all; intros qs Wq. apply same_for_all; intros ss Ws.
   apply imply_iff. intro G. unfold exhausted in E.
   apply (every_case_is _ _ all_quaternions_are _ _ E) in Wq.
-  apply (every_case_is _ _ elements_are _ _ Wq) in Ws. cbv zeta in Ws. rewrite G in Ws.
+  apply (every_case_is _ _ (elements_are : forall x, In x ((fun _ => elements) tt)) _ _ Wq) in Ws. cbv zeta in Ws. rewrite G in Ws.
   apply some_case_is in Ws; destruct Ws as [more [M F]].
   apply some_case_is in F; destruct F as [others [N F]].
   apply (with_values _ _ _ more M). apply (with_values _ _ _ others N). apply truth_is, F.

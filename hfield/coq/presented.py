@@ -111,9 +111,7 @@ class Presentation:
         raise MismatchError("a relation is a polynomial in the letters with integer coefficients")
 
 
-def presentation(
-    name: str, text: str, setting: Setting, verdict: str, evidence: Mapping[str, Any]
-) -> Proved:
+def presentation(text: str, setting: Setting, verdict: str, evidence: Mapping[str, Any]) -> Proved:
     """Prove what a verdict on a presentation says.
 
     Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
@@ -129,7 +127,9 @@ def presentation(
             raise NotCoveredError("a table against a statement with an identity")
         if setting.field is not None:
             raise NotCoveredError("a table over one field")
-        return _counterexample(name, said.relations, said.goals, evidence)
+        return _counterexample(said.relations, said.goals, evidence)
+    if (kind, verdict) == ("unsatisfiable", "vacuous"):
+        raise NotCoveredError("relations that hold in no algebra other than 0")
     raise MismatchError(f"evidence of the kind {kind!r} does not show that this is {verdict}")
 
 
@@ -169,7 +169,7 @@ def _consequence(said: Presentation, evidence: Mapping[str, Any]) -> Proved:
 
 
 def _counterexample(
-    name: str, relations: Sequence[Node], goals: Sequence[Compare], evidence: Mapping[str, Any]
+    relations: Sequence[Node], goals: Sequence[Compare], evidence: Mapping[str, Any]
 ) -> Proved:
     """Write a refuting table as a theorem: associative, bilinear, all relations, but not the goal."""
     at = next(n for n, c in enumerate(evidence["value"]) if c)
@@ -177,26 +177,22 @@ def _counterexample(
     if evidence["characteristic"]:
         raise NotCoveredError("the table refutes the claim in a single characteristic only")
     goal = goals[evidence["goal"]]
-    product = f"{name}_product"
-    definition = (
-        f"Definition {product} (p q : quaternion R) := Quaternion\n"
-        + "\n".join(f"  ({_coordinate(evidence['table'], n)})" for n in range(4))
-        + "."
-    )
+    coordinates = "".join(f"\n    ({_coordinate(evidence['table'], n)})" for n in range(4))
     parts = [
-        f"(forall p q r, {product} ({product} p q) r = {product} p ({product} q r))",
-        f"(forall s p q r, {product} ((s [.] p) [+] q) r = (s [.] {product} p r) [+] {product} q r)",
-        f"(forall s p q r, {product} r ((s [.] p) [+] q) = (s [.] {product} r p) [+] {product} r q)",
-        *(_equation(r, product) for r in relations),
-        f"(num {abs(value)} <> 0 -> {_product(goal.left, product)} <> {_product(goal.right, product)})",
+        "(forall p q r, product (product p q) r = product p (product q r))",
+        "(forall s p q r, product ((s [.] p) [+] q) r = (s [.] product p r) [+] product q r)",
+        "(forall s p q r, product r ((s [.] p) [+] q) = (s [.] product r p) [+] product r q)",
+        *(_equation(r) for r in relations),
+        f"(num {abs(value)} <> 0 -> {_product(goal.left)} <> {_product(goal.right)})",
     ]
     sign = "1" if value > 0 else "- (1)"
     lines = [
-        f"repeat split; try (unfold {product}; equations).",
-        f"intros N E; apply N; unfold {product} in E.",
+        "intro product; repeat split; try (unfold product; equations).",
+        "intros N E; apply N; unfold product in E.",
         f"combine (cons ({sign}) (f_equal {PLACES[at]} E) nil).",
     ]
-    return Proved(" /\\\n  ".join(parts), tuple(lines), (definition,), IN_RINGS)
+    text = f"let product (p q : quaternion R) := Quaternion{coordinates} in\n  "
+    return Proved(text + " /\\\n  ".join(parts), tuple(lines), (), IN_RINGS)
 
 
 # --- an algebra given by its table ---------------------------------------------------------------
@@ -214,18 +210,18 @@ def _coordinate(table: Mapping[str, Sequence[int]], n: int) -> str:
     return out
 
 
-def _equation(node: Node, product: str) -> str:
+def _equation(node: Node) -> str:
     assert isinstance(node, Compare)
-    return f"{_product(node.left, product)} = {_product(node.right, product)}"
+    return f"{_product(node.left)} = {_product(node.right)}"
 
 
-def _product(node: Node, product: str) -> str:
-    """Write a term of e, i, j, k in the algebra whose product is named."""
+def _product(node: Node) -> str:
+    """Write a term of e, i, j, k in the algebra of the table."""
     match node:
         case Name(name):
             return name
         case Negate(x):
-            return f"([-] {_product(x, product)})"
+            return f"([-] {_product(x)})"
         case Binary("*", x, y):
-            return f"({product} {_product(x, product)} {_product(y, product)})"
+            return f"(product {_product(x)} {_product(y)})"
     raise NotCoveredError("the counterexample is written for products of letters only")

@@ -54,13 +54,8 @@ def room_of(field: Ring) -> Room:
     if field == ring("ZZ"):
         return INTEGERS
     n = field.characteristic
-    prime = field.name == f"GF({n})"
-    if (
-        n
-        and (prime or field.name in (f"ZZ/{n}", f"ZZ/({n})"))
-        and n.bit_length() <= MAX_RESIDUE_BITS
-    ):
-        return residues(n, prime)
+    if n and field.order == n and n.bit_length() <= MAX_RESIDUE_BITS:
+        return residues(n, field.is_field)
     raise NotCoveredError(f"the field {field.name}: Coq has ZZ, QQ, GF(p) and ZZ/n here")
 
 

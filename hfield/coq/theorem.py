@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.certificates.first_schema import current
 from hfield.certificates.glossary import CERTIFIED, KEYS, SCHEMA
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.compound_statements import judge
@@ -11,6 +12,7 @@ from hfield.coq.sentences import Proved
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.notation import split_algebra
 from hfield.proving.statements.setting import UNNAMED, read_setting
+from hfield.rings import ring, ring_of_data
 
 MAX_PROOF = 3_000_000
 
@@ -43,6 +45,7 @@ def theorem(name: str, data: object, words: str = "") -> Theorem:
     Raises NotCoveredError for what has no translation, :class:`MismatchError` for evidence that cannot
     be about the statement, and :class:`TooLargeError`.
     """
+    data = current(data)
     if not isinstance(data, Mapping) or set(data) != set(KEYS) or data["schema"] != SCHEMA:
         raise MismatchError(f"this is no certificate {SCHEMA}")
     if data["verdict"] not in CERTIFIED:
@@ -75,9 +78,16 @@ def _proved(name: str, data: Mapping[str, Any]) -> Proved:
     setting = replace(
         setting, constants=(a, t, b)
     )  # as they were written, not as the field writes them
-    return judge(name, data["statement"], setting, data["verdict"], data["evidence"])
+    evidence, rings = data["evidence"], {data["field"]: data["ring"]}
+    if evidence["kind"] == "rings":
+        rings |= {ring_of_data(x).name: x for x in evidence["rings"]}
+        evidence = evidence["evidence"]
+    if any((None if name is None else ring(name).data) != x for name, x in rings.items()):
+        raise MismatchError("the data of a ring are not those of its name")
+    return judge(name, data["statement"], setting, data["verdict"], evidence)
 
 
 def comment_text(text: str) -> str:
-    """Return a text that can stand in a comment of Coq."""
+    """Return a text that can stand in a comment of Coq, and that shows all that is in it."""
+    text = "".join(c if c.isprintable() or c == "\n" else "?" for c in text)
     return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")

@@ -9,7 +9,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.consequences import Directly
+from hfield.coq.consequences import Directly, has_cases, is_positive
 from hfield.coq.formulas import Junction
 from hfield.coq.implied import Items, facts_used
 from hfield.coq.rooms import (
@@ -69,6 +69,8 @@ def implied(
             judge = f"integers\n  ({evidence})%text\n  {sentence.data} _ _"
         return computed(sentence, judge)
     if not room.is_field:
+        if not is_positive(sentence.conclusion) or not all(map(has_cases, sentence.hypotheses)):
+            raise NotCoveredError(f"'not' or '!=' over {field.name}, except by all cases")
         return computed(sentence, f"residue_ring {p}\n  ({evidence})%text\n  {sentence.data} _")
     if room.is_one_ring:
         width = len(sentence.terms.numerators.atoms) if evidence.vanishing else 0

@@ -20,7 +20,7 @@ from hfield.coq.rooms import (
 from hfield.coq.sentences import COMPUTED, Proved, Sentence, computed
 from hfield.coq.terms import NotCoveredError
 from hfield.proving.statements.language import Sort, Statement
-from hfield.rings import ring
+from hfield.rings import ring_of_data
 
 if TYPE_CHECKING:
     from hfield.coq.judgement import Judgement
@@ -51,7 +51,7 @@ def _values(
 
 def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     """Refute a statement by values, in its ring, or in one field what is said of all."""
-    field = ring(evidence["field"])
+    field = ring_of_data(evidence["ring"])
     if j.setting.field is not None and j.setting.field != field:
         raise MismatchError("the witness is from another field")
     room = room_of(field)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Mapping, Sequence
 from ctypes import addressof, c_int64
 from functools import reduce
 from itertools import pairwise
 from math import prod
 from operator import or_
-from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from hfield.kernels import memory
 from hfield.kernels.arithmetic import Arithmetic
 from hfield.kernels.loops import Operand, module
 from hfield.native import compiling
-from hfield.native.pool import share, threads
+from hfield.native.pool import share, taken, threads
 from hfield.straight_line import Program
 
 Array = np.ndarray[Any, np.dtype[Any]]
@@ -26,7 +26,6 @@ Rows = tuple[Array, ...]
 PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
 MANY = 500_000  # from so many elements on a second thread is woken
 SHORTEST = 1 << 16  # elements for which one more thread is woken
-_lock = Lock()
 # The compiled loops of each program in each arithmetic, by which operands are single elements, and by
 # whether they write past the caches.
 _loops: dict[Any, dict[tuple[tuple[bool, ...], bool], compiling.Function]] = {}
@@ -103,7 +102,7 @@ class Kernel:
                 self._compiled(flags + (True,) * bool(self.constants), streamed)
 
     def _compiled(self, singles: tuple[bool, ...], streamed: bool) -> compiling.Function:
-        with _lock:
+        with compiling.lock:
             if (singles, streamed) not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
                 text = module(self.program, self.arithmetic, operands, self.literals, streamed)
@@ -126,14 +125,14 @@ def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> i
     # new memory that two touch at once both would clear all of its 2 MiB.
     length = max(SHORTEST, -(-n // threads()))
     cuts = [*range(0, n, length), n]
-    stretches = [(iter(range(start, end, PIECE)), end) for start, end in pairwise(cuts)]
-    turns = iter(range(len(stretches)))
+    stretches = [(deque(range(start, end, PIECE)), end) for start, end in pairwise(cuts)]
+    turns = deque(range(len(stretches)))
     told: list[int] = []
 
     def work(_: int) -> bool:
-        own = next(turns)
+        own = turns.popleft()
         for starts, end in stretches[own:] + stretches[:own]:
-            for start in starts:
+            for start in taken(starts):
                 moved = [place + start * step for place, step in zip(places, steps, strict=True)]
                 here = table(*moved)
                 told.append(loop(min(PIECE, end - start), addressof(here)))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from contextlib import suppress
 from math import prod
 from typing import Any
 from weakref import finalize
@@ -56,5 +57,7 @@ def _taken(size: int) -> Array | None:
 def _give_back(memory: Array) -> None:
     """Keep memory, in place of what has been kept longest."""
     _kept.append(memory)
-    while sum(m.nbytes for m in tuple(_kept)) > KEPT:
-        _kept.popleft()
+    # a copy, for another thread, or the collector in between, may change what is kept
+    while sum(m.nbytes for m in _kept.copy()) > KEPT:
+        with suppress(IndexError):
+            _kept.popleft()

@@ -32,7 +32,7 @@ class Answer:
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
 
         There is none where a theorem decided and the element is missing, nor where the checker would have to
         do too much; :attr:`why_no_certificate` says which.

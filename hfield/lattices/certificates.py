@@ -1,4 +1,4 @@
-"""What the answers about lattices say, as certificates ``hfield-cert/1`` that the checker accepts."""
+"""What the answers about lattices say, as certificates ``hfield-cert/2`` that the checker accepts."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from hfield.certificates.glossary import MASS
+from hfield.certificates.glossary import MASS, SCHEMA
 from hfield.lattices import enumeration
 from hfield.lattices.as_json import basis_json, element_json
 from hfield.lattices.order_invariants import OrderInvariants
@@ -57,10 +57,11 @@ class Claim:
     @property
     def _data(self) -> dict[str, object]:
         return {
-            "schema": "hfield-cert/1",
+            "schema": SCHEMA,
             "statement": self.statement,
             "algebra": str(self.algebra),
             "field": "QQ",
+            "ring": {"kind": "rationals"},
             "verdict": self.verdict,
             "method": self.method,
             "assumes": list(self.assumes),
@@ -78,7 +79,7 @@ class Certified:
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
 
         There is none where the checker would have to do too much, nor for an ideal that is not invertible;
         ``claim.why_no_certificate`` tells.

@@ -71,7 +71,9 @@ class ClassSet(Certified, Hinted):
         left -= self._add(*key_and_units(self.order))
         discriminant = self.order._discriminant
         for p in primes():
-            if not left:
+            if not left:  # the rows of an earlier prime lack the classes found since
+                known = self._rows.items()
+                self._rows = {p: rows for p, rows in known if len(rows) == len(self._lattices)}
                 return
             if discriminant % p == 0:
                 continue

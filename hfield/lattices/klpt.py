@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator
-from itertools import count
+from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
@@ -21,7 +21,7 @@ from hfield.lattices import hermite
 from hfield.lattices.modulo_primes import kernel
 from hfield.lattices.norm_equations import in_frame
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
-from hfield.lattices.small_ideals import by_norm
+from hfield.lattices.small_ideals import by_norm, longer
 from hfield.primality import is_probable_prime
 from hfield.quaternion import Quaternion
 from hfield.structure.rationals.whole_numbers import sqrt_mod
@@ -52,7 +52,7 @@ def to_power_norm(ideal: Ideal, prime: int, seed: int = 0) -> tuple[Quaternion, 
         )
     rng = random.Random(seed)
     tried = 0
-    for row, norm in by_norm(ideal):
+    for row, norm in chain(by_norm(ideal), longer(ideal, rng)):
         if norm in (prime, p, 2) or not is_probable_prime(norm):
             continue
         x = ideal._element(row)

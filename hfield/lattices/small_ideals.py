@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal
 
 DOUBLINGS = 12
+LONGER = 20_000
 
 
 def to_prime_norm(ideal: Ideal, avoid: frozenset[int]) -> Quaternion:
@@ -38,3 +40,18 @@ def by_norm(ideal: Ideal) -> Iterator[tuple[tuple[int, ...], int]]:
         for m, row in found:
             yield row, m
         low, high = high, 2 * high
+
+
+def longer(ideal: Ideal, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Yield random elements and their norms, as :func:`by_norm` does, of no small subspace.
+
+    All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
+    a quadratic order and n inert in it.
+    """
+    rows, gram = ideal._reduced
+    for trial in range(LONGER):
+        size = 1 + trial // 50
+        x = [rng.randint(-size, size) for _ in range(4)]
+        norm = sum(gram[m][n] * x[m] * x[n] for m in range(4) for n in range(4)) // 2
+        if norm:
+            yield tuple(sum(c * int(rows[m, k]) for m, c in enumerate(x)) for k in range(4)), norm

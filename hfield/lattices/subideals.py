@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import product
 from operator import add
@@ -16,12 +17,12 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
-from hfield.factorisation import factorise
+from hfield.factorisation import factorise, remove
 from hfield.lattices import hermite
 from hfield.lattices.maximal_orders import (
     above,
-    endpoints,
     left_multiples,
+    maximal_at,
     zero_divisor,
     zero_on_line,
 )
@@ -31,6 +32,7 @@ from hfield.lattices.two_sided_ideals import two_sided_prime
 if TYPE_CHECKING:
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
+    from hfield.quaternion import Quaternion
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""
@@ -109,8 +111,7 @@ def _divided(matrix: fmpz_mat, n: int) -> fmpz_mat:
 def ideals_of_norm(order: Order, n: int) -> list[Lattice]:
     """Return all invertible integral right ideals of an order of norm n, in a fixed order.
 
-    Raises :class:`LatticeError` at a prime where the order is neither maximal nor an Eichler order, and
-    :class:`TooLargeError` for more than 10⁵.
+    Raises :class:`TooLargeError` for more than 10⁵.
     """
     layer: dict[Any, Lattice] = {order.hnf: order}
     for p, e in sorted(factorise(n).items()):
@@ -124,7 +125,7 @@ def ideals_of_norm(order: Order, n: int) -> list[Lattice]:
 
 def of_prime_power_norm(order: Order, p: int, e: int) -> list[Lattice]:
     """Return the invertible right ideals of an order of norm pᵉ, as lattices."""
-    if order._discriminant % p == 0 and order._regular.discriminant % p:
+    if order.level % p == 0:
         return _at_the_level(order, p, e)
     layer: dict[Any, Lattice] = {order.hnf: order}
     for _ in range(e):
@@ -147,36 +148,74 @@ def of_prime_norm(ideal: Lattice, order: Order, p: int) -> Iterator[Lattice]:
 
 
 def _at_the_level(order: Order, p: int, e: int) -> list[Lattice]:
-    """Return those at a prime of the level: intersections of ideals of the two maximal orders at the ends.
+    """Return those at a prime of the level, through the ideals y·M of a maximal order M at p that contains O.
 
-    Locally such an ideal is x·O = x·O₁ ∩ x·O₂, O being O₁ ∩ O₂. Not all are products of ideals of norm p.
+    An ideal x·O has the norm pᵉ where x·M has; then it is y·u·O with x·M = y·M, for a unit u of M modulo
+    units of O. Not all are products of ideals of norm p.
     """
-    if order.eichler_symbol(p) != 1:
-        raise LatticeError(
-            f"the order is no Eichler order at {p}: its ideals of norm {p} are not listed"
-        )
-    ends = endpoints(order, p, factorise(order.level)[p])
-    if number_maximal(p, e) ** 2 > MOST:
-        raise TooLargeError(f"there are too many pairs of ideals of norm {p}^{e} to try them")
-    first, second = (of_prime_power_norm(end, p, e) for end in ends)
-    q = p**e
-    # x·O has the index q² in O and the norm q, and x·O₁ ∩ x′·O₂ has both only where x·O₂ = x′·O₂
-    pairs = (x & y for x in first for y in second)
-    return [both for both in pairs if order._volume_ratio(both) == q * q and both._norm == q]
+    larger = maximal_at(order, p)
+    number, depth = _number_of_cosets(order, p), 1
+    while not larger._scaled(Fraction(p**depth)) <= order:
+        depth += 1
+    around = of_prime_power_norm(larger, p, e)
+    if len(around) * number > MOST:
+        raise TooLargeError(f"there are too many candidates for ideals of norm {p}^{e} to try them")
+    units = _unit_cosets(order, larger, p, depth, number)
+    rest = order._scaled(Fraction(p ** (depth + e)))
+    found = []
+    for ideal in around:
+        y = ideal._element(_of_least_norm(ideal, p))
+        found += [order.__rmul__(x) + rest for u in units if (x := y * u) in order]
+    return found
 
 
-def prime_to(ideal: Lattice, p: int) -> Lattice:
-    """Return a right ideal of integral norm prime to p in the class of a right ideal: ``conj(x)·I/N(I)``."""
-    rows, gram = ideal._reduced
+def _number_of_cosets(order: Order, p: int) -> int:
+    """Return the index of the units of O in those of a maximal order that contains it, at p."""
+    units = Fraction(1)  # the part of a maximal order, over that of O, that are units
+    symbols = [
+        (-1 if order._regular.discriminant % p == 0 else None, 1),
+        (order.eichler_symbol(p), -1),
+    ]
+    for symbol, sign in symbols:
+        inverse, one = Fraction(1, p), Fraction(1)
+        part = {
+            None: (one - inverse) * (one - inverse**2),
+            1: (one - inverse) ** 2,
+            0: one - inverse,
+            -1: one - inverse**2,
+        }[symbol]
+        units *= part**sign
+    return int(units * p ** remove(order.level, p)[0])
+
+
+def _unit_cosets(order: Order, larger: Order, p: int, depth: int, number: int) -> list[Quaternion]:
+    """Return units u of the larger order at p, one for each u·O; pᵈᵉᵖᵗʰ times the order lies in O."""
+    rng, whole = random.Random(1), larger._scaled(Fraction(p**depth))
+    found: dict[Any, Quaternion] = {}
+    while len(found) < number:
+        v = [rng.randrange(p**depth) for _ in range(4)]
+        if larger._trace_and_norm(v)[1] % p:
+            u = larger._element(larger._from_coordinates(v))
+            found.setdefault((order.__rmul__(u) + whole).hnf, u)
+    return list(found.values())
+
+
+def _of_least_norm(lattice: Lattice, p: int) -> tuple[int, ...]:
+    """Return the row of an element whose norm, over that of the lattice, is prime to p."""
+    rows, gram = lattice._reduced
     pairs = [(m, n) for m in range(4) for n in range(m, 4)]
-    # the norm over that of the ideal is primitive, so one of these has a value prime to p
     for m, n in sorted(pairs, key=lambda x: x[0] != x[1]):
         value = gram[m][m] // 2 if m == n else (gram[m][m] + gram[n][n]) // 2 + gram[m][n]
         if value % p:
             lines = hermite.tuples(rows)
-            x = lines[m] if m == n else tuple(map(add, lines[m], lines[n]))
-            return ideal.__rmul__(ideal._element(x).conjugate())._scaled(1 / ideal._norm)
+            return lines[m] if m == n else tuple(map(add, lines[m], lines[n]))
     raise AssertionError("the values of a primitive form have no common divisor")
+
+
+def prime_to(ideal: Lattice, p: int) -> Lattice:
+    """Return a right ideal of integral norm prime to p in the class of a right ideal: ``conj(x)·I/N(I)``."""
+    x = ideal._element(_of_least_norm(ideal, p))
+    return ideal.__rmul__(x.conjugate())._scaled(1 / ideal._norm)
 
 
 def random_ideal(order: Order, n: int, rng: random.Random) -> Lattice:

@@ -17,7 +17,7 @@ from hfield.proving.decision import Decision
 def certificate(
     proposition: Proposition | None, decision: Decision | None, field: str
 ) -> dict[str, object] | None:
-    """Return the certificate ``hfield-cert/1`` of a decision, None where there is none to give.
+    """Return the certificate ``hfield-cert/2`` of a decision, None where there is none to give.
 
     One that the checker would reject, for what it cites too, is not given.
     """

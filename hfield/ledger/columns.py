@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL
-from hfield.notation import split_commas
 from hfield.rings import ring
+from hfield.syntax.brackets import split
 
 
 def read_column(text: str) -> str:
@@ -21,7 +21,7 @@ def read_column(text: str) -> str:
 
 def split_columns(texts: Sequence[str]) -> list[str]:
     """Read field names given one by one or with commas between them; the same one counts once."""
-    parts = [part for text in texts for part in split_commas(text)]
+    parts = [part for text in texts for part in split(text, ",")]
     return list(dict.fromkeys(read_column(part) for part in parts))
 
 

@@ -12,6 +12,7 @@ from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.matrix import Style
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+from hfield.rings import ring
 
 _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
@@ -23,7 +24,7 @@ def decision_text(
     statement: str, decision: Decision, algebra: str, field: str | None, style: Style
 ) -> str:
     """Write a statement of the language in ``algebra`` and its decision; no field means all."""
-    where = "for every F" if field is None else over(field)
+    where = "for every F" if field is None else f"{over(field)}, {ring(field).in_words()}"
     lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
     told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
     return "\n".join([*lines, *told])

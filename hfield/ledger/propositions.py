@@ -94,8 +94,7 @@ class Every:
         """Decide every part; what stops the proof decides the whole."""
         steps: list[str] = []
         methods: list[str] = []
-        proofs: list[dict[str, Any]] = []
-        assumes: dict[str, None] = {}
+        decisions: list[Decision] = []
         for n, part in enumerate(self.parts):
             decision = part.decide(field)
             if decision.verdict not in TRUE:
@@ -103,23 +102,27 @@ class Every:
                 return replace(
                     decision, steps=(*steps, part.text, *decision.steps), evidence=evidence
                 )
-            proofs.append(judged(decision))
+            decisions.append(decision)
             steps += [part.text, *(f"  {step}" for step in decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
-            assumes |= dict.fromkeys(decision.assumes)
-        empty = all(proof["verdict"] == "vacuous" for proof in proofs)
+        empty = all(decision.verdict == "vacuous" for decision in decisions)
         return Decision(
             VACUOUS if empty else PROVED,
             "; ".join(methods),
             steps=tuple(steps),
-            assumes=tuple(assumes),
-            evidence={"kind": "parts", "parts": proofs},
+            assumes=cited(*decisions),
+            evidence={"kind": "parts", "parts": [judged(decision) for decision in decisions]},
         )
 
 
 def judged(decision: Decision) -> dict[str, object]:
     """Return the evidence for a part of a proposition with its verdict."""
     return {"verdict": decision.verdict, "evidence": decision.evidence}
+
+
+def cited(*decisions: Decision) -> tuple[str, ...]:
+    """Return what several decisions cite."""
+    return tuple(dict.fromkeys(text for decision in decisions for text in decision.assumes))
 
 
 @dataclass(frozen=True)
@@ -159,6 +162,7 @@ class Implication:
         evidence = {"kind": "conclusion", "evidence": second.evidence}
         if second.verdict == "refuted":
             evidence = {"kind": "both", "left": judged(first), "right": judged(second)}
+            second = replace(second, assumes=cited(first, second))
         return replace(second, steps=(*first.steps, *second.steps), evidence=evidence)
 
 
@@ -199,4 +203,6 @@ class Equivalence:
         method = a.method if a.method == b.method else f"{a.method}; {b.method}"
         witness = (a.witness or b.witness) if verdict == "refuted" else None
         evidence = {"kind": "both", "left": judged(a), "right": judged(b)}
-        return Decision(verdict, method, witness=witness, steps=steps, evidence=evidence)
+        return Decision(
+            verdict, method, witness=witness, steps=steps, assumes=cited(a, b), evidence=evidence
+        )

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING
+from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING, REFUTED
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
+from hfield.ledger.scopes import Over
 from hfield.proving.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring
 
@@ -21,7 +22,8 @@ REAL = "RR"
 class Angles:
     """``core`` about points of the circle; ``real`` is what it takes over RR besides.
 
-    Over RR the decision cites that the points of the circle are the points (cos θ, sin θ).
+    Over RR, and over all fields, of which it is one, the decision cites that the points of the circle
+    are the points (cos θ, sin θ). Over any other field ``real`` is not looked at.
     """
 
     core: Proposition
@@ -39,11 +41,13 @@ class Angles:
         return f"angles{{{'; '.join(part.statement for part in parts)}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide the core, over RR with what it takes there."""
-        if field is None or field.name != REAL:
+        """Decide the core over ``field``, and what it takes over RR if ``field`` is that, or None."""
+        if field is not None and field.name != REAL:
             return self.core.decide(field)
-        whole = Every((self.core, self.real)) if self.real else self.core
-        return _citing(whole.decide(field), CIRCLE)
+        whole = Every((self.core, Over(REAL, self.real))) if self.real else self.core
+        decision = whole.decide(field)
+        refuted = field is None and decision.verdict == REFUTED
+        return decision if refuted else _citing(decision, CIRCLE)
 
 
 @dataclass(frozen=True)

@@ -53,9 +53,11 @@ class Negation:
         if fails:
             name, first = next(iter(fails.items()))
             witness = {"F": [name], **(first.witness or {})}
-            evidence = {"kind": "over", "field": name, "evidence": first.evidence}
+            evidence = {"kind": "over", "ring": ring(name).data, "evidence": first.evidence}
             return Decision(PROVED, WITNESS, witness=witness, steps=tuple(steps), evidence=evidence)
-        settled = all(d.verdict in TRUE for d in found.values())
+        # that it holds in each field of the panel shows nothing of the others
+        general = found if field else {UNIVERSAL: self.proposition.decide(None)}
+        settled = all(d.verdict in TRUE for d in general.values())
         return Decision(REFUTED if settled else UNDECIDED, THE_PANEL, steps=tuple(steps))
 
 
@@ -132,7 +134,7 @@ def search_panel(proposition: Proposition) -> Decision:
         if decision.verdict == "refuted":
             witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
             steps = (f"It fails over {name}:", *decision.steps)
-            evidence = {"kind": "over", "field": name, "evidence": decision.evidence}
+            evidence = {"kind": "over", "ring": ring(name).data, "evidence": decision.evidence}
             return replace(decision, witness=witness, steps=steps, evidence=evidence)
     return Decision(UNDECIDED, THE_PANEL, tried=("a counterexample in each field of the panel",))
 

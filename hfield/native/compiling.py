@@ -1,17 +1,27 @@
-"""From a text in LLVM's notation to machine code for this processor, compiled once on this machine."""
+"""From a text in LLVM's notation to machine code for this processor, compiled once on this machine.
+
+Machine code is never freed: an address that was handed out is good as long as the process, in every thread.
+All that asks LLVM for something does so under the one `lock`, and publishes what it made; who calls it reads
+that without a lock.
+"""
 
 import ctypes
 import hashlib
+import itertools
 import os
 import sys
 from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from hfield import locking
 from hfield.native.keeping import keep, kept
 
 Function = Callable[[int, int], int]
-_engines: dict[str, Any] = {}  # what the machine code lies in, as long as the process
+lock = locking.lock()
+_addresses: dict[str, int] = {}  # of what is linked
+_symbols: dict[str, int] = {}  # what programs call by name, and where it lies
+_numbers = itertools.count()
 
 
 @cache
@@ -19,20 +29,25 @@ def available() -> bool:
     """Tell whether there is an LLVM to compile with, and nobody asked for plain Python."""
     if os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
         return False
-    try:
-        machine()
-    except Exception:  # no LLVM here, or one of another age
-        return False
+    with lock:
+        try:
+            _linker()
+        except Exception:  # no LLVM here, or one of another age
+            return False
     return True
 
 
 def machine() -> Any:
-    """Return LLVM's description of this processor; an engine takes it into its keeping."""
+    """Return LLVM's description of this processor."""
     import llvmlite.binding as llvm
 
     _introduce()
     return llvm.Target.from_default_triple().create_target_machine(
-        cpu=llvm.get_host_cpu_name(), features=_features().flatten(), opt=2
+        cpu=llvm.get_host_cpu_name(),
+        features=_features().flatten(),
+        opt=2,
+        reloc="pic",
+        codemodel="small",
     )
 
 
@@ -51,15 +66,39 @@ def _features() -> Any:
     return llvm.get_host_cpu_features()
 
 
+@cache
+def _linker() -> Any:
+    """Return what puts machine code into memory, and tells what is wrong with it instead of giving up."""
+    import llvmlite.binding as llvm
+
+    return llvm.create_lljit_compiler(machine(), suppress_errors=True)
+
+
+@cache
+def _made_by() -> str:
+    """Return all that machine code depends on beside the program."""
+    import llvmlite
+    import llvmlite.binding as llvm
+
+    versions = f"{llvmlite.__version__} {llvm.llvm_version_info} {machine().triple}"
+    return f"{versions} {llvm.get_host_cpu_name()} {_features().flatten()}"
+
+
 def processor_has(feature: str) -> bool:
     """Tell whether the processor has a set of instructions, by LLVM's name for it."""
-    return bool(_features().get(feature))
+    with lock:
+        return bool(_features().get(feature))
+
+
+def introduce(name: str, address: int) -> None:
+    """Make a function of the system known to programs compiled from now on."""
+    _symbols[name] = address
 
 
 def compiled(
     text: str, name: str, vectorise: bool = False, announce: Callable[[], None] | None = None
 ) -> int:
-    """Return the address of the function ``name`` of a program.
+    """Return the address of the function ``name`` of a program, good as long as the process.
 
     Parameters
     ----------
@@ -69,32 +108,53 @@ def compiled(
     announce : callable, optional
         Called before a compilation, not where the code is kept on disk.
     """
-    import llvmlite
-    import llvmlite.binding as llvm
+    with lock:
+        key = hashlib.sha256(f"{_made_by()} {vectorise} {name} {text}".encode()).hexdigest()
+        if key not in _addresses:
+            _addresses[key] = _kept(key, name) or _compiled(key, text, name, vectorise, announce)
+        return _addresses[key]
 
-    target = machine()
-    made = f"{llvmlite.__version__} {llvm.llvm_version_info} {target.triple} {vectorise} "
-    made += llvm.get_host_cpu_name() + _features().flatten()
-    key = hashlib.sha256((made + text).encode()).hexdigest()
-    if key in _engines:
-        return int(_engines[key].get_function_address(name))
-    module = llvm.parse_assembly(text)
+
+def _kept(key: str, name: str) -> int | None:
+    """Return the address of what lies on disk, or None if nothing does that can be linked."""
     code = kept(key)
     if code is None:
-        if announce is not None:
-            announce()
-        options = llvm.create_pipeline_tuning_options(speed_level=3 if vectorise else 0)
-        if vectorise:
-            options.loop_vectorization = options.loop_interleaving = options.loop_unrolling = True
-        builder = llvm.create_pass_builder(target, options)
-        builder.getModulePassManager().run(module, builder)
-    engine = llvm.create_mcjit_compiler(module, target)
-    engine.set_object_cache(
-        notify_func=lambda module, code: keep(key, code), getbuffer_func=lambda module: code
-    )
-    engine.finalize_object()
-    _engines[key] = engine
-    return int(engine.get_function_address(name))
+        return None
+    try:
+        return _linked(code, name)
+    except RuntimeError:
+        return None
+
+
+def _compiled(
+    key: str, text: str, name: str, vectorise: bool, announce: Callable[[], None] | None
+) -> int:
+    import llvmlite.binding as llvm
+
+    if announce is not None:
+        announce()
+    target, module = machine(), llvm.parse_assembly(text)
+    options = llvm.create_pipeline_tuning_options(speed_level=3 if vectorise else 0)
+    if vectorise:
+        options.loop_vectorization = options.loop_interleaving = options.loop_unrolling = True
+    builder = llvm.create_pass_builder(target, options)
+    builder.getModulePassManager().run(module, builder)
+    code = target.emit_object(module)
+    address = _linked(code, name)
+    keep(key, code)  # what is on disk has been linked once
+    return address
+
+
+def _linked(code: bytes, name: str) -> int:
+    """Put machine code into memory for good; return where its function lies. Raises RuntimeError."""
+    import llvmlite.binding as llvm
+
+    library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
+    for symbol, address in _symbols.items():
+        library.import_symbol(symbol, address)
+    linked = library.export_symbol(name).link(_linker(), f"hfield {next(_numbers)}")
+    linked.detach()  # it keeps the code, and what linked it, and is now never freed
+    return int(linked[name])
 
 
 class Announcer:

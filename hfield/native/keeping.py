@@ -1,16 +1,21 @@
 """Machine code kept on disk, so that a process need not compile what another one has.
 
 It lies in ``NUMBA_CACHE_DIR``, else in the user's cache directory; where nothing can be written nothing is
-kept. A file begins with the checksum of the rest; what does not fit it is not used.
+kept. A file that another user owns or may write is not read. It begins with a stamp: the checksum of its name
+and the rest under a secret of this user's. So what fits its stamp was linked by the process that wrote it,
+and what does not is compiled again.
 """
 
 import contextlib
 import hashlib
 import os
+import stat
 import sys
 from pathlib import Path
 
 FOLDER = "hfield-machine-code"
+SECRET = "secret"
+SIZE = 32  # bytes of the secret, and of a stamp
 
 
 def directory() -> Path:
@@ -27,24 +32,82 @@ def directory() -> Path:
     return Path(base).expanduser() / FOLDER
 
 
-def kept(key: str) -> bytes | None:
-    """Return the machine code kept under the key, or None."""
-    try:
-        data = (directory() / key).read_bytes()
-    except (OSError, RuntimeError):
-        return None
-    code = data[32:]
-    return code if hashlib.sha256(code).digest() == data[:32] else None
-
-
-def keep(key: str, code: bytes) -> None:
-    """Keep machine code under the key, if that can be done; readers see all of it or nothing."""
+def private_directory() -> Path | None:
+    """Return where the files lie, made if need be, or None where others may write there, or nobody can."""
     with contextlib.suppress(OSError, RuntimeError):
         place = directory()
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        part = place / f"{key}.{os.getpid()}"
+        if _is_own(place.stat()) and os.access(place, os.W_OK):
+            return place
+    return None
+
+
+def kept(key: str) -> bytes | None:
+    """Return the machine code kept under the key, or None."""
+    with contextlib.suppress(OSError, RuntimeError):
+        place = directory()
+        data = _own(place / key)
+        stamp, code = data[:SIZE], data[SIZE:]
+        if stamp == _stamp(_secret(place), key, code):
+            return code
+    return None
+
+
+def keep(key: str, code: bytes) -> None:
+    """Keep machine code that was linked, if that can be done; readers see all of it or nothing."""
+    with contextlib.suppress(OSError, RuntimeError):
+        place = directory()
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)
         try:
-            part.write_bytes(hashlib.sha256(code).digest() + code)
-            os.replace(part, place / key)
-        finally:  # of a full disk, or where something else stands in the place
-            part.unlink(missing_ok=True)
+            secret = _secret(place)
+        except OSError:
+            _write(place / SECRET, os.urandom(SIZE))
+            secret = _secret(place)  # another process may have been quicker
+        _write(place / key, _stamp(secret, key, code) + code)
+
+
+def _stamp(secret: bytes, key: str, code: bytes) -> bytes:
+    return hashlib.blake2b(key.encode() + code, key=secret, digest_size=SIZE).digest()
+
+
+def _secret(place: Path) -> bytes:
+    secret = _own(place / SECRET)
+    if len(secret) != SIZE:
+        raise OSError(f"{place / SECRET} has {len(secret)} bytes; expected {SIZE}")
+    return secret
+
+
+def _own(path: Path) -> bytes:
+    """Read a file that nobody but this user can have written. Raises OSError."""
+    with open(path, "rb", opener=_without_waiting) as file:
+        found = os.fstat(file.fileno())
+        if not stat.S_ISREG(found.st_mode):
+            raise PermissionError(f"{path} is no plain file")
+        if not _is_own(found):
+            raise PermissionError(f"{path} is another user's, or may be written by others")
+        return file.read()
+
+
+def _is_own(found: os.stat_result) -> bool:
+    if not hasattr(os, "geteuid"):
+        return True
+    return found.st_uid == os.geteuid() and not found.st_mode & 0o022
+
+
+def _write(path: Path, data: bytes) -> None:
+    """Write a file that only this user can read, whole or not at all. Raises OSError."""
+    part = path.with_name(f"{path.name}.{os.urandom(8).hex()}")
+    try:
+        with open(part, "xb", opener=_for_us) as file:
+            file.write(data)
+        os.replace(part, path)
+    finally:  # of a full disk, or where something else stands in the place
+        part.unlink(missing_ok=True)
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))  # as for the writer of a pipe
+
+
+def _for_us(path: str, flags: int) -> int:
+    return os.open(path, flags, 0o600)

@@ -7,14 +7,16 @@ threads, a fork or the end of the interpreter could break; numba's own parallel 
 
 import os
 import threading
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Iterator
 from ctypes import addressof, c_int64
 from functools import partial
 from queue import SimpleQueue
-from typing import Any
+from typing import Any, TypeVar
 
 from hfield.errors import HFieldError
 
+T = TypeVar("T")
 VARIABLES = ("HFIELD_NUM_THREADS", "ROTATION_NUM_THREADS")
 
 
@@ -120,6 +122,15 @@ def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: obje
     for helper in helpers:
         answer |= helper.result()
     return answer
+
+
+def taken(pieces: deque[T]) -> Iterator[T]:
+    """Yield what is left of the pieces that threads share; each is taken by one of them."""
+    while True:
+        try:
+            yield pieces.popleft()
+        except IndexError:
+            return
 
 
 def _task(

@@ -19,6 +19,7 @@ from hfield.certificates.glossary import (
     VERDICTS,
 )
 from hfield.errors import UndecidedError
+from hfield.rings import ring
 
 # The verdicts and scopes, which those who decide take from here.
 __all__ = [
@@ -88,18 +89,28 @@ class Decision:
     def certificate(
         self, statement: str, algebra: str, field: str | None
     ) -> dict[str, object] | None:
-        """Return this as a certificate ``hfield-cert/1``, unchecked; None without verdict or evidence."""
+        """Return this as a certificate ``hfield-cert/2``, unchecked; None without verdict or evidence."""
         if self.evidence is None or self.verdict not in CERTIFIED:
             return None
+        from hfield.certificates.vocabulary.logic import names_of_rings
+
+        evidence, named = dict(self.evidence), names_of_rings(statement)
+        if named:
+            evidence = {
+                "kind": "rings",
+                "rings": [ring(n).data for n in named],
+                "evidence": evidence,
+            }
         return {
             "schema": SCHEMA,
             "statement": statement,
             "algebra": algebra,
             "field": field,
+            "ring": None if field is None else ring(field).data,
             "verdict": self.verdict,
             "method": self.method,
             "assumes": list(self.assumes),
-            "evidence": dict(self.evidence),
+            "evidence": evidence,
         }
 
     def __bool__(self) -> bool:

@@ -17,6 +17,7 @@ from hfield.rings.base import Ring
 from hfield.syntax import Call, Name, Node, children
 
 MAX_KEPT = 8_192  # answers to a question of one kind
+_NOTHING = object()
 
 
 class Memory:
@@ -30,14 +31,14 @@ class Memory:
     ) -> Any:
         """Return what is remembered under a key, or make it, and remember it if it is ``lasting``."""
         kept = self._kept.setdefault(kind, {})
-        if key not in kept:
-            made = make()
-            if not lasting():
-                return made
-            if len(kept) >= MAX_KEPT:
-                kept.clear()
-            kept[key] = made
-        return kept[key]
+        found = kept.get(key, _NOTHING)
+        if found is _NOTHING:
+            found = make()
+            if lasting():
+                if len(kept) >= MAX_KEPT:
+                    kept.clear()
+                kept[key] = found
+        return found
 
     def cache_clear(self) -> None:
         """Forget everything; named as functools names it, for whoever empties all caches."""

@@ -51,7 +51,7 @@ class Answer:
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/1`` as JSON data, one that the checker accepts, or None.
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
 
         There is none for what is not decided, and none where the checker cannot follow, since it does not
         know the constants or would have to do too much; :attr:`why_no_certificate` says which.

@@ -4,6 +4,7 @@ Elements are raw values of the library behind the ring (see ``docs/rings.md``). 
 imports neither sympy nor galois nor numpy; a ring imports them when it first needs them.
 """
 
+import re
 from functools import lru_cache
 
 from hfield.errors import RingError, shorten
@@ -30,7 +31,19 @@ def ring(spec: Ring | str) -> Ring:
         raise RingError(
             f"{shorten(repr(spec))} is not the name of a ring; expected a text such as 'GF(9)'"
         )
+    if apart := re.search(r"\d\s+\d|[(\[].*[^\W\d_]\s+[^\W\d_]", spec):
+        raise RingError(f"{shorten(apart[0])!r} has a blank inside a number or a word")
     return _ring("".join(spec.split()))
+
+
+def ring_of_data(data: object) -> Ring:
+    """Return the ring of the data of a certificate, as ``ring.data`` gives them.
+
+    Raises :class:`hfield.certificates.rejection.Rejected` for data of none that the checker knows.
+    """
+    from hfield.certificates.scalars.fields import read_ring
+
+    return ring(read_ring(data).name)
 
 
 @lru_cache(maxsize=1024)

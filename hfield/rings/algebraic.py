@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -53,6 +53,11 @@ class AlgebraicNumbers(ValueRing):
     def in_words(self) -> str:
         """Say what the field is."""
         return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its kind."""
+        return {"kind": "reals" if self.is_real else "complexes"}
 
     @property
     def gen(self) -> Surd | Closed:
@@ -139,7 +144,10 @@ class AlgebraicNumbers(ValueRing):
         return CC.sqrt(x)
 
     def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
-        """Return the n-th root: in RR the real one of a real number, else the principal one."""
+        """Return the n-th root: the real one, positive if there are two, of a real number that has one.
+
+        Of all others the principal one; so a text means one number in RR and CC.
+        """
         if isinstance(n, Surd) and n.terms.keys() <= {1}:
             n = n.terms.get(1, 0)
         degree = None if isinstance(n, Surd) else rational(n)
@@ -147,8 +155,8 @@ class AlgebraicNumbers(ValueRing):
             raise CoercionError(f"root(x, n) takes an integer n from 1 to 64, not {shorten(n)}")
         from hfield.rings.closed import root
 
-        real = self.is_real and (x.is_real() and degree % 2 == 1 and RR.sign(x) < 0)
-        return -root(-x, degree) if real else root(x, degree)
+        negative = degree % 2 == 1 and not x.ball(64).real > 0 and x.is_real() and RR.sign(x) < 0
+        return -root(-x, degree) if negative else root(x, degree)
 
     @property
     def level(self) -> Known:

@@ -63,6 +63,22 @@ def wrap(x: object) -> np.ndarray:
     return out
 
 
+def owned(array: np.ndarray, source: object) -> np.ndarray:
+    """Return what was made of a value, as a copy where it shares memory with the value."""
+    shared = isinstance(source, np.ndarray) and np.may_share_memory(array, source)
+    return array.copy() if shared else array
+
+
+def read_only(array: np.ndarray) -> np.ndarray:
+    """Return a view through which nobody changes the array; its flag cannot be set back either."""
+    view = array.view()
+    owner: object = view
+    while isinstance(owner, np.ndarray):
+        owner.setflags(write=False)
+        owner = owner.base
+    return view
+
+
 def one_shape(arrays: list[np.ndarray]) -> list[np.ndarray]:
     """Broadcast the coordinate arrays to one shape. Raises :class:`CoercionError` where they have none."""
     try:

@@ -1,15 +1,25 @@
 """Numbers enclosed in flint's balls: what can be read off an enclosure that may be made ever smaller."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import flint
 
+from hfield import locking
 from hfield.errors import UndecidedError
 
 MAX_BITS = 100_000
 
 Enclosure = Callable[[int], Any]  # bits of working precision ↦ a complex ball around the number
+_lock = locking.lock()
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Work with so many bits, one thread at a time: flint has one precision for all of them."""
+    with _lock, flint.ctx.workprec(bits):
+        yield
 
 
 def fingerprint(enclosure: Enclosure) -> tuple[int, int]:
@@ -24,7 +34,7 @@ def _floor(enclosure: Enclosure, part: Callable[[Any], Any]) -> int:
     bits = 96
     while bits <= MAX_BITS:
         value = part(enclosure(bits))
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             floor = (value * 2**30 + flint.arb.pi()).floor().unique_fmpz()
         if floor is not None:
             return int(floor)

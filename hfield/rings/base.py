@@ -89,6 +89,16 @@ class Ring(ABC, Generic[E]):
         return self.name
 
     @property
+    def data(self) -> dict[str, Any] | None:
+        """The ring as JSON data, of which certificates are (docs/certificates.md); None where it has none."""
+        return None
+
+    def place_data(self, place: Any) -> dict[str, Any]:
+        """Return a place of the field as JSON data."""
+        found: dict[str, Any] = place.data
+        return found
+
+    @property
     def gen(self) -> E:
         """The generator: the class of x, the square root, the variable."""
         raise UndecidedError(f"{self.name} has no generator")

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
-from hfield.rings.balls import MAX_BITS, fingerprint
+from hfield.rings.balls import MAX_BITS, fingerprint, precision
 from hfield.rings.radicals import FUNCTIONS, check_size, surd_of, sympy_of, times
 from hfield.rings.radicands import is_long
 from hfield.rings.surds import ONE, Surd, as_surd, from_rational
@@ -125,44 +125,40 @@ class Closed:
         """Return a complex ball of flint around the number, computed with that many bits."""
         from hfield.rings.evaluate import evaluate
 
-        with flint.ctx.workprec(bits):
-            return evaluate(self.expr)
+        expr = self.expr
+        with precision(bits):
+            return evaluate(expr)
 
     def is_zero(self) -> bool:
         """Tell whether the number is 0. Raises :class:`UndecidedError` for some transcendental ones."""
         known = self.bounds
         need = None if known is None else known.degree * known.height
-        return bool(self.expr == 0) or self._vanishes(need, lambda z: z, lambda x: x)
+        return bool(self.expr == 0) or self._vanishes(need)
 
     def is_real(self) -> bool:
         """Tell whether the number is real. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
-        import sympy
-
         if self.expr.is_real:
             return True
         known = self.bounds
         # im(x) = (x − conj(x))/2i has at most twice the height and 2·log 2 more, in a field that i and
         # the conjugates of all parts generate.
         need = None if known is None else 2 * known.degree**2 * (2 * known.height + 2 * log(2))
-        return self._vanishes(need, lambda z: z.imag, sympy.im)
+        return self._vanishes(need, imaginary=True)
 
-    def _vanishes(
-        self,
-        need: float | None,
-        part: Callable[[flint.acb], flint.acb],
-        form: Callable[[sympy.Expr], sympy.Expr],
-    ) -> bool:
-        """Tell whether a part of the number is 0: if not, it is at least exp(−need) in absolute value."""
+    def _vanishes(self, need: float | None, imaginary: bool = False) -> bool:
+        """Tell whether the number, or its imaginary part, is 0: if not, its size is at least exp(−need)."""
         if need is not None and need / log(2) > MAX_BITS:
             need = None  # too much to prove it 0 this way, but it may be seen not to be
         small = TRANSCENDENTAL_BITS if need is None else ceil(need / log(2)) + 2
         bits = 64
         while bits <= 4 * small + 4096:
-            value = part(self.ball(bits))
+            value = self.ball(bits).imag if imaginary else self.ball(bits)
             if not value.contains(0):
                 return False
+            if bits == 64 and not imaginary and value.is_finite() and self._is_identity():
+                return True
             if value.abs_upper() < flint.arb(2) ** -small:
-                if need is not None or _simplifies_to_zero(form(self.expr)):
+                if need is not None or _simplifies_to_zero(self.expr, imaginary):
                     return True
                 break
             bits *= 2
@@ -170,6 +166,11 @@ class Closed:
             f"whether {shorten(self)} is 0, or real, is not decided: it is below 2^-{small} and not seen "
             "to vanish; expected algebraic numbers of small degree, or numbers that differ clearly"
         )
+
+    def _is_identity(self) -> bool:
+        from hfield.rings.identities import vanishes_identically
+
+        return vanishes_identically(self.expr)
 
     def sign(self) -> int:
         """Return the sign of a real number."""
@@ -189,15 +190,15 @@ class Closed:
 
     def _fraction(self, bits: int) -> Fraction | None:
         """Return the number as a Fraction if it is one of so many bits above and below, or None."""
-        precision = 2 * bits + 64
-        if precision > MAX_BITS:
+        wide = 2 * bits + 64
+        if wide > MAX_BITS:
             return None
-        z = self.ball(precision)
+        z = self.ball(wide)
         if not (z.imag.contains(0) and z.is_finite()):
             return None
         middle = z.real.mid().fmpq()
         near = Fraction(int(middle.p), int(middle.q)).limit_denominator(2**bits)
-        with flint.ctx.workprec(precision):
+        with precision(wide):
             # the enclosure of a fraction need not lie inside that of the number
             if not z.real.overlaps(flint.arb(flint.fmpq(near.numerator, near.denominator))):
                 return None
@@ -232,7 +233,7 @@ def number(expr: sympy.Expr) -> Surd | Closed:
     check_size(expr)
     expr = sympy.expand(expr)
     check_size(expr)
-    if expr.is_finite is False or expr is sympy.nan:
+    if expr.has(sympy.zoo, sympy.oo, -sympy.oo, sympy.nan):  # is_finite may take minutes
         raise CoercionError(f"the expression is {shorten(expr)}, not a number")
     surd = surd_of(expr)
     if surd is not None:
@@ -303,7 +304,9 @@ def function(name: str) -> Callable[[Surd | Closed], Surd | Closed]:
     return call
 
 
-def _simplifies_to_zero(expr: sympy.Expr) -> bool:
+def _simplifies_to_zero(expr: sympy.Expr, imaginary: bool) -> bool:
     import sympy
 
+    if imaginary:
+        expr = sympy.im(expr)
     return bool(expr.count_ops() <= SIMPLIFIED and sympy.simplify(expr) == 0)

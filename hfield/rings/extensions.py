@@ -71,6 +71,13 @@ class SimpleExtension(Overfield[ExtensionElement]):
         below = self.base, self.gen_name, self.modulus_coefficients
         return shared, (type(self), self.name, self._words, *below)
 
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by the one below, the polynomial, low degree first, and the name of the root."""
+        modulus = [self.base.text(c) for c in self.modulus_coefficients]
+        own = {"modulus": modulus, "variable": self.gen_name}
+        return {"kind": "extension", "base": self.base.data, **own}
+
     def in_words(self) -> str:
         """Say what the field is."""
         return self._words

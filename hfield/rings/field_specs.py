@@ -14,7 +14,7 @@ from hfield.primality import prime_power
 from hfield.rings.base import shared
 from hfield.rings.finite import NAME, ExtensionField, FiniteField, PrimeField, modulus_text
 from hfield.rings.printing import from_unicode
-from hfield.rings.rational import rational
+from hfield.rings.rational import rational, whole_number
 from hfield.rings.residue_polynomials import coefficients, residues
 
 if TYPE_CHECKING:
@@ -53,9 +53,12 @@ def _order(q: object) -> tuple[int, int]:
     exponent = exponent.removeprefix("(").removesuffix(")")
     digits = [part.removeprefix("-") for part in (base, *([exponent] if caret else []))]
     if not isinstance(q, str) or not all(d.isdecimal() and d.isascii() for d in digits):
-        raise RingError(
-            f"GF({shorten(q, 30)}): expected the number of elements, as in GF(9) or GF(3^2)"
-        )
+        value = whole_number(from_unicode(text)) if isinstance(q, str) else None
+        if value is None:
+            raise RingError(
+                f"GF({shorten(q, 30)}): expected the number of elements, as in GF(9) or GF(3^2)"
+            )
+        return _split(value)
     if max(map(len, digits)) > 1300:
         raise RingError(_too_large(f"of {max(map(len, digits))} digits"))
     if not caret:

@@ -48,6 +48,12 @@ class FiniteField(Ring):
         """Say what the field is."""
         return f"the finite field of {shorten(self.order)} elements"
 
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its characteristic and degree."""
+        own = {"characteristic": self.characteristic, "degree": self.degree}
+        return {"kind": "finite field", **own, "modulus": None}
+
     @abstractmethod
     def label(self, x: Coefficient) -> int:
         """Return galois's integer label of x: its coefficients as digits in base p."""
@@ -141,6 +147,15 @@ class ExtensionField(FiniteField):
     def __reduce__(self) -> tuple[object, ...]:
         modulus = () if self.is_default else (tuple(self.coefficients),)
         return shared, (type(self), self.characteristic, self.degree, *modulus)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its modulus; a default one that the checker has no table of is not written."""
+        from hfield.certificates.scalars.conway import CONWAY
+
+        known = not self.is_default or self.order in CONWAY
+        modulus = self.coefficients if known else None
+        return {**super().data, "modulus": modulus}
 
     @property
     def modulus_origin(self) -> str:

@@ -39,6 +39,11 @@ class Floats(ValueRing):
     def __reduce__(self) -> str:
         return self.name
 
+    @property
+    def data(self) -> dict[str, Any]:
+        """The ring by its kind."""
+        return {"kind": "floats"}
+
     def in_words(self) -> str:
         """Say what the ring is."""
         return "floating-point numbers, which are inexact"

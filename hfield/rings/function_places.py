@@ -6,7 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import flint
+
 from hfield.errors import HFieldError, RingError, UndecidedError, shorten
+from hfield.rings.rational_places import INFINITE_NAMES
 
 if TYPE_CHECKING:
     from hfield.rings.functions import FunctionField
@@ -34,16 +37,31 @@ class FunctionPlace:
         return hash((self.field.name, str(self)))
 
     @property
+    def data(self) -> dict[str, Any]:
+        """The place as JSON data; coefficients low degree first, integers or lists of them."""
+        if self.poly is None:
+            return {"kind": "infinity"}
+        return {"kind": "prime polynomial", "coefficients": [_json(c) for c in self.poly.coeffs()]}
+
+    @property
     def degree(self) -> int:
         """The degree of the residue field over k."""
         return 1 if self.poly is None else int(self.poly.degree())
+
+
+def _json(c: Any) -> object:
+    """Return a coefficient as JSON data: an integer, a list of integers over GF(pⁿ), else a text."""
+    if isinstance(c, flint.fq_default):
+        digits = c.to_list()
+        return [int(x) for x in digits] if len(digits) > 1 else int(digits[0])
+    return int(c) if isinstance(c, (flint.nmod, flint.fmpz_mod)) else str(c)
 
 
 def place_of_functions(field: FunctionField, place: object) -> FunctionPlace:
     """Read a place: a :class:`FunctionPlace`, an irreducible polynomial of the field, or its text."""
     if isinstance(place, FunctionPlace) and place.field == field:
         return place
-    if isinstance(place, str) and place.strip() in ("inf", "oo", "∞"):
+    if isinstance(place, str) and place.strip().lower() in INFINITE_NAMES:
         return FunctionPlace(field)
     try:
         x = field(place)

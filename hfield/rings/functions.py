@@ -19,7 +19,7 @@ from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import ExtensionField
 from hfield.rings.holding import Holding
 from hfield.rings.printing import blackboard, quotient_text, sum_text
-from hfield.rings.quotient import FractionField, Quotient
+from hfield.rings.quotient import FractionField, Quotient, functions_name
 from hfield.rings.residue_polynomials import polynomials_modulo
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class FunctionField(FractionField):
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.gen_name = base, variable
-        self.name = f"{base.name}({variable})"
+        self.name = functions_name(base, (variable,))
         self.characteristic = base.characteristic
         self._polynomial = _polynomials_over(base)
         self._one = self._polynomial([base.one])
@@ -56,6 +56,11 @@ class FunctionField(FractionField):
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (type(self), self.base, self.gen_name)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its constants and its variable."""
+        return {"kind": "rational functions", "base": self.base.data, "variables": [self.gen_name]}
 
     def in_words(self) -> str:
         """Say what the field is."""

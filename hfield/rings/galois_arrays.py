@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import galois
 import numpy as np
 
 from hfield.errors import CoercionError
+from hfield.native.compiling import lock
 from hfield.rings.array_held.finite import primitive
 from hfield.rings.array_held.labels import check_galois, labels
 from hfield.rings.arrays import Objects, objects
@@ -21,13 +21,25 @@ if TYPE_CHECKING:
 
 GALOIS_BELOW = 2**31  # from here on galois would compute with Python objects, slower than flint's
 TABLES_BELOW = 2**16  # from here on its tables would take seconds to build
+_classes: dict[Any, Any] = {}
 
 
-@lru_cache(maxsize=256)
 def field_class(F: Any) -> galois.FieldArray | None:
     """Return galois's array class for the finite field F, with F's modulus; None if F is too large."""
     if F.order >= GALOIS_BELOW:
         return None
+    found = _classes.get(F)
+    if found is None:
+        with (
+            lock
+        ):  # of two classes for one field, arrays of one would not go with those of the other
+            found = _classes.get(F)
+            if found is None:
+                found = _classes[F] = _made_class(F)
+    return found
+
+
+def _made_class(F: Any) -> galois.FieldArray:
     options: dict[str, Any] = {} if F.order < TABLES_BELOW else {"compile": "jit-calculate"}
     if F.degree > 1:
         # Told a primitive element, galois need not search for one, which may take it seconds.

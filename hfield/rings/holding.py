@@ -152,10 +152,17 @@ class Batch(Holding[H]):
 
     def read(self, values: tuple[object, ...]) -> H:
         """Hold four arrays that the ring reads, broadcast to one shape. Raises :class:`CoercionError`."""
-        from hfield.rings.arrays import one_shape
+        from hfield.rings.arrays import one_shape, owned
 
-        w, x, y, z = one_shape([self.ring.array(v) for v in values])
+        w, x, y, z = one_shape([owned(self.ring.array(v), v) for v in values])
         return self.hold((w, x, y, z))
+
+    def handed_out(self, held: H) -> Coordinates:
+        """Return the coordinates as arrays that cannot be written to."""
+        from hfield.rings.arrays import read_only
+
+        w, x, y, z = map(read_only, self.coordinates(held))
+        return w, x, y, z
 
     def lift(self, coordinates: Coordinates) -> H:
         """Hold one element, given by its coordinates in the ring, as an array of no dimensions."""

@@ -50,6 +50,11 @@ class _Ordered(ValueRing):
         self.check_ordering(ordering)
         return int(x > 0) - int(x < 0)
 
+    @property
+    def data(self) -> dict[str, Any]:
+        """ℤ or ℚ, by their names."""
+        return {"kind": "rationals" if self.is_field else "integers"}
+
     def text(self, x: int | flint.fmpz | flint.fmpq, style: str = "plain") -> str:
         """Write x, such as ``-1/2``."""
         return number_text(x, style)
@@ -153,6 +158,10 @@ class Rationals(_Ordered):
         """Say what ℚ is."""
         return "the rational numbers ℚ"
 
+    def place_data(self, place: object) -> dict[str, Any]:
+        """Return a prime number as JSON data."""
+        return {"kind": "number", "n": place}
+
     def __call__(self, x: object) -> flint.fmpq:
         """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
         if type(x) is int:
@@ -221,6 +230,11 @@ class Residues(Modular):
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (type(self), self.modulus)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The ring by its modulus."""
+        return {"kind": "residues", "modulus": self.modulus}
 
     def label(self, x: flint.nmod) -> int:
         """Return the residue between 0 and n − 1."""

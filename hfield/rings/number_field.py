@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from functools import cached_property
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -16,7 +16,7 @@ from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field_roots import Embeddings, square_root
-from hfield.rings.printing import blackboard, number_text, sum_text
+from hfield.rings.printing import blackboard, number_text, rational_json, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import irreducible_factors
 from hfield.rings.values import ValueRing
@@ -48,7 +48,9 @@ class NumberField(ValueRing[FieldElement]):
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
         from hfield.rings.number_field_texts import irreducible, power_sum
+        from hfield.rings.variables import variables
 
+        variables(f"QQ[{shorten(name)}]", name)
         self.gen_name = name
         self.polynomial = irreducible(polynomial, name)
         self.name = f"QQ[{name}]/({power_sum(self.polynomial.coeffs(), name)})"
@@ -63,6 +65,17 @@ class NumberField(ValueRing[FieldElement]):
     def degree(self) -> int:
         """The degree over ℚ."""
         return int(self.polynomial.degree())
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its polynomial, low degree first, and the name of the root."""
+        modulus = [rational_json(c) for c in self.polynomial.coeffs()]
+        return {"kind": "number field", "modulus": modulus, "variable": self.gen_name}
+
+    def coordinates(self, x: FieldElement) -> list[int | str]:
+        """Return the coefficients of the powers of the generator, as JSON data."""
+        found = [rational_json(c) for c in x.poly.coeffs()]
+        return [*found, *[0] * (self.degree - len(found))]
 
     def in_words(self) -> str:
         """Say what the field is."""

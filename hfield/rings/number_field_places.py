@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.primality import is_prime, primes
@@ -31,6 +31,11 @@ class _InfinitePlace:
 
     def __repr__(self) -> str:
         return str(self)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The place as JSON data."""
+        return {"kind": "real" if isinstance(self, RealPlace) else "complex", "number": self.index}
 
     def value(self, x: FieldElement, digits: int = 15) -> flint.acb:
         """Return the image of x, a complex ball of flint with so many correct digits."""
@@ -74,8 +79,9 @@ def place_of_number_field(field: NumberField, place: object) -> Place:
     if text.startswith("inf"):
         above: tuple[Place, ...] = field.infinite_places()
     else:
-        p, _, second = text.removeprefix("(").removesuffix(")").partition(",")
-        if not p.isdecimal() or not is_prime(int(p)):
+        inside = text[1:-1] if text.startswith("(") and text.endswith(")") else text
+        p, comma, second = inside.partition(",")
+        if not p.isdecimal() or not is_prime(int(p)) or (comma and inside == text):
             raise RingError(
                 f"{shorten(place)!r} is not a place of {shorten(field.name)}: expected a prime, "
                 'such as "(2, s)" for the ideal of 2 and s, or "inf0"'

@@ -10,6 +10,7 @@ import flint
 
 from hfield.errors import UndecidedError
 from hfield.primality import primes
+from hfield.rings.balls import precision
 
 if TYPE_CHECKING:
     from hfield.rings.number_elements import FieldElement
@@ -37,7 +38,7 @@ class Embeddings:
         self._at: dict[int, list[Any]] = {START: real + upper}
 
     def _isolated(self, bits: int) -> list[flint.acb]:
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             return [flint.acb(z) for z, _ in self._whole.complex_roots()]
 
     def at(self, bits: int) -> list[flint.acb]:
@@ -52,7 +53,7 @@ class Embeddings:
     def value(self, poly: flint.fmpq_poly, index: int, bits: int) -> flint.acb:
         """Return a ball around the value of a polynomial at a root."""
         root = self.at(bits)[index]
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             value = flint.acb(0)
             for c in reversed(poly.coeffs()):
                 value = value * root + flint.acb(c)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 
-from hfield.errors import shorten
 from hfield.rings.base import Ring, shared
 from hfield.rings.number_field import NumberField
-from hfield.rings.number_field_texts import NUMBER, is_balanced
-from hfield.rings.variables import variables
+from hfield.rings.number_field_texts import NUMBER
+from hfield.syntax.brackets import is_balanced
 
 _QUOTIENT = re.compile(r"QQ?\[([^\[\],]*)\]/\((.*)\)")
 _REAL = re.compile(r"QQ?\(zeta_?(\d+|\(\d+\))\)\+")
@@ -22,8 +21,7 @@ def build(s: str) -> Ring | None:
     Raises :class:`RingError`.
     """
     if m := _QUOTIENT.fullmatch(s):
-        (name,) = variables(f"QQ[{shorten(m[1])}]", m[1])
-        return shared(NumberField, m[2], name)
+        return shared(NumberField, m[2], m[1])
     if _REAL.fullmatch(s) or any(
         (m := form.fullmatch(s)) and is_balanced(m[1]) and not _is_quadratic(m[1])
         for form in (_SPELLED, _SUM)

@@ -16,6 +16,7 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
+from hfield.rings.balls import precision
 from hfield.rings.base import Ring, shared
 from hfield.rings.integers import QQ
 from hfield.rings.number_elements import FieldElement
@@ -25,12 +26,12 @@ from hfield.rings.number_field_texts import (
     MAX_CONDUCTOR,
     MAX_DEGREE,
     NUMBER,
-    is_balanced,
     power_sum,
 )
 from hfield.rings.number_sums import Value, common_root, evaluate, factor_at, sums_of_roots
-from hfield.rings.printing import number_text, sum_text
+from hfield.rings.printing import number_text, rational_json, sum_text
 from hfield.rings.rational import rational
+from hfield.syntax.brackets import is_balanced, split
 
 _POLYNOMIAL = "for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
 
@@ -72,6 +73,23 @@ class SpelledField(NumberField):
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (spelled, self.name)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by the numbers in its name; ζₙ and the roots are the principal ones."""
+        texts, radicands = [n.text for n in self._numbers], [n.radicand for n in self._numbers]
+        if len(texts) == 1 and radicands[0] is not None:
+            radicand, order = radicands[0]
+            return {"kind": "root field", "radicand": rational_json(radicand), "order": order}
+        if len(texts) == 1:
+            kind = "real cyclotomic field" if self.name.endswith("+") else "cyclotomic field"
+            return {"kind": kind, "order": int(re.sub(r"\D", "", texts[0]))}
+        if all(r is not None and r[1] == 2 and r[0].denominator == 1 for r in radicands):
+            return {
+                "kind": "multiquadratic field",
+                "d": [int(r[0].numerator) for r in radicands if r],
+            }
+        return {"kind": "field of numbers", "numbers": texts}
 
     def _adjoin(self, images: list[flint.fmpq_poly], number: Number) -> list[flint.fmpq_poly]:
         """Make θ a generator of the field with one more number; return the images of all numbers."""
@@ -141,7 +159,7 @@ class SpelledField(NumberField):
         x = self(x)
         for number, image in zip(self._numbers, self._images, strict=True):
             if number.radicand is not None and number.radicand[1] == exponent:
-                ratio = x * self(number.radicand[0]).inverse()  # cⁿ for a rational c > 0?
+                ratio = x * self(number.radicand[0]).inverse()  # cⁿ for a rational c?
                 c = (
                     _rational_root(ratio.poly[0], number.radicand[1])
                     if ratio.is_rational()
@@ -199,7 +217,7 @@ def spelled(name: str) -> Ring:
 
 def adjoined(s: str, inner: str) -> Ring:
     """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
-    texts = _split(inner)
+    texts = split(inner, ",")
     if len(texts) == 1 and not _is_number(inner):
         return _generated(s, inner)
     once = {n.text: n for n in (read_number(s, text) for text in texts)}
@@ -291,12 +309,15 @@ def read_number(field: str, text: str) -> Number:
         raise RingError(
             f"{shorten(field)}: expected a root of order 2 to {MAX_DEGREE} of a number other than 0"
         )
-    root: Value = lambda bits: flint.acb(flint.arb(radicand)).root(n)  # noqa: E731
+    sign = (
+        -1 if radicand < 0 and n % 2 else 1
+    )  # the real root of a number that has one, as RR and CC read it
+    root: Value = lambda bits: sign * flint.acb(flint.arb(sign * radicand)).root(n)  # noqa: E731
     shown = number_text(radicand)
     polynomial = factor_at(flint.fmpq_poly([-radicand, *[0] * (n - 1), 1]), _precise(root))
     if polynomial.degree() < 2:
         raise RingError(f"{shorten(field)}: {shorten(text)} is rational; leave it out")
-    name = f"sqrt({shown})" if n == 2 else f"root({shown},{n})"
+    name = f"root({shown},{n})" if n > 2 else "I" if radicand == -1 else f"sqrt({shown})"
     return Number(name, polynomial, _precise(root), (radicand, n))
 
 
@@ -305,30 +326,19 @@ def _check_conductor(field: str, n: int) -> None:
         raise RingError(f"{shorten(field)}: roots of unity of order 3 to {MAX_CONDUCTOR} are taken")
 
 
-def _split(inner: str) -> list[str]:
-    """Split at the commas outside all brackets."""
-    parts, depth = [""], 0
-    for char in inner:
-        depth += (char == "(") - (char == ")")
-        if char == "," and not depth:
-            parts.append("")
-        else:
-            parts[-1] += char
-    return parts
-
-
 def _precise(value: Value) -> Value:
     def at(bits: int) -> flint.acb:
-        with flint.ctx.workprec(bits + 16):
+        with precision(bits + 16):
             return value(bits)
 
     return at
 
 
 def _rational_root(x: flint.fmpq, n: int) -> flint.fmpq:
-    """Return the positive rational n-th root of x, or None."""
+    """Return the rational n-th root of x, positive unless x is negative, or None."""
     if x <= 0:
-        return None
+        root = _rational_root(-x, n) if x and n % 2 else None
+        return None if root is None else -root
     p, q = x.p.root(n), x.q.root(n)
     return flint.fmpq(p, q) if flint.fmpq(p, q) ** n == x else None
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -69,6 +69,12 @@ class PrimeIdeal:
     def norm(self) -> int:
         """The number of residues, p^f."""
         return int(self.p**self.f)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The ideal as JSON data: p, and the coefficients of the second generator unless p is inert."""
+        element = None if self.is_inert else self.field.coordinates(self.pi)
+        return {"kind": "prime ideal", "p": self.p, "element": element}
 
     @property
     def is_inert(self) -> bool:
@@ -200,8 +206,8 @@ def _primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
     return _by_kummer(order) if order.plain else _by_idempotents(order)
 
 
-def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[str]:
-    """Yield texts ``(p, g(x); θ)``, where g is the polynomial over GF(p) of the residue of an integer θ."""
+def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[dict[str, Any]]:
+    """Yield the ideal as data: p and g(θ), g the polynomial over GF(p) of the residue of an integer θ."""
     field, rng = prime.field, Random(1)
     for _ in range(count):
         theta = prime.order.element(rng.randrange(4 * prime.p) for _ in range(field.degree))
@@ -211,7 +217,9 @@ def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[str]:
         kernel = left_kernel(flint.nmod_mat(prime.f + 1, prime.f, entries, prime.p))
         g = residues(prime.p, kernel[0])
         if len(kernel) == 1 and g.degree() == prime.f:
-            yield f"({prime.p}, {modulus_text(coefficients(g))}; {field.text(theta)})"
+            generator = field.coordinates(theta)
+            data = {"p": prime.p, "polynomial": coefficients(g), "generator": generator}
+            yield {"kind": "other generator", **data}
 
 
 def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:

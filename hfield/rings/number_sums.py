@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.rings.balls import precision
 from hfield.rings.number_elements import FieldElement
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ def factor_at(polynomial: flint.fmpq_poly, value: Value) -> flint.fmpq_poly:
     factors = [g / g.leading_coefficient() for g, _ in polynomial.factor()[1]]
     bits = BITS
     while len(factors) > 1:
-        with flint.ctx.workprec(bits + 16):
+        with precision(bits + 16):
             z = value(bits)
             factors = [g for g in factors if _at(g, z).contains(0)]
         bits *= 2

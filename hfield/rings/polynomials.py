@@ -57,6 +57,12 @@ class PolynomialRing(Ring):
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (type(self), self.base, self.variables)
 
+    @property
+    def data(self) -> dict[str, Any]:
+        """The ring by its coefficients and its variables."""
+        variables = list(self.variables)
+        return {"kind": "polynomials", "base": self.base.data, "variables": variables}
+
     def in_words(self) -> str:
         """Say what the ring is."""
         return f"polynomials in {', '.join(self.variables)} over {blackboard(self.base.name)}"

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import flint
 
+from hfield.syntax.brackets import outside
+
 if TYPE_CHECKING:
     import sympy
 
@@ -78,14 +80,14 @@ def number_text(x: Rational | sympy.Rational, style: str = "plain") -> str:
     return f"{sign}{digits}/{below}"
 
 
+def rational_json(x: Rational) -> int | str:
+    """Return a rational number as JSON data: an int, or a text such as ``-1/2``."""
+    return int(x.numerator) if x.denominator == 1 else number_text(x)
+
+
 def is_sum(text: str) -> bool:
     """Tell whether a text has a plus or minus outside all parentheses, a leading sign apart."""
-    depth = 0
-    for n, char in enumerate(text):
-        depth += (char in "([{") - (char in ")]}")
-        if n and depth == 0 and char in "+-−" and text[n - 1] not in "^":
-            return True
-    return False
+    return any(n and char in "+-−" and text[n - 1] != "^" for n, char in outside(text))
 
 
 def parentheses(text: str, style: str) -> str:
@@ -108,4 +110,5 @@ def quotient_text(numerator: str, denominator: str, style: str) -> str:
 def from_unicode(text: str) -> str:
     """Rewrite superscripts and roots as the grammar knows them: ``x²`` to ``x^2``, ``√2`` to ``sqrt(2)``."""
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^({m[0].translate(_DIGITS)})", text)
-    return re.sub(r"√\s*(\d+)", r"sqrt(\1)", text).replace("√", "sqrt").replace("π", "pi")
+    text = re.sub(r"√\s*([-−]?\d+|[^\W\d]\w*)", r"sqrt(\1)", text)
+    return re.sub(r"√\s*\(", "sqrt(", text).replace("π", "pi")

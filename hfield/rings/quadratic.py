@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -47,6 +47,11 @@ class QuadraticField(ValueRing[Surd]):
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (type(self), self.d)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by the number under the root."""
+        return {"kind": "quadratic field", "d": self.d}
 
     def in_words(self) -> str:
         """Say what the field is."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -39,6 +39,15 @@ class QuadraticPlace:
 
     def __repr__(self) -> str:
         return str(self)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The place as JSON data: its number, with the root where there are two."""
+        if not self.prime:
+            return {"kind": "real", "number": self.index} if self.root else {"kind": "infinity"}
+        if self.root is None:
+            return {"kind": "number", "n": self.prime}
+        return {"kind": "split", "n": self.prime, "root": self.root}
 
     @property
     def d(self) -> int:

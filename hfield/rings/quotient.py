@@ -5,12 +5,14 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import TYPE_CHECKING, Any
 
+from hfield.certificates.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError
 from hfield.rings.operators import Element
 from hfield.rings.overfield import Overfield
 from hfield.rings.powers import polynomial_power
 
 if TYPE_CHECKING:
+    from hfield.rings.base import Ring
     from hfield.rings.flint_types import AnyPolynomial
 
 
@@ -107,3 +109,11 @@ class FractionField(Overfield[Quotient]):
     def power(self, x: Quotient, n: int) -> Quotient:
         """Return xⁿ; n < 0 inverts first."""
         return x**n
+
+
+def functions_name(base: Ring, names: tuple[str, ...]) -> str:
+    """Write the field of rational functions: ``QQ(x,y)``; ``Frac(QQ[pi])`` where that may be a number's."""
+    inside = ",".join(names)
+    if any(map(reads_like_a_constant, names)):
+        return f"Frac({base.name}[{inside}])"
+    return f"{base.name}({inside})"

@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, TypeGuard
 
 import flint
 
+from hfield import syntax
+from hfield.errors import NotationError, RingError, TooLargeError, shorten
+
 if TYPE_CHECKING:
     import numpy as np
 
@@ -32,6 +35,36 @@ def rational(x: object) -> int | Fraction | None:
     if getattr(getattr(x, "dtype", None), "kind", "") == "b" and getattr(x, "ndim", 1) == 0:
         return int(bool(x))  # numpy's own bool, which is no int
     return None
+
+
+def whole_number(text: str) -> int | None:
+    """Return the integer that ``+ - * ^`` make of literals, as in ``10^9+7``; None for any other text.
+
+    Raises :class:`RingError` where it is too large to be worked out.
+    """
+    reader = syntax.Reader(_literal, {}, {"**": _power, "/": _no_quotient}, "integers")
+    try:
+        return int(reader.read(text))
+    except TooLargeError:
+        raise RingError(f"{shorten(text)} is too large; at most 4096 bits are taken") from None
+    except NotationError:
+        return None
+
+
+def _literal(c: int | Fraction) -> int:
+    if isinstance(c, Fraction):
+        raise NotationError(f"{c} is not an integer")
+    return c
+
+
+def _power(x: int, n: int) -> int:
+    if n < 0:
+        raise NotationError(f"{x}^({n}) is not taken for an integer")
+    return int(x**n)
+
+
+def _no_quotient(x: int, y: int) -> int:
+    raise NotationError(f"{x}/{y} is not taken for an integer")
 
 
 def is_plain_array(x: object) -> TypeGuard[np.ndarray]:

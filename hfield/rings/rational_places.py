@@ -9,12 +9,12 @@ from hfield.primality import is_prime
 
 Place = int | str
 INFINITE = "inf"
-_INFINITE_NAMES = frozenset({"inf", "oo", "∞", "infinity"})
+INFINITE_NAMES = frozenset({"inf", "oo", "∞", "infinity", "infty"})
 
 
 def place_of_q(place: object) -> Place:
     """Read a place of ℚ: a prime (int or text), or ``"inf"`` (also ``"oo"``, ``∞``, −1)."""
-    if isinstance(place, str) and place.strip().lower() in _INFINITE_NAMES:
+    if isinstance(place, str) and place.strip().lower() in INFINITE_NAMES:
         return INFINITE
     if isinstance(place, float) and math.isinf(place):
         return INFINITE

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hfield.rings.base import INFINITY, Known, shared
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.printing import blackboard, quotient_text
-from hfield.rings.quotient import FractionField, Quotient
+from hfield.rings.quotient import FractionField, Quotient, functions_name
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import SparsePolynomial
@@ -32,7 +32,7 @@ class RationalFunctions(FractionField):
     def __init__(self, polynomials: PolynomialRing) -> None:
         self.polynomials, self.base = polynomials, polynomials.base
         self.variables = polynomials.variables
-        self.name = f"{self.base.name}({','.join(self.variables)})"
+        self.name = functions_name(self.base, self.variables)
         self.characteristic = self.base.characteristic
         self.gen_name = self.variables[0]
         self.parse_limit = polynomials.parse_limit
@@ -40,6 +40,12 @@ class RationalFunctions(FractionField):
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (type(self), self.polynomials)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its constants and its variables."""
+        variables = list(self.variables)
+        return {"kind": "rational functions", "base": self.base.data, "variables": variables}
 
     def in_words(self) -> str:
         """Say what the field is."""

@@ -1,18 +1,20 @@
 """From text to ring: ``QQ``, ``ZZ/6``, ``GF(9, x^2+1)``, ``QQ(sqrt(2))``, ``GF(4)(t)``, ``QQ[x,y]``.
 
 Spellings that need no quotes in a shell are taken too: ``Q Z R C GF9 F9 ZZ6 Z6 QI Qsqrt2 Qsqrt-7 Qx
-GF2t``. White space does not matter.
+GF2t``. White space does not matter. docs/rings.md has the grammar.
 """
 
 import re
 from difflib import get_close_matches
 from importlib import import_module
 
-from hfield.errors import RingError, shorten
+from hfield.certificates.glossary import GREEK
+from hfield.errors import NotationError, RingError, shorten
 from hfield.rings.base import Ring, shared
 from hfield.rings.number_field_texts import NUMBER
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
+from hfield.syntax.brackets import outside
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
@@ -21,8 +23,10 @@ KNOWN = (
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
 
 _SYMBOLS = str.maketrans(
-    {"ζ": "zeta", "ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-"}
+    dict(zip("αβγδεζηθικλμνξοπρστυφχψω", GREEK, strict=True))
+    | {"ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-", "·": "*", "×": "*"}
 )
+_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NAMED = {
     "QQ": "integers", "ZZ": "integers", "RR": "algebraic", "CC": "algebraic", "RDF": "floats"
 }  # fmt: skip
@@ -37,11 +41,19 @@ def build(text: str) -> Ring:
     if len(text) > _MAX_LENGTH:
         raise RingError(f"the name of a ring has at most {_MAX_LENGTH} characters, not {len(text)}")
     s = from_unicode("".join(text.translate(_SYMBOLS).split())).replace("**", "^")
+    s = re.sub(r"\^\((\d+)\)(?![\w(.])", r"^\1", s)  # as 2³³ comes; 2³3 is nothing
+    s = re.sub(r"[₀-₉]+(?!\w)", lambda m: f"_{m[0].translate(_LOWERED)}", s)
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
-    base, place = _completed(s)
+    if unknown := next((char for char in s if not (char.isascii() or char == "∞")), None):
+        raise RingError(f"{shorten(s)!r}: {unknown!r} is no sign that names of rings have")
+    below, place = _completed(s)
     if place:
-        return shared(build(base).completion, place)
+        base = build(below)
+        bare = place.startswith("(") and place.endswith(")") and "," not in place
+        # GF(3)(t)_(5) is at 5, but a variable in brackets is a variable, even if it is called inf
+        bare = bare and place[1:-1] not in base.names()
+        return shared(base.completion, place[1:-1] if bare else place)
     if re.match(r"QQ?[(\[]", s):
         from hfield.rings.number_field_specs import build as build_number_field
 
@@ -51,6 +63,8 @@ def build(text: str) -> Ring:
     if m := re.fullmatch(r"(.+)\[([^\W\d_]\w*)\]/\((.+)\)", s):
         return _quotient(build(m[1]), m[2], m[3])
     head, groups = _split(s)
+    if head == "Frac" and len(groups) == 1 and groups[0][0] == "(":
+        return _fractions(groups[0][1])
     found = _base(head, groups)
     if found is None:
         raise _unknown(s)
@@ -62,13 +76,12 @@ def build(text: str) -> Ring:
 
 def _completed(s: str) -> tuple[str, str]:
     """Split ``QQ_5`` or ``QQ(I)_(5,I-2)`` into a global field and the text of a place, if there is one."""
-    depth = 0
-    for n, char in enumerate(s):
-        depth += (char in "([") - (char in ")]")
-        if char == "_" and depth == 0 and n and s[:n] not in ("F", "FF", "GF"):
-            place = s[n + 1 :]
-            bare = place.startswith("(") and place.endswith(")") and "," not in place
-            return s[:n], place[1:-1] if bare else place
+    try:
+        for n, char in outside(s):
+            if char == "_" and n and s[:n] not in ("F", "FF", "GF"):
+                return s[:n], s[n + 1 :]
+    except NotationError as error:
+        raise RingError(str(error)) from None
     return s, ""
 
 
@@ -104,10 +117,10 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
         return _finite(groups[0][1]), groups[1:]
     if head in ("Qp", "QQp"):
         return _p_adic(groups), groups[1:]
-    if head in ("Zmod", "ZZ/", "Z/") and groups and re.fullmatch(r"-?\d+", groups[0][1]):
-        return _residues(groups[0][1]), groups[1:]
-    if m := re.fullmatch(r"ZZ?/?(-?\d+)(ZZ?)?", head):
-        return _residues(m[1]), groups
+    if head in ("Zmod", "ZZ/", "Z/") and groups and (made := _residues(groups[0][1])):
+        return made, groups[1:]
+    if (m := re.fullmatch(r"ZZ?/?(-?\d+(?:\^\d+)?)(ZZ?)?", head)) and (made := _residues(m[1])):
+        return made, groups
     if m := re.fullmatch(r"(?:GF|F_?)(-?\d+(?:\^\d+)?)([a-z]?)", head):
         field = _finite(m[1])
         return (_extension(field, m[2]) if m[2] else field), groups
@@ -116,6 +129,19 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
     if head in ("Qsqrt", "QQsqrt") and groups:
         return _extension(build("QQ"), f"sqrt({groups[0][1]})"), groups[1:]
     return None
+
+
+def _fractions(inner: str) -> Ring:
+    """Return the rational functions in the variables of ``QQ[pi]``, however these are called."""
+    from hfield.rings.function_specs import build as build_functions
+
+    base, rest = _base(*_split(inner)) or (None, [])
+    if base is None or [opening for opening, _ in rest] != ["["]:
+        raise RingError(
+            f"Frac({shorten(inner)}): expected a ring of polynomials, as in Frac(QQ[pi])"
+        )
+    names = variables(shorten(inner), rest[0][1], base)
+    return build_functions(base.fractions or base, names)
 
 
 def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
@@ -135,12 +161,18 @@ def _p_adic(groups: Groups) -> Ring:
     return shared(QQ.completion, str(p_adic_numbers(QQ, groups[0][1]).place))
 
 
-def _residues(n: str) -> Ring:
+def _residues(text: str) -> Ring | None:
+    """Return ``ZZ/n`` for an n such as ``6`` or ``2^33``; None for a text that is no integer."""
     from hfield.rings.integers import Zmod
+    from hfield.rings.rational import whole_number
 
-    if len(n) > 1300:
-        raise RingError(f"ZZ/n with n of {len(n)} digits is too large; at most 4096 bits are taken")
-    return Zmod(int(n))
+    longest = max(map(len, re.findall(r"\d+", text)), default=0)
+    if longest > 1300:
+        raise RingError(
+            f"ZZ/n with n of {longest} digits is too large; at most 4096 bits are taken"
+        )
+    n = whole_number(text)
+    return None if n is None else Zmod(n)
 
 
 def _finite(inner: str) -> Ring:

@@ -14,7 +14,7 @@ from typing import Any
 import flint
 
 from hfield.errors import NotInvertibleError, TooLargeError
-from hfield.rings.balls import fingerprint
+from hfield.rings.balls import fingerprint, precision
 from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.radicands import independent, is_long, odd, product, ratio, reduced
 from hfield.rings.rational import fmpq, rational
@@ -173,7 +173,7 @@ class Surd:
 
     def ball(self, bits: int) -> flint.acb:
         """Return a complex ball of flint around the number, computed with that many bits."""
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             re, im = flint.arb(0), flint.arb(0)
             for n, c in self.terms.items():
                 part = flint.arb(abs(n)).sqrt() * flint.arb(c)

@@ -2,24 +2,9 @@
 
 import re
 
+from hfield.certificates.glossary import BASIS, WORDS, reads_like_a_constant
 from hfield.errors import RingError, shorten
 from hfield.rings.base import Ring
-
-BASIS = ("e", "i", "j", "k")
-WORDS = {
-    *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
-    *("sqrt", "cbrt", "root"),
-}
-_GREEK = (
-    "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|omicron|pi|rho|sigma|tau|"
-    "upsilon|phi|chi|psi|omega|varphi|vartheta|varepsilon"
-)
-# Greek letters, roots, e and i with an index, functions, infinity, and names of rings such as Qp or GF9.
-_CONSTANT = re.compile(
-    rf"(?i:{_GREEK}|[α-ω]|sqrt|cbrt|root|cos|sin|tan|exp|log|cis|golden|euler)_?\d*"
-    r"|[eijkEI]_?\d*|(?i:inf|infinity|oo|infty)"
-    r"|(?:QQ?|ZZ?|R|RR|C|CC|RDF|GF|NN|Zmod)_?(?:[pqI]|\d+|bar)?|FF?_?\d+"
-)
 
 
 def variables(
@@ -32,7 +17,7 @@ def variables(
     """
     names = tuple(inner.split(","))
     for name in names:
-        if not re.fullmatch(r"[^\W\d_]\w*", name):
+        if not re.fullmatch("[a-zA-Z][a-zA-Z0-9_]*", name):
             raise RingError(f"{what}: {shorten(name)!r} is not the name of a variable such as x")
         if name in BASIS:
             unit = "; the imaginary unit is QQ(I)" if name == "i" else ""
@@ -40,11 +25,11 @@ def variables(
                 f"{what}: the variable {name!r} would clash with the basis e, i, j, k of the "
                 f"quaternions; choose another letter{unit}"
             )
-        if name in WORDS:
-            raise RingError(f"{what}: {name!r} is a word of the language; choose another name")
         if name == "I":
             raise RingError(f"{what}: I is the imaginary unit, in QQ(I); choose another name")
-        if adjoined and _CONSTANT.fullmatch(name):
+        if name in WORDS:
+            raise RingError(f"{what}: {name!r} is a word of the language; choose another name")
+        if adjoined and reads_like_a_constant(name):
             raise RingError(
                 f"{what}: {shorten(name)} reads like a constant, and is not taken for a variable; for "
                 f"rational functions name the variable x or t, as in {base}({_free(base)}); number fields "

@@ -173,7 +173,7 @@ class GlobalField(ABC):
             found = self.unit_and_prime(c, place)
             if found is not None:
                 u, j = ([self.ring.text(self.ring(x)) for x in v] for v in found)
-                yield {"by": "place", "place": str(place), "u": u, "j": j}
+                yield {"by": "place", "place": self.ring.place_data(place), "u": u, "j": j}
 
     # --- isomorphisms and square roots ---------------------------------------------------------
 

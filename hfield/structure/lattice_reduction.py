@@ -7,6 +7,7 @@ absolute values of its terms, or for what automorphisms of the form over ℝ and
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 import random
 from collections.abc import Iterable, Sequence
@@ -15,7 +16,6 @@ from typing import Any
 import flint
 
 Integers = list[list[int]]
-AXES = ((0, 1), (0, 2), (1, 2))
 
 
 def combination(coefficients: Sequence[int], rows: Sequence[Sequence[Any]]) -> list[Any]:
@@ -27,9 +27,8 @@ def combination(coefficients: Sequence[int], rows: Sequence[Sequence[Any]]) -> l
 
 
 def reduced(rows: Integers) -> tuple[Integers, Integers]:
-    """Return a reduced basis of the lattice of as many integer rows as columns, and the steps to it."""
-    n = len(rows)
-    short, steps = flint.fmpz_mat(n, n, [x for row in rows for x in row]).lll(transform=True)
+    """Return a reduced basis of the lattice of independent integer rows, and the steps to it."""
+    short, steps = flint.fmpz_mat(rows).lll(transform=True)
     return _integers(short), _integers(steps)
 
 
@@ -49,20 +48,21 @@ def turned(
     places: Iterable[Sequence[object] | None],
     size: float,
     rng: random.Random,
+    width: int = 3,
 ) -> list[list[complex]]:
-    """Return vectors, three coordinates a place, after planes of two axes are turned at every place.
+    """Return vectors, ``width`` coordinates a place, after all planes of two axes are turned at every place.
 
     ``places`` has the signs of the form at a real place, None at a complex one. The turn is by a real angle
     where the form is definite, an imaginary one where it is not, a complex one at a complex place.
     """
     for k, signs in enumerate(places):
-        for i, j in AXES:
+        for i, j in itertools.combinations(range(width), 2):
             turn, boost = rng.uniform(-math.pi, math.pi), rng.gauss(0, size)
             if signs is None:
                 angle = complex(turn, boost)
             else:
                 angle = complex(turn) if signs[i] == signs[j] else complex(0, boost)
-            points = [_turned(v, 3 * k + i, 3 * k + j, angle) for v in points]
+            points = [_turned(v, width * k + i, width * k + j, angle) for v in points]
     return points
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from rotation.errors import RotationError
 from rotation.matrices import from_matrix as to_quaternion
-from rotation.wahba import checked, fitted, sensitivity
+from rotation.wahba import checked, fitted, remaining, sensitivity
 
 Array = Any
 _POORLY = "Optimal rotation is not uniquely or poorly defined for the given sets of vectors."
@@ -59,9 +59,11 @@ def aligned(
 
 def _best(u: Array, v: Array, w: Array) -> tuple[Array, Array]:
     """The best rotation, or with a warning one of many that are equally good: that of scipy."""
-    if len(w) == 1 or not (np.isfinite(w).all() and np.isfinite(u * v).all()):
+    if len(w) == 1 or not all(np.isfinite(x).all() for x in (u, v, w)):
         return fitted(*checked(u, v, w))
-    left, values, right = np.linalg.svd(np.einsum("ji,jk->ik", w[:, None] * u, v))
+    # By powers of two near 1: nothing overflows, and scipy's threshold means the same.
+    p, q, share = (np.ldexp(x, -np.frexp(np.abs(x).max())[1]) for x in (u, v, w[:, None]))
+    left, values, right = np.linalg.svd(np.einsum("ji,jk->ik", share * p, q))
     if np.linalg.det(left @ right) < 0.0:
         values[2], left[:, 2] = -values[2], -left[:, 2]
     if values[1] + values[2] < 1e-16 * values[0]:
@@ -69,5 +71,5 @@ def _best(u: Array, v: Array, w: Array) -> tuple[Array, Array]:
     else:
         with contextlib.suppress(RotationError):
             return fitted(*checked(u, v, w))
-    rest = np.sum(w * np.sum(u**2 + v**2, axis=1)) - 2.0 * np.sum(values)
-    return to_quaternion(left @ right), np.sqrt(max(rest, 0.0))
+    best = to_quaternion(left @ right)
+    return best, remaining(best, u, v, w)

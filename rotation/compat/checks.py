@@ -7,7 +7,7 @@ import numpy as np
 
 from rotation import hints
 from rotation.errors import DTypeError, RotationError
-from rotation.namespaces import expect_numpy
+from rotation.namespaces import expect_numpy, number
 from rotation.rotation import Rotation
 
 Array = Any
@@ -118,4 +118,4 @@ def exponent(n: Any, modulus: Any) -> Any:
         raise NotImplementedError("modulus not supported")
     if np.ndim(n) and np.shape(n) != (1,):
         raise RotationError("Array exponent must be a scalar")
-    return float(np.reshape(n, ()))
+    return number(np.reshape(n, ()).item(), "exponent")

@@ -26,6 +26,7 @@ def _keyframes(rotations: Rotation, words: str) -> Rotation:
 class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them."""
 
+    @quiet
     def __init__(self, times: Any, rotations: Rotation) -> None:
         rotations = _keyframes(rotations, "`rotations` must be a `Rotation` instance.")
         t = np.asarray(times, dtype=np.float64)

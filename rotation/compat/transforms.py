@@ -6,6 +6,7 @@ import numpy as np
 
 from rotation import rigid
 from rotation import rotation as ours
+from rotation.averaging import mean_of_vectors
 from rotation.compat import answers, checks
 from rotation.compat.assignable import Assignable
 from rotation.compat.rotations import Rotation
@@ -132,6 +133,7 @@ class RigidTransform(Assignable):
 
     # The group
 
+    @quiet
     def __mul__(self, other: object) -> Self:
         m = checks.matrices(other)
         if m is None:
@@ -155,6 +157,7 @@ class RigidTransform(Assignable):
             return self._of(self._matrix.copy()) if e > 0.0 else self.inv()
         return self._from_ours(self._ours**e)
 
+    @quiet
     def inv(self) -> Self:
         """Return the inverse motions."""
         back = np.zeros_like(self._matrix)
@@ -185,8 +188,7 @@ class RigidTransform(Assignable):
             )
         turn = answers.averaged(self.rotation._q, w, axes)
         share = np.ones(self.shape) if w is None else np.broadcast_to(w, self.shape)
-        shift = np.sum(share[..., None] * self._matrix[..., :3, 3], axis=axes)
-        shift /= np.sum(share, axis=axes)[..., None]
+        shift = mean_of_vectors(self._matrix[..., :3, 3], share, axes)
         return self._from_ours(rigid.RigidTransform._of(turn, shift))
 
     # As an array

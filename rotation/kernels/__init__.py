@@ -29,10 +29,10 @@ def one(points: Array, matrix: Array, out: Array) -> None:
     _run(("one",), LIGHT, (points, entries), out)
 
 
-def axis_angle(points: Array, axis: Array, angle: Array, out: Array) -> bool:
+def axis_angle(points: Array, axis: Array, angle: Array, out: Array, degrees: bool = False) -> bool:
     """Rotate points about their own axes by their own angles; tell whether an axis was zero."""
     axis, angle = parameters(points, axis, angle)
-    return _run(("axis_angle",), HEAVY, (points, axis, angle[..., None]), out)
+    return _run(("axis_angle", degrees), HEAVY, (points, axis, angle[..., None]), out)
 
 
 def quaternions(points: Array, q: Array, out: Array) -> bool:
@@ -40,12 +40,19 @@ def quaternions(points: Array, q: Array, out: Array) -> bool:
     return _run(("quaternions",), HEAVY, (points, *parameters(points, q)), out)
 
 
-def euler(points: Array, angles: Array, axes: tuple[int, ...], backward: bool, out: Array) -> None:
+def euler(
+    points: Array,
+    angles: Array,
+    axes: tuple[int, ...],
+    backward: bool,
+    out: Array,
+    degrees: bool = False,
+) -> None:
     """Rotate points about coordinate axes, in that order, by their own angles ``(…, len(axes))``.
 
     The first axis takes the last of the angles if ``backward``, else the first.
     """
-    _run(("euler", axes, backward), HEAVY, (points, *parameters(points, angles)), out)
+    _run(("euler", axes, backward, degrees), HEAVY, (points, *parameters(points, angles)), out)
 
 
 def contains_zero(array: Array) -> bool:

@@ -36,8 +36,9 @@ def cumulative(q: Array) -> Array:
 def _loop() -> compiling.Function | None:
     if not compiling.available():
         return None
-    assembling.introduce()
-    return compiling.function(compiling.compiled(_module(), "entry"))
+    with compiling.lock:
+        assembling.introduce()
+        return compiling.function(compiling.compiled(_module(), "entry"))
 
 
 def _module() -> str:

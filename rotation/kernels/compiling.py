@@ -32,13 +32,14 @@ def compiled(
     if writes and operands[-1].way is Way.SAME:  # a batch of one
         operands[-1] = operands[-1]._replace(way=Way.STRIDED)
     key = (name, *operands)
-    if key not in _made:
-        assembling.introduce()
-        found = formulas.kernel(*name)
-        number = operands[0].number if name[0] == "one" else "double"
-        text = module(found.fast, found.careful, tuple(operands), int(writes), number)
-        _made[key] = compiling.function(compiling.compiled(text, "entry", announce=_announce))
-    return _made[key]
+    with compiling.lock:
+        if key not in _made:
+            assembling.introduce()
+            found = formulas.kernel(*name)
+            number = operands[0].number if name[0] == "one" else "double"
+            text = module(found.fast, found.careful, tuple(operands), int(writes), number)
+            _made[key] = compiling.function(compiling.compiled(text, "entry", announce=_announce))
+        return _made[key]
 
 
 def _operand(width: int, letter: str, component: int, row: int) -> Operand:

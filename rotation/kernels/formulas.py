@@ -54,14 +54,14 @@ def _one(points: Rows, matrix: Rows) -> Any:
     ), None
 
 
-def _axis_angle(points: Rows, axis: Rows, angle: Rows) -> Any:
+def _axis_angle(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
     """Return v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|².
 
     Of the cheap forms tried it has the smallest error, below 4·2⁻⁵²·|v|, since |a|² is divided by but once.
     """
     (a, b, c), (x, y, z), (t,) = split(axis), split(points), split(angle)
     square = a * a + b * b + c * c
-    sine, cosine = sincos(t)
+    sine, cosine = sincos(t, degrees)
     poison, fine = _measured((x, y, z))
     w, versine, part = tracing.sqrt(square) * sine, 1.0 - cosine, 1.0 / square
     fx, fy, fz = b * z - c * y, c * x - a * z, a * y - b * x
@@ -72,8 +72,8 @@ def _axis_angle(points: Rows, axis: Rows, angle: Rows) -> Any:
     ), fine & reachable(t) & _safe(square)
 
 
-def _axis_angle_carefully(points: Rows, axis: Rows, angle: Rows) -> Any:
-    return acting.about_axis(axis, angle, points)
+def _axis_angle_carefully(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
+    return acting.about_axis(axis, angle, points, degrees)
 
 
 def _quaternions(points: Rows, q: Rows) -> Any:
@@ -101,20 +101,21 @@ def _quaternions_carefully(points: Rows, q: Rows) -> Any:
     return acting.turned_by(Rows((4,), list(normalise(q))), split(points), False)
 
 
-def _euler(axes: tuple[int, ...], backward: bool, points: Rows, angles: Rows) -> Any:
+def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows) -> Any:
     """Rotate about coordinate axes one after the other."""
     turns = split(angles)
     poison, fine = _measured(split(points))
     for t in turns:
         fine = fine & reachable(t)
-    image = acting.turned_about(
-        axes, map(sincos, turns[::-1] if backward else turns), split(points)
-    )
+    waves = [sincos(t, degrees) for t in (turns[::-1] if backward else turns)]
+    image = acting.turned_about(axes, waves, split(points))
     return tuple(x + poison for x in image), fine
 
 
-def _euler_carefully(axes: tuple[int, ...], backward: bool, points: Rows, angles: Rows) -> Any:
-    return acting.by_angles(angles, points, axes, backward)
+def _euler_carefully(
+    axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows
+) -> Any:
+    return acting.by_angles(angles, points, axes, backward, degrees)
 
 
 def _contains_zero(rows: Rows) -> Any:
@@ -139,6 +140,9 @@ _KERNELS = {
 
 
 def kernel(name: str, *parameters: Any) -> Kernel:
-    """Return a kernel by its name; of Euler angles come with it the axes, and whether they go backward."""
+    """Return a kernel by its name; with that of Euler angles come the axes, and whether they go backward.
+
+    With all of angles comes whether they are in degrees.
+    """
     fast, careful = _KERNELS[name]
     return Kernel(partial(fast, *parameters), careful and partial(careful, *parameters))

@@ -1,9 +1,10 @@
-"""Sine and cosine of eight angles, without a branch."""
+"""Sine and cosine of eight angles, in degrees or radians, without a branch."""
 
 import math
 from typing import Any
 
-from rotation.native.tracing import abs, bit, where
+from rotation.angles import RADIANS
+from rotation.native.tracing import ROUND, abs, bit, where
 
 # π/2 = P1 + P2 + P3 with 23 bits in P1 and in P2: the products with a whole number below 2^30 and the
 # differences are exact, with or without FMA (Cody and Waite 1980). P3 holds the next 53 bits.
@@ -12,7 +13,6 @@ TWO_OVER_PI = 2.0 / math.pi
 P1 = float.fromhex("0x1.921fb4p+0")
 P2 = float.fromhex("0x1.4442dp-24")
 P3 = float.fromhex("0x1.8469898cc517p-48")
-ROUND = 1.5 * 2.0**52  # adding and subtracting it rounds to the nearest whole number
 
 # Minimax polynomials of sine and cosine on [−π/4, π/4] (fdlibm, Sun Microsystems 1993).
 S1, S2, S3 = -1.66666666666666324348e-01, 8.33333333332248946124e-03, -1.98412698298579493134e-04
@@ -26,11 +26,15 @@ def reachable(x: Any) -> Any:
     return abs(x) <= REACH
 
 
-def sincos(x: Any) -> Any:
+def sincos(x: Any, degrees: bool) -> Any:
     """Return sine and cosine of reachable lanes ``x``."""
-    k = x * TWO_OVER_PI + ROUND
-    n = k - ROUND
-    r = ((x - n * P1) - n * P2) - n * P3
+    k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + ROUND
+    n = k - ROUND  # quarters of a turn
+    if degrees:
+        r = x - n * 90.0
+        r = r * RADIANS[0] + r * RADIANS[1]
+    else:
+        r = ((x - n * P1) - n * P2) - n * P3
     z = r * r
     s = r + r * z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))))
     s = where(r != 0.0, s, r)  # the sum loses the sign of −0

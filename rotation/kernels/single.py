@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from rotation.angles import waves
 from rotation.arrays import Array
 
 
@@ -30,13 +31,17 @@ def matrix_of_quaternion(q: Array) -> Array:
     )
 
 
-def matrix_of_axis_angle(axis: Array, angle: Array) -> Array:
-    """Return the matrix of the rotation about ``axis``, of any length, by ``angle`` radians."""
+def matrix_of_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
+    """Return the matrix of the rotation about ``axis``, of any length, by ``angle``."""
     if not (np.isfinite(axis).all() and math.isfinite(angle)):
         return np.full((3, 3), np.nan)
     a, b, c = (float(v) for v in axis)
     _, exponent = math.frexp(max(abs(a), abs(b), abs(c)))
     a, b, c = (math.ldexp(v, -exponent) for v in (a, b, c))
     half = 0.5 * float(angle)
-    scale = math.sin(half) / math.hypot(a, b, c)
-    return matrix_of_quaternion(np.array([math.cos(half), a * scale, b * scale, c * scale]))
+    if degrees:
+        sine, cosine = map(float, waves(np, np.float64(half), degrees))
+    else:
+        sine, cosine = math.sin(half), math.cos(half)
+    scale = sine / math.hypot(a, b, c)
+    return matrix_of_quaternion(np.array([cosine, a * scale, b * scale, c * scale]))

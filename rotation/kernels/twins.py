@@ -6,6 +6,7 @@ Arrays have their components last and broadcast. Nothing is blocked, threaded or
 import numpy as np
 
 from hfield.product import Constants, multiply
+from rotation.angles import waves
 from rotation.arrays import Array
 
 HAMILTON = Constants(-1.0, 0.0, -1.0)
@@ -17,13 +18,14 @@ def one(points: Array, matrix: Array) -> Array:
     return rotated
 
 
-def axis_angle(points: Array, axis: Array, angle: Array) -> Array:
+def axis_angle(points: Array, axis: Array, angle: Array, degrees: bool = False) -> Array:
     """Return Rodrigues' formula: v cos θ + (u × v) sin θ + u (u·v)(1 − cos θ), u the unit axis."""
     scaled = axis / np.max(np.abs(axis), axis=-1, keepdims=True)
     unit = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-    sine, versine = np.sin(angle)[..., None], 2 * np.sin(angle / 2)[..., None] ** 2
+    sine, cosine = (wave[..., None] for wave in waves(np, angle, degrees))
     along = np.sum(unit * points, axis=-1, keepdims=True)
-    rotated: Array = points + np.cross(unit, points) * sine + (unit * along - points) * versine
+    turned = np.cross(unit, points) * sine + (unit * along - points) * (1 - cosine)
+    rotated: Array = points + turned
     return rotated
 
 
@@ -37,11 +39,13 @@ def quaternions(points: Array, q: Array) -> Array:
     return rotated
 
 
-def euler(points: Array, angles: Array, axes: tuple[int, ...], backward: bool) -> Array:
+def euler(
+    points: Array, angles: Array, axes: tuple[int, ...], backward: bool, degrees: bool = False
+) -> Array:
     """Return the rotations one after the other, by the last of the angles first if ``backward``."""
     turns = np.moveaxis(angles, -1, 0)[:: -1 if backward else 1]
     for axis, angle in zip(axes, turns, strict=True):
-        points = axis_angle(points, np.eye(3)[axis], angle)
+        points = axis_angle(points, np.eye(3)[axis], angle, degrees)
     return points
 
 

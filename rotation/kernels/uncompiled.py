@@ -17,7 +17,7 @@ def run(name: tuple[Any, ...], read: tuple[Array, ...], out: Array | None) -> bo
         if name[0] == "one":
             turned = twins.one(v, parameters[0].reshape(3, 3))
         elif name[0] == "axis_angle":
-            turned = twins.axis_angle(v, parameters[0], parameters[1][..., 0])
+            turned = twins.axis_angle(v, parameters[0], parameters[1][..., 0], *name[1:])
         elif name[0] == "quaternions":
             turned = twins.quaternions(v, parameters[0])
         else:

@@ -62,7 +62,7 @@ class Less:
                 *steps,
                 f"their difference {gap} is not negative: it is a sum of squares over ℚ",
             ),
-            evidence={"kind": "witness", "values": {"q": witness}, "field": base.name},
+            evidence={"kind": "witness", "ring": base.data, "values": {"q": witness}},
         )
 
 

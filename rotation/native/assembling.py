@@ -36,9 +36,6 @@ class _Method(ctypes.Structure):
     )
 
 
-_alive: list[Any] = []  # what the machine code needs, as long as the process
-
-
 @cache
 def available() -> bool:
     """Tell whether this interpreter and its numpy are such as the machine code expects."""
@@ -63,17 +60,18 @@ def available() -> bool:
 
 @cache
 def introduce() -> None:
-    """Make the functions of the system and of Python known to LLVM."""
-    import llvmlite.binding as llvm
-
+    """Make the functions of the system and of Python known to programs; the caller holds the lock."""
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in elementary_functions.LIBRARY:
-        address = ctypes.cast(getattr(system, name), ctypes.c_void_p).value
-        llvm.add_symbol(f"rotation_{name}", address)
+        compiling.introduce(f"rotation_{name}", _address(getattr(system, name)))
     for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
-        llvm.add_symbol(name, ctypes.cast(getattr(ctypes.pythonapi, name), ctypes.c_void_p).value)
+        compiling.introduce(name, _address(getattr(ctypes.pythonapi, name)))
     if not compiling.processor_has("fma") and "fma" in vars(tracing):
         del tracing.fma
+
+
+def _address(function: Any) -> int:
+    return ctypes.cast(function, ctypes.c_void_p).value or 0
 
 
 def assembled(
@@ -93,15 +91,15 @@ def assembled(
     single : tuple of int
         Which of the arrays have but one row, the same for all rows of the others.
     """
-    introduce()
-    text, row = _module(formula, shapes, parameters, single)
-    address = compiling.compiled(text, "entry")
+    with compiling.lock:
+        introduce()
+        text, row = _module(formula, shapes, parameters, single)
+        address = compiling.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
-    make.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
-    _alive.append(method)
-    return make(ctypes.addressof(method), None, None), row
+    make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
+    return make(ctypes.addressof(method), method, None), row  # it keeps its ``self`` alive
 
 
 def _flat(values: Any) -> list[Any]:

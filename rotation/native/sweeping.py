@@ -42,7 +42,7 @@ def module(
     return "\n".join(
         [
             "declare void @llvm.prefetch.p0(ptr, i32, i32, i32)",
-            *elementary_functions.of_the_system(("sin", "cos")),
+            *elementary_functions.of_the_system(elementary_functions.LIBRARY),
             *elementary_functions.intrinsics("double", WIDTH),
             *elementary_functions.intrinsics("float", WIDTH),
             *(copy(size) for size in sizes),

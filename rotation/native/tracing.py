@@ -25,6 +25,7 @@ _LIMITS = SimpleNamespace(
 float64 = np.dtype(np.float64)
 float32 = np.dtype(np.float32)
 nan = math.nan
+ROUND = 1.5 * 2.0**52  # what is added to it loses its fraction
 
 
 def abs(x: Lanes) -> Lanes:
@@ -50,6 +51,11 @@ def sin(x: Lanes) -> Lanes:
 def cos(x: Lanes) -> Lanes:
     """Return the cosines."""
     return library("cos", x)
+
+
+def round(x: Lanes) -> Lanes:
+    """Return the nearest whole numbers, of numbers below 2⁵¹; of two the even one."""
+    return (x + ROUND) - ROUND
 
 
 def atan2(y: Any, x: Any) -> Lanes:

@@ -9,14 +9,24 @@ from hfield.certificates.check import Rejected, check, check_text
 from hfield.proving.prove import prove
 from tests.adversary.forging.targets import Target
 from tests.adversary.judgement import judge
+from tests.certificates.ring_data import data_of
 
 IDENTITY = {"kind": "identity"}
 NOTHING = {"kind": "none exists", "proof": IDENTITY}
+NEVER = {"kind": "witness", "ring": data_of("QQ"), "values": {}}
+ZERO_RING = {
+    "kind": "presentation",
+    "characteristic": 0,
+    "identity": True,
+    "relations": [[[-1, ""]]],
+    "goals": [[[1, "i"]]],
+    "proofs": [{"cofactors": [[-1, "i", 0, ""]], "denominator": 1}],
+}
 EMPTY = {"kind": "implication", "facts": [], "items": []}
 
 
 def over(field: str, evidence: dict[str, Any]) -> dict[str, Any]:
-    return {**evidence, "field": field}
+    return {**evidence, "ring": data_of(field)}
 
 
 def place(values: dict[str, str], proof: dict[str, Any]) -> dict[str, Any]:
@@ -57,7 +67,7 @@ FILES = [
         for verdict, evidence in (
             ("proved", IDENTITY),
             ("proved", EMPTY),
-            ("refuted", {"kind": "witness", "field": "QQ", "values": {}}),
+            ("refuted", {"kind": "witness", "ring": data_of("QQ"), "values": {}}),
         )
     ),
     # "x != 0" is false over every field, and true of the generator of QQ(x).
@@ -70,7 +80,9 @@ FILES = [
                 "evidence": {
                     "kind": "both",
                     "left": part("proved", IDENTITY),
-                    "right": part("refuted", {"kind": "witness", "field": "QQ(x)", "values": {}}),
+                    "right": part(
+                        "refuted", {"kind": "witness", "ring": data_of("QQ(x)"), "values": {}}
+                    ),
                 },
             },
         ),
@@ -87,12 +99,31 @@ FILES = [
     (Target("s**2 == s", "GF(2)"), {"kind": "exhaustion", "cases": 0}),
     (Target("s**3 == s", "GF(3)"), {"kind": "exhaustion", "cases": 2}),
     (Target("s**6 == s**2", "GF(5)"), {"kind": "exhaustion", "cases": True}),
+    # What is said of RR was not looked at over all fields.
+    (Target("angles{1 == 1; 1 == 2}", None), IDENTITY),
+    (
+        Target("every{angles{1 == 1; 1 == 2}; 1 == 1}", None),
+        {"kind": "parts", "parts": [part("proved", IDENTITY)] * 2},
+    ),
+    (
+        Target("angles{1 == 1; 1 == 1}", None, "refuted"),
+        over("QQ", {"kind": "over", "evidence": NEVER}),
+    ),
+    # Relations that leave no algebra other than 0.
+    (Target("associative(i, j, k): 1 == 2 => i == 0", None), ZERO_RING),
 ]
 
 
 @pytest.mark.parametrize(("target", "evidence"), FILES, ids=range(len(FILES)))
 def test_the_file_is_rejected(target: Target, evidence: dict[str, Any]) -> None:
-    for method in ("identity", "implication", "exhaustion", "counterexample", "witness"):
+    for method in (
+        "identity",
+        "implication",
+        "exhaustion",
+        "counterexample",
+        "witness",
+        "presentation",
+    ):
         with pytest.raises(Rejected) as caught:
             check(target.certificate(evidence, method))
         assert "the method" not in str(caught.value)
@@ -127,7 +158,7 @@ def test_terms_for_all_that_exists_binds(statement: str, terms: dict[str, str]) 
 
 
 def test_an_element_shows_existence_over_its_field_alone() -> None:
-    evidence = {"kind": "witness", "field": "QQ", "values": {"y": ["2"]}}
+    evidence = {"kind": "witness", "ring": data_of("QQ"), "values": {"y": ["2"]}}
     assert check(Target("exists y: y*y == 4").certificate(evidence, "witness")).scope == "field"
     with pytest.raises(Rejected):
         check(Target("exists y: y*y == 4", None).certificate(evidence, "witness"))

@@ -179,10 +179,11 @@ def test_algebras(name: str) -> None:
 
 def hostile_files() -> list[str]:
     good = {
-        "schema": "hfield-cert/1",
+        "schema": "hfield-cert/2",
         "statement": "p*(q + r) == p*q + p*r",
         "algebra": "(-1,-1|QQ)",
         "field": "QQ",
+        "ring": {"kind": "rationals"},
         "verdict": "proved",
         "method": "identity",
         "assumes": [],
@@ -218,6 +219,9 @@ def hostile_files() -> list[str]:
             text.replace(":", " "),
         ),
         text.replace('"QQ"', '"QQ", "field": "GF(3)"'),
+        text.replace("rationals", "rationals\ud800"),
+        text.replace('"rationals"', '"rationals", "n": ' + "9" * 4_000),
+        json.dumps({**good, "schema": "hfield-cert/1"}),
         '"' + '\\"' * 2_000,
     ]
 

@@ -10,10 +10,13 @@ import pytest
 from hfield.certificates.check import Established, check
 from hfield.proving.prove import prove
 from tests.adversary.forging.campaign import Forgery, _judged, false_claim
-from tests.adversary.forging.targets import NO_FIELDS, TARGETS, Certificate, Target
+from tests.adversary.forging.targets import NO_FIELDS, NO_RINGS, TARGETS, Certificate, Target
 from tests.adversary.forging.validity import why_valid
+from tests.adversary.grammar import NotRead
+from tests.adversary.ring_names import name_of
 from tests.adversary.test_breaks import FILES
 from tests.adversary.test_forgeries import pool
+from tests.certificates.ring_data import Data, data_of
 
 WORDS = (
     ("division", "QQ", True), ("division", "GF(3)", False), ("division", "QQ(sqrt(-7))", True),
@@ -23,18 +26,32 @@ WORDS = (
     ("iff{1 == 1; 1 == 2}", "GF(5)", False), ("centre{2}", "GF(2)", True),
     ("over{GF(3); p*q == q*p}", None, False), ("over{GF(2); p*q == q*p}", None, True),
     ("modulus-law{*}", "GF(5)", False), ("basis{2; 1,0; 0,2}", "QQ", True),
-    ("basis{2; 1,1; 1,1}", "QQ", False),
+    ("basis{2; 1,1; 1,1}", "QQ", False), ("angles{1 == 1; 1 == 2}", None, False),
+    ("angles{1 == 1; 1 == 2}", "RR", False), ("angles{1 == 1; 1 == 2}", "GF(5)", True),
+    ("every{angles{1 == 1; 1 == 2}; 1 == 1}", None, False), ("not-everywhere{2 == 0}", "GF(2)", False),
+    ("not-everywhere{angles{1 == 1; 1 == 2}}", None, True), ("angles{2 == 0; 1 == 1}", "GF(2)", True),
 )  # fmt: skip
-# What the judge cannot see: for which s there is no y, no sample of y says.
-UNSEEN = {"exists y: not (s*y == 1) and s*y == 1", "implies{x != 0; 2 == 0}"}
+# What the judge cannot see: for which s there is no y, no sample of y says; and what algebras there are.
+UNSEEN = {
+    "exists y: not (s*y == 1) and s*y == 1",
+    "implies{x != 0; 2 == 0}",
+    "angles{1 == 1; 1 == 1}",
+    "associative(i, j, k): 1 == 2 => i == 0",
+}
 TRUE_WITH_BAD_EVIDENCE = {"s**2 == s", "s**3 == s", "s**6 == s**2"}
+
+
+def established(
+    statement: str, algebra: str, field: str | None, verdict: str, scope: str
+) -> Established:
+    return Established(statement, algebra, field, None, verdict, scope, ())
 
 
 def said(data: Certificate, scope: str | None = None) -> str:
     """Return what the judge has against a claim, in the scope of its form if no other is given."""
     scope = scope or ("fields" if data["field"] is None else "field")
     parts = (data[name] for name in ("statement", "algebra", "field", "verdict"))
-    return false_claim(data, Established(*parts, scope, ()))
+    return false_claim(data, established(*parts, scope))
 
 
 def test_what_is_true_is_called_true() -> None:
@@ -67,14 +84,31 @@ def test_witnesses_are_evaluated(
     statement: str, field: str | None, verdict: str, values: dict[str, str], right: bool
 ) -> None:
     texts = {name: text.split() for name, text in values.items()}
-    for spelled in (field or "GF(3)", (field or "GF(3)").replace("(3)", "( 03)")):
-        evidence = {"kind": "witness", "field": spelled, "values": texts}
-        assert (not said(Target(statement, field, verdict).certificate(evidence))) is right
+    evidence = {"kind": "witness", "ring": data_of(field or "GF(3)"), "values": texts}
+    assert (not said(Target(statement, field, verdict).certificate(evidence))) is right
 
 
 @pytest.mark.parametrize("field", NO_FIELDS)
 def test_there_is_no_such_ring(field: str) -> None:
     assert said(Target("s == s", field).certificate(None)).startswith("there is no ring")
+
+
+@pytest.mark.parametrize(("name", "data"), NO_RINGS)
+def test_these_are_the_data_of_no_ring(name: str, data: Data) -> None:
+    assert said(Target("s == s", name).certificate(None, ring=data))
+    with pytest.raises(NotRead):
+        name_of(data)
+
+
+@pytest.mark.parametrize(
+    "name", ["QQ", "GF(9)", "GF(9, x^2+1)", "QQ(I)", "ZZ/6", "GF(4)(t)", "QQ[x,y]", "RDF"]
+)
+def test_data_that_are_not_those_of_the_name(name: str) -> None:
+    data = data_of(name)
+    assert name_of(data) == name
+    for other in ("QQ(x)", "GF(3)", "ZZ"):
+        claim = Target("s == s", other).certificate(None, ring=data)
+        assert said(claim) == f"the data are not those of {other!r}"
 
 
 @pytest.mark.parametrize(("statement", "field", "truth"), WORDS)
@@ -118,11 +152,11 @@ def test_a_number_serves_in_place_of_what_is_not_0() -> None:
 def test_a_campaign_reports_what_passes() -> None:
     true = next(d for d in pool() if d["verdict"] == "proved" and d["field"] == "QQ")
     false = {**true, "statement": "p*q == q*p"}
-    established = Established(false["statement"], false["algebra"], "QQ", "proved", "field", ())
+    shown = established(false["statement"], false["algebra"], "QQ", "proved", "field")
     for made in (
         Forgery("evidence", json.dumps(false), target=Target("p*q == q*p")),
         Forgery("mutants", json.dumps(false), original=true),
         Forgery("wholes", json.dumps(false)),
     ):
-        assert _judged(made, established, 0)
-    assert not _judged(Forgery("mutants", json.dumps(true), original=true), established, 0)
+        assert _judged(made, shown, 0)
+    assert not _judged(Forgery("mutants", json.dumps(true), original=true), shown, 0)

@@ -12,7 +12,17 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.anisotropy import is_certified as certifies
+from tests.certificates.ring_data import (
+    INFINITY,
+    Data,
+    data_of,
+    ideal,
+    number,
+    prime,
+    real,
+    split,
+)
 
 PRIMES = (2, 3, 5, 7, 11, 13, 97, 1_000_003)
 
@@ -54,9 +64,18 @@ def diagonal(a: int, b: int, p: int) -> tuple[list[str], list[str]]:
     return rows[0][1], rows[-1][1]
 
 
-def at(place: str, u: list[str], j: list[str]) -> dict[str, Any]:
-    """Return a reason by a place."""
-    return {"by": "place", "place": place, "u": u, "j": j}
+def is_certified(algebra: str, field: str, reason: Any) -> bool:
+    return certifies(algebra, data_of(field), reason)
+
+
+def at(place: Any, u: list[str], j: list[str]) -> dict[str, Any]:
+    """Return a reason by a place, or at a number."""
+    return {
+        "by": "place",
+        "place": number(place) if isinstance(place, int) else place,
+        "u": u,
+        "j": j,
+    }
 
 
 def test_an_odd_prime_is_taken_exactly_where_the_symbol_is_minus_one() -> None:
@@ -67,7 +86,7 @@ def test_an_odd_prime_is_taken_exactly_where_the_symbol_is_minus_one() -> None:
             continue
         symbol = hilbert(Fraction(a), Fraction(b), p)
         found[symbol] += 1
-        data = at(str(p), *diagonal(a, b, p))
+        data = at(p, *diagonal(a, b, p))
         assert is_certified(f"({a},{b}|QQ)", "QQ", data) == (symbol == -1), (a, b, p)
     assert min(found.values()) > 40
 
@@ -85,7 +104,7 @@ def test_nothing_is_taken_where_all_symbols_are_one() -> None:
             j = rng.choice((["1", "1", "0", "0"], ["0", "0", "1", "0"], ["0", "0", "0", "1"], j))
         if rng.random() < 0.3:
             a, b = -1, rng.choice((-1, -1, -5, 3, n, -n))
-        if is_certified(f"({a},{b}|QQ)", "QQ", at(str(n), u, j)):
+        if is_certified(f"({a},{b}|QQ)", "QQ", at(n, u, j)):
             taken, composite = taken + 1, composite + (n not in PRIMES)
             primes = [q for q in (*range(2, 200), *PRIMES) if n % q == 0]
             primes = [q for q in primes if all(q % r for r in range(2, min(q, 200)))]
@@ -109,26 +128,27 @@ def test_the_symbols_multiply_to_one() -> None:
         assert total == 1, (a, b)
 
 
-FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+T = prime(0, 1)
+FIELDS: dict[str, tuple[tuple[str, ...], tuple[int | Data, ...]]] = {
     # the entries of quaternions, and the places
-    "QQ": (("1", "2", "1/2", "-3"), ("2", "3", "5", "7", "15", "21", "9", "35")),
+    "QQ": (("1", "2", "1/2", "-3"), (2, 3, 5, 7, 15, 21, 9, 35)),
     "QQ(sqrt(2))": (
         ("1", "sqrt(2)", "1/2", "1+sqrt(2)"),
-        ("2", "3", "(7, sqrt(2)-3)", "7", "15", "21"),
+        (2, 3, split(7, 3), 7, 15, 21),
     ),
-    "QQ(I)": (("1", "I", "1/2", "1+I"), ("2", "3", "(5, I-2)", "5", "(65, I-8)", "15")),
+    "QQ(I)": (("1", "I", "1/2", "1+I"), (2, 3, split(5, 2), 5, split(65, 8), 15)),
     "QQ(sqrt(-7))": (
         ("1", "sqrt(-7)", "1/2", "1/2+sqrt(-7)/2"),
-        ("(2, sqrt(-7)-1)", "3", "7", "15"),
+        (split(2, 1), 3, 7, 15),
     ),
     "QQ(sqrt(15))": (
         ("1", "sqrt(15)", "1/3", "1+sqrt(15)"),
-        ("3", "5", "15", "2", "7", "(7, sqrt(15)-1)"),
+        (3, 5, 15, 2, 7, split(7, 1)),
     ),
     "QQ(x)": (("1", "x", "1/x", "x+1"), ()),
-    "GF(2)(t)": (("1", "t", "1/t", "t+1"), ("t", "t+1", "t^2+t+1", "inf")),
-    "GF(3)(t)": (("1", "t", "1/t", "t+1"), ("t", "t+1", "t^2+1", "inf")),
-    "GF(5)(t)": (("1", "t", "1/t", "2*t+1"), ("t", "t+1", "t^2+2", "inf")),
+    "GF(2)(t)": (("1", "t", "1/t", "t+1"), (T, prime(1, 1), prime(1, 1, 1), INFINITY)),
+    "GF(3)(t)": (("1", "t", "1/t", "t+1"), (T, prime(1, 1), prime(1, 0, 1), INFINITY)),
+    "GF(5)(t)": (("1", "t", "1/t", "2*t+1"), (T, prime(1, 1), prime(2, 0, 1), INFINITY)),
     "RR": (("1", "-2", "sqrt(2)"), ()),
     "GF(7)": (("1", "3", "-1"), ()),
     "CC": (("1", "I", "2"), ()),
@@ -141,7 +161,7 @@ def reasons(field: str, rng: random.Random) -> dict[str, Any]:
     kind = rng.random()
     if kind < 0.15 or not places:
         inner = at(
-            rng.choice(("2", "3", "15")),
+            rng.choice((2, 3, 15)),
             _quaternion(("1", "1/2"), rng),
             _quaternion(("1", "2"), rng),
         )
@@ -190,7 +210,7 @@ def test_each_kind_of_reason_is_taken_somewhere() -> None:
     assert len(found) == 5
     for a, b in product((-2, -1, 1, 3), repeat=2):
         assert is_certified(f"({a},{b}|RR)", "RR", {"by": "ordering"}) == (a < 0 and b < 0)
-    data = at("t", ["0", "1", "0", "0"], ["0", "0", "1", "0"])
+    data = at(T, ["0", "1", "0", "0"], ["0", "0", "1", "0"])
     assert is_certified("(2,t|GF(3)(t))", "GF(3)(t)", data)
     assert is_certified("[1,t|GF(2)(t))", "GF(2)(t)", data)
     special = {"by": "specialisation", "at": "1", "proof": {"by": "ordering"}}
@@ -200,30 +220,46 @@ def test_each_kind_of_reason_is_taken_somewhere() -> None:
 
 @pytest.mark.parametrize(
     "place",
-    ["4", "1", "0", "-3", "9", "6", "12", "2", "٣", "+3", "inf", "x", "", "3.0", "(3, sqrt(2)-1)"],
+    [
+        *map(number, (4, 1, 0, -3, 9, 6, 12, 2, "3", "٣", 3.0, True, None, [3])),
+        *(
+            INFINITY,
+            T,
+            split(3, 1),
+            ideal(3),
+            real(0),
+            {**number(3), "p": 3},
+            {"n": 3},
+            "3",
+            None,
+            {},
+        ),
+    ],
+    ids=str,
 )
-def test_what_is_no_place_of_q(place: str) -> None:
+def test_what_is_no_place_of_q(place: Any) -> None:
     data = at(place, *diagonal(3, -1, 3))
     assert not is_certified("(3,-1|QQ)", "QQ", data)
-    assert is_certified("(3,-1|QQ)", "QQ", {**data, "place": "3"})
+    assert is_certified("(3,-1|QQ)", "QQ", {**data, "place": number(3)})
 
 
 @pytest.mark.parametrize(
     ("field", "place"),
     [
-        ("QQ(sqrt(-7))", "2"),  # splits
-        ("QQ(sqrt(2))", "(7, sqrt(2)-1)"),
-        ("QQ(sqrt(2))", "(7, sqrt(3)-3)"),
-        ("QQ(sqrt(-7))", "(2, sqrt(-7)-2)"),
-        ("GF(3)(t)", "t^2-1"),
-        ("GF(3)(t)", "2"),
-        ("GF(3)(t)", "1/t"),
-        ("GF(2)(t)", "t^2+1"),
-        ("GF(2)(t)", "x"),
+        ("QQ(sqrt(-7))", number(2)),  # splits
+        ("QQ(sqrt(2))", split(7, 1)),
+        ("QQ(sqrt(2))", split(7, 10)),
+        ("QQ(sqrt(-7))", split(2, 2)),
+        ("GF(3)(t)", prime(2, 0, 1)),
+        ("GF(3)(t)", prime(0, 2)),
+        ("GF(3)(t)", number(2)),
+        ("GF(3)(t)", prime(1)),
+        ("GF(2)(t)", prime(1, 0, 1)),
+        ("GF(2)(t)", prime([0], [1])),
     ],
 )
-def test_what_is_no_place_of_other_fields(field: str, place: str) -> None:
-    rng = random.Random(place)
+def test_what_is_no_place_of_other_fields(field: str, place: Data) -> None:
+    rng = random.Random(str(place))
     entries = FIELDS[field][0]
     for _ in range(120):
         a, b = rng.choice(entries), rng.choice(entries)

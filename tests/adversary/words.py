@@ -137,7 +137,7 @@ WORDS: dict[str, Callable[[str, list[str]], bool | None]] = {
     "curried-linear": lambda field, parts: True,
     "last-argument": _last_argument,
 }
-SOME_FIELDS = ("QQ", "GF(2)", "GF(3)", "GF(5)", "CC", "QQ(sqrt(-7))")
+SOME_FIELDS = ("QQ", "GF(2)", "GF(3)", "GF(5)", "RR", "CC", "QQ(sqrt(-7))")
 
 
 def split(text: str) -> tuple[str, list[str]]:
@@ -147,7 +147,7 @@ def split(text: str) -> tuple[str, list[str]]:
         return word.strip(), []
     parts, depth = [""], 0
     for char in rest.rstrip()[:-1]:
-        depth += (char == "{") - (char == "}")
+        depth += (char in "{([") - (char in "])}")
         if char == ";" and depth == 0:
             parts.append("")
         else:
@@ -175,20 +175,20 @@ def truth_over(text: str, field: str) -> bool | None:
     if word == "citing":
         return truth_over(parts[1], field)
     if word == "not-everywhere":
-        found = [truth_over(parts[0], f) for f in SOME_FIELDS]
-        return True if False in found else None
+        fails = truth_over(parts[0], field)
+        return None if fails is None else not fails
     found = [truth_over(part, field) for part in parts]
     if word == "angles" and field != "RR":
         return found[0]
     if word in ("every", "angles"):
-        return False if False in found else (None if None in found else True)
+        return _all(found)
     if None in found:
         return None
     return (not found[0] or found[1]) if word == "implies" else found[0] == found[1]
 
 
 def _truth_of_statement(text: str, field: str) -> bool | None:
-    from tests.adversary.falsify import is_true, one_place, sampled
+    from tests.adversary.falsify import is_true, one_place, sampled, true_at
 
     ring = named(field)
     if ring is None:
@@ -198,9 +198,24 @@ def _truth_of_statement(text: str, field: str) -> bool | None:
     import random
 
     claim = read_claim(text, None, ring)
+    if not claim.given and not claim.bound:
+        return true_at(claim, ring, {})
     return False if sampled(claim, ring, random.Random(0), 40) is not None else None
 
 
 def truth_everywhere(text: str) -> bool | None:
-    """Tell whether a statement is false over some field known here; nothing else is told."""
+    """Tell whether a statement is true of all fields at once, as far as the fields known here tell."""
+    word, parts = split(text) if is_word(text) else ("", [])
+    if word == "not-everywhere":
+        return True if truth_everywhere(parts[0]) is False else None
+    if word == "every":
+        return _all([truth_everywhere(part) for part in parts])
+    if word == "angles":  # of all fields at once what is said of RR is said
+        return _all([truth_everywhere(parts[0]), *(truth_over(part, "RR") for part in parts[1:])])
+    if word == "over":
+        return truth_over(text, "")
     return False if False in [truth_over(text, f) for f in SOME_FIELDS] else None
+
+
+def _all(found: list[bool | None]) -> bool | None:
+    return False if False in found else (None if None in found else True)

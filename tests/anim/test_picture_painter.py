@@ -9,6 +9,7 @@ from anim.errors import AnimationError
 from anim.model import Model
 from anim.picture import STYLES, Camera, Look, painter
 from anim.picture.painting import TRACE
+from anim.rendering import Task, draw
 from tests.anim.cones import cone_hits, interior, random_rotation, rays
 from tests.anim.test_picture_projection import about_y, about_z
 
@@ -46,6 +47,9 @@ def test_pictures_depend_on_the_arguments_only(style):
     with ThreadPoolExecutor(4) as pool:
         own = pool.map(lambda job: painter(MODEL, look).draw(*job).tobytes(), jobs)
         assert first == list(own)
+        tasks = [Task(MODEL, look, matrix[None], trail) for matrix, trail in jobs] * 8
+        drawn = [picture.tobytes() for picture in pool.map(draw, tasks)]
+        assert drawn == first * 8
 
 
 @pytest.mark.parametrize("style", STYLES)

@@ -2,7 +2,11 @@
 
 from typing import Any
 
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_ring
+from hfield.certificates.vocabulary.logic import names_of_rings
 from hfield.proving.prove import prove
+from tests.certificates.ring_data import Data, data_of
 
 FIELDS = (
     *(None, "QQ", "GF(2)", "GF(3)", "GF(4)", "GF(9)", "QQ(sqrt(-7))", "QQ(sqrt(2))", "QQ(I)"),
@@ -68,6 +72,7 @@ ALGEBRAS = (
 )
 
 Certificate = dict[str, Any]
+Field = str | Data | None
 
 
 def certificates() -> list[Certificate]:
@@ -86,16 +91,34 @@ def decided(statement: str, field: str | None = "QQ", algebra: str | None = None
 
 
 def certified(
-    statement: str, field: str | None, method: str, evidence: Any, algebra: str | None = None
+    statement: str, field: Field, method: str, evidence: Any, algebra: str | None = None
 ) -> Certificate:
     """Return a certificate that a hand wrote: proved, citing nothing."""
-    return {
-        "schema": "hfield-cert/1",
+    data = {
+        "schema": "hfield-cert/2",
         "statement": statement,
-        "algebra": algebra or f"(-1,-1|{field or 'F'})",
-        "field": field,
         "verdict": "proved",
         "method": method,
         "assumes": [],
-        "evidence": evidence,
+        "evidence": with_rings(statement, evidence),
     }
+    return about_field(data, field) | ({} if algebra is None else {"algebra": algebra})
+
+
+def with_rings(statement: str, evidence: Any) -> Any:
+    """Return the evidence, with the data of the rings that the statement names, if any."""
+    names = names_of_rings(statement)
+    if not names:
+        return evidence
+    return {"kind": "rings", "rings": [data_of(name) for name in names], "evidence": evidence}
+
+
+def about_field(data: Certificate, field: Field) -> Certificate:
+    """Return the certificate said of H(F) over a field: of a canonical name, of these data, or over all."""
+    ring = data_of(field) if isinstance(field, str) else field
+    try:
+        name = None if ring is None else read_ring(ring).name
+    except Rejected:  # as the test expects it to be, for it is no ring
+        name = field if isinstance(field, str) else "F"
+    assert not isinstance(field, str) or field == name
+    return {**data, "field": name, "ring": ring, "algebra": f"(-1,-1|{name or 'F'})"}

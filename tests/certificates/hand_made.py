@@ -10,12 +10,13 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.statement import Setting, read_setting
 from tests.certificates.cases import Certificate
+from tests.certificates.ring_data import read_field
 
 IDENTITY = {"kind": "identity"}
 
 
 def setting(algebra: str = "(-1,-1|F)", field: str | None = None) -> Setting:
-    return read_setting(algebra, field)
+    return read_setting(algebra, None if field is None else read_field(field))
 
 
 def implication(items: list[Any], facts: list[Any] | None = None) -> dict[str, Any]:

@@ -101,7 +101,7 @@ def test_all_is_told_on_lines_of_its_own() -> None:
     assert established.lines() == [
         "proved over QQ",
         "statement: p*q == q*p or 0 == 0",
-        "field: QQ",
+        "field: QQ, the rational numbers",
         "algebra: (-1,-1|QQ)",
     ]
     everywhere = check(certified(text, None, "identity", {"kind": "identity"}))

@@ -5,8 +5,9 @@ import random
 import pytest
 
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.rings import ring
+from tests.certificates import ring_data as data
 
 COMMUTATIVE_RINGS = (
     *("QQ", "ZZ", "ZZ/12", "GF(13)", "GF(4)", "GF(9)", "GF(9, x^2+1)", "GF(2^8)", "GF(125)"),
@@ -26,7 +27,8 @@ COMMUTATIVE_RINGS = (
 @pytest.mark.parametrize("name", COMMUTATIVE_RINGS)
 def test_arithmetic_agrees(name: str) -> None:
     F = ring(name)
-    G = read_field(F.name)
+    G = read_ring(F.data)
+    assert G.name == F.name
     rng = random.Random(1)
     for _ in range(40):
         x, y = F.random(rng), F.random(rng)
@@ -41,23 +43,30 @@ def test_arithmetic_agrees(name: str) -> None:
     assert (G.characteristic, G.order, G.is_field) == (F.characteristic, F.order, F.is_field)
 
 
+GF4, NOTHING = data.finite(2, 2, [1, 1, 1]), {"kind": ""}
 NO_RINGS = (
-    *("GF(1)", "GF(6)", "GF(9, x^2+2)", "GF(9, x^3+1)", "GF(16, (x^2+x+1)^2)", "QQ(sqrt(4))", ""),
-    *(
-        "QQ(i)",
-        "GF(5)(e)",
-        "QQ(sqrt(2))(x)",
-        "ZZ/6[x]",
-        "QQ[x,x]",
-        "GF(4)(x)",
-        "RR(x)",
-        "ZZ/1",
-        "GF()",
-    ),
+    (data.finite(1), "at least 2"),
+    (data.finite(6), "no prime number"),
+    (data.finite(3, 2, [2, 0, 1]), "reducible"),
+    (data.finite(3, 2, [1, 0, 0, 1]), "is monic, of the degree 2"),
+    (data.finite(2, 4, [1, 0, 1, 0, 1]), "reducible"),
+    (data.quadratic(4), "squarefree"),
+    (data.functions(data.QQ, "i"), "cannot name a variable"),
+    (data.functions(data.finite(5), "e"), "cannot name a variable"),
+    (data.functions(data.quadratic(2), "x"), "over QQ or a finite field"),
+    (data.functions(data.RR, "x"), "over QQ or a finite field"),
+    (data.functions(GF4, "x"), "already means an element"),
+    (data.polynomials(data.residues(6), "x"), "over ZZ, QQ or GF"),
+    (data.polynomials(data.QQ, "x", "x"), "comes twice"),
+    (data.polynomials(data.QQ), "has 0 entries"),
+    (data.residues(1), "at least 2"),
+    (data.finite(None), "must be an integer"),
+    (NOTHING, "are not known here"),
+    ({}, "the kind of a ring must be a text"),
 )
 
 
-@pytest.mark.parametrize("name", NO_RINGS)
-def test_what_is_no_ring(name: str) -> None:
-    with pytest.raises(Rejected):
-        read_field(name)
+@pytest.mark.parametrize(("ring", "why"), NO_RINGS)
+def test_what_is_no_ring(ring: data.Data, why: str) -> None:
+    with pytest.raises(Rejected, match=why):
+        read_ring(ring)

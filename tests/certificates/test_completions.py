@@ -5,17 +5,47 @@ from random import Random
 import pytest
 
 from hfield import QuaternionAlgebra, prove, ring
-from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.anisotropy import is_certified as certifies
 from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.structure import norm_evidence, zero_norm
+from tests.certificates.cases import about_field
+from tests.certificates.ring_data import (
+    CC,
+    INFINITY,
+    QQ,
+    RR,
+    ZZ,
+    completion,
+    cyclotomic,
+    data_of,
+    finite,
+    functions,
+    generated,
+    ideal,
+    multiquadratic,
+    number,
+    other,
+    prime,
+    quadratic,
+    read_field,
+    real,
+    split,
+)
 
 FIELDS = (
     "Qp(2)", "Qp(3)", "Qp(5)", "QQ(sqrt(2))_(2)", "QQ(sqrt(2))_(3)", "QQ(I)_(5, I-2)", "QQ(sqrt(5))_(2)",
     "QQ(sqrt(-7))_(2, sqrt(-7)-1)", "GF(3)((t))", "GF(2)((t))", "GF(9)((t))", "GF(2)(t)_(t^2+t+1)",
     "GF(4)(t)_inf", "QQ[s]/(s^3-2)_(2, s)", "QQ[s]/(s^3-2)_(7)",
 )  # fmt: skip
+
+
+ROOT, CUBE = quadratic(2), generated([-2, 0, 0, 1])
+
+
+def is_certified(algebra, name, reason):
+    return certifies(algebra, data_of(name), reason)
 
 
 @pytest.mark.parametrize("name", FIELDS)
@@ -36,7 +66,9 @@ def test_every_division_algebra_is_certified_and_no_split_one(name):
         if data is not None:
             assert data["by"] == "place"
             assert not is_certified(A.name, name, {**data, "j": data["u"]})
-            assert not is_certified(A.name, name, {**data, "place": "11"})
+            for place in (number(11), INFINITY, split(11, 3), prime(2, 1), ideal(11), real(0)):
+                if place != data["place"]:
+                    assert not is_certified(A.name, name, {**data, "place": place})
     assert seen == {True, False}
 
 
@@ -44,23 +76,43 @@ def test_every_division_algebra_is_certified_and_no_split_one(name):
 def test_what_holds_over_the_global_field_alone_is_not_used(by):
     assert is_certified("(-1,-1|QQ)", "QQ", {"by": by})
     assert not is_certified("(-1,-1|Qp(5))", "Qp(5)", {"by": by})
-    assert not is_certified(
-        "(-1,-1|QQ(sqrt(2))_(7,sqrt(2)-3))", "QQ(sqrt(2))_(7,sqrt(2)-3)", {"by": by}
-    )
+    name = "QQ(sqrt(2))_(7, sqrt(2)-3)"
+    assert not is_certified(f"(-1,-1|{name})", name, {"by": by})
 
 
 @pytest.mark.parametrize(
-    "name",
+    ("of", "place", "why"),
     [
-        "Qp(1)", "Qp(4)", "Qp(15)", "Qp(x)", "QQ(sqrt(2))_(7)", "QQ(sqrt(2))_(15)", "QQ(sqrt(17))_(2)",
-        "QQ(sqrt(2))_(7,sqrt(2)-5)", "QQ(sqrt(2))_(21,sqrt(2)-3)", "GF(3)(t)_(t^2-1)", "QQ(x)_(x)", "QQ((x))",
-        "ZZ_(5)", "RR_(5)", "QQ[s]/(s^3-2)_(5)", "QQ[s]/(s^3-2)_inf1", "QQ[s]/(s^3-2)_inf-", "QQ(I)_inf-",
-        "QQ(sqrt(2))_inf0", "QQ_inf0", "QQ(zeta5)_inf0",
+        *((QQ, number(n), "are at prime numbers") for n in (4, 15, 3215031751)),
+        *((QQ, number(n), "a prime number must be") for n in (1, "x", "5", 5.0, None, True)),
+        (ROOT, number(7), "two places of QQ.sqrt.2.. lie above 7"),
+        (ROOT, number(15), "are at prime numbers"),
+        (quadratic(17), number(2), "two places of QQ.sqrt.17.. lie above 2"),
+        (ROOT, split(7, 5), "√2 is not 5"),
+        (ROOT, split(21, 3), "are at prime numbers"),
+        (functions(finite(3), "t"), prime(2, 0, 1), "is reducible"),
+        (functions(finite(3), "t"), prime(1, 2), "is monic"),
+        (functions(QQ, "x"), prime(0, 1), "no place of the kind 'prime polynomial'"),
+        (functions(QQ, "x"), INFINITY, "no place of the kind 'infinity'"),
+        *((of, number(5), "the completions of .* are not known here") for of in (ZZ, RR, CC, finite(5))),
+        (multiquadratic(2, 3), number(5), "the completions of .* are not known here"),
+        (completion(QQ, number(5)), number(5), "the completions of .* are not known here"),
+        (CUBE, ideal(5), "reducible"),
+        (CUBE, ideal(5, -2, 1, 0), "is no prime ideal"),
+        (CUBE, other(5, [2, 1], [0, 1, 0]), "given in the generator of the field"),
+        *((CUBE, real(n), "the real place number . is not known here") for n in (1, 2, 3)),
+        *((CUBE, real(n), "number must be") for n in (-1, "0", None)),
+        (CUBE, {**real(0), "sign": "-"}, "unknown key"),
+        (CUBE, {"kind": "complex", "number": 1}, "no place of the kind 'complex'"),
+        *((of, real(0), "is not known here") for of in (quadratic(-1), QQ, cyclotomic(5), RR)),
+        (ROOT, real(1), "the real place number 1 is not known here"),
+        *((of, "5", "a place must be an object") for of in (QQ, CUBE, ZZ)),
+        *((of, number(5), "the data of a ring must be an object") for of in ("QQ", None, [QQ])),
     ],
 )  # fmt: skip
-def test_what_is_no_completion_is_refused(name):
-    with pytest.raises(Rejected):
-        read_field(name)
+def test_what_is_no_completion_is_refused(of, place, why):
+    with pytest.raises(Rejected, match=why):
+        read_ring(completion(of, place))
 
 
 @pytest.mark.parametrize(
@@ -137,9 +189,11 @@ def test_a_witness_in_a_subfield_with_a_root_that_hensel_lifts(statement, algebr
         ({"root": "3"}, "not so near"),
         ({"root": "1/7"}, "without 7 in a denominator"),
         ({"root": "x"}, "no element"),
-        ({"field": "QQ(sqrt(-1))"}, None),
-        ({"field": "QQ"}, "no number field"),
-        ({"field": "QQ(sqrt(-5))"}, None),
+        ({"ring": quadratic(-1)}, "not so near|not that of the certificate"),
+        ({"ring": QQ}, "no number field"),
+        ({"ring": quadratic(-5)}, "not so near|not that of the certificate"),
+        ({"ring": quadratic(-4)}, "squarefree"),
+        ({"ring": "QQ(I)"}, "must be an object"),
         ({"witness": {"kind": "identity"}}, None),
     ],
 )
@@ -153,8 +207,10 @@ def test_a_changed_subfield_is_none(changes, why):
 def test_no_subfield_of_another_field_and_no_root_that_is_none():
     data = prove("exists s: s*s == -7", algebra="(-1,-1|Qp(2))").certificate
     for field in ("Qp(3)", "Qp(5)", "QQ(I)_(2)", "QQ"):
-        with pytest.raises(Rejected):
-            check({**data, "field": field, "algebra": f"(-1,-1|{field})"})
+        with pytest.raises(
+            Rejected, match=r"Hensel|p-adic|does not show|no number field|one equation"
+        ):
+            check(about_field(data, field))
     for root, near in (
         ("1", True),
         ("3", True),

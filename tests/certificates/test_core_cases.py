@@ -11,8 +11,9 @@ from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.certificates.rejection import (
     Rejected,
 )
-from tests.certificates.cases import certified
+from tests.certificates.cases import about_field, certified
 from tests.certificates.hand_made import IDENTITY, direct, ends, implication, opposite, rejects
+from tests.certificates.ring_data import data_of
 
 # --- exhaustion, witness, existence --------------------------------------------------------------
 
@@ -28,8 +29,8 @@ def test_exhaustion_of_many_cases_goes_by_clauses() -> None:
     rejects({**data, "statement": "p*q == 1 => q*p == p"}, "false in one of the cases")
     rejects({**data, "evidence": {"kind": "exhaustion", "cases": 3**8 - 1}}, "number of cases")
     for field in ("GF(5003)", "QQ", "ZZ", "GF(9)(t)"):
-        rejects({**data, "field": field, "algebra": f"(-1,-1|{field})"}, ".")
-    rejects({**data, "field": None, "algebra": "(-1,-1|F)"}, "finite ring only")
+        rejects(about_field(data, field), ".")
+    rejects(about_field(data, None), "finite ring only")
     divides = certified(
         "s*y*t*z*x == 1 => 1/s == y*t*z*x",
         "ZZ/6",
@@ -57,14 +58,14 @@ def test_exhaustion_of_what_exists() -> None:
 
 
 def test_witnesses() -> None:
-    values = {"kind": "witness", "field": "QQ", "values": {"s": ["2"]}}
+    values = {"kind": "witness", "ring": data_of("QQ"), "values": {"s": ["2"]}}
     data = certified("exists s: s*s == 4", "QQ", "witness", values)
     assert check(data)
     rejects({**data, "statement": "exists s: s*s == 5"}, "false for the values")
     rejects({**data, "statement": "exists s: s*s == y"}, "no other unknowns")
-    rejects({**data, "field": None, "algebra": "(-1,-1|F)"}, "only for one field")
+    rejects(about_field(data, None), "only for one field")
     rejects({**data, "verdict": "refuted"}, "does not show")
-    floats = {"kind": "witness", "field": "RDF", "values": {"s": ["2"]}}
+    floats = {"kind": "witness", "ring": data_of("RDF"), "values": {"s": ["2"]}}
     false = certified("s*s == s", "RDF", "floats, exact on small integers", floats)
     assert check({**false, "verdict": "refuted"})
     rejects({**false, "verdict": "refuted", "method": "counterexample"}, "method")
@@ -142,12 +143,7 @@ def test_places() -> None:
     whole = {"kind": "place", "values": {"p": ["0", "0", "0", "0"]}, "proof": inner}
     both = {**data, "statement": "exists q: q*p == 1", "evidence": whole}
     assert check(both)
-    everywhere = {
-        **both,
-        "field": None,
-        "algebra": "(-1,-1|F)",
-        "evidence": {**whole, "field": "GF(9)"},
-    }
+    everywhere = {**about_field(both, None), "evidence": {**whole, "ring": data_of("GF(9)")}}
     assert check(everywhere).scope == FIELD
 
 
@@ -158,12 +154,12 @@ def test_what_another_ring_shows() -> None:
     item = opposite(["2*s"], ["s"], [ends("T1", "2", d=2)])
     inner = implication([item])
     data = certified("2*s == 0 => s == 0", "ZZ", "implication", {})
-    there = {"kind": "fractions", "field": "QQ", "proof": inner}
+    there = {"kind": "fractions", "ring": data_of("QQ"), "proof": inner}
     assert check({**data, "evidence": there}).scope == FIELD
-    poly = {**data, "field": "ZZ[x]", "algebra": "(-1,-1|ZZ[x])"}
-    assert check({**poly, "evidence": {**there, "field": "QQ(x)"}})
-    mod_5 = {**data, "field": "GF(5)[x]", "algebra": "(-1,-1|GF(5)[x])"}
-    assert check({**mod_5, "evidence": {**there, "field": "GF(5)(x)"}})
+    poly = about_field(data, "ZZ[x]")
+    assert check({**poly, "evidence": {**there, "ring": data_of("QQ(x)")}})
+    mod_5 = about_field(data, "GF(5)[x]")
+    assert check({**mod_5, "evidence": {**there, "ring": data_of("GF(5)(x)")}})
     for field, ring in (
         ("QQ(x)", "ZZ"),
         ("QQ", "ZZ[x]"),
@@ -174,13 +170,7 @@ def test_what_another_ring_shows() -> None:
         ("RR", "ZZ"),
         ("QQ", "RDF"),
     ):
-        bad = {
-            **data,
-            "field": ring,
-            "algebra": f"(-1,-1|{ring})",
-            "evidence": {**there, "field": field},
-        }
-        rejects(bad, ".")
+        rejects({**about_field(data, ring), "evidence": {**there, "ring": data_of(field)}}, ".")
     rejects({**data, "statement": "2*s == 2 => 1/s == 1", "evidence": there}, "without division")
     cases = {"kind": "exhaustion", "cases": 2}
     reduced = {"kind": "reduction", "modulus": 2, "proof": cases}
@@ -189,11 +179,11 @@ def test_what_another_ring_shows() -> None:
     )
     none["verdict"] = "refuted"
     assert check(none)
-    over_6 = {**none, "field": "ZZ/6", "algebra": "(-1,-1|ZZ/6)"}
+    over_6 = about_field(none, "ZZ/6")
     assert check(over_6)
     for bad in (
-        {**none, "field": "ZZ/9", "algebra": "(-1,-1|ZZ/9)"},
-        {**none, "field": "QQ", "algebra": "(-1,-1|QQ)"},
+        about_field(none, "ZZ/9"),
+        about_field(none, "QQ"),
         {**none, "statement": "exists s: 3*s == 1"},
         {**none, "statement": "exists s: 2*s == 1 or s != s + 2"},
         {**none, "statement": "exists s: 2*s == 1/1"},
@@ -286,9 +276,8 @@ def test_an_identity_of_fractions_holds_where_no_denominator_is_0(
     data["algebra"] = algebra or data["algebra"]
     assert check(data)
     for other in ("GF(5)", "QQ"):
-        rejects(
-            {**data, "field": other, "algebra": data["algebra"].replace(field, other)}, "expanding"
-        )
+        moved = data["algebra"].replace(field, other)
+        rejects({**about_field(data, other), "algebra": moved}, "expanding")
     _, _, last = statement.partition(" or ")
     if last:
         rejects({**data, "statement": last}, "expanding")

@@ -4,7 +4,7 @@ from typing import Any
 
 from hfield.certificates.check import check
 from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
-from tests.certificates.cases import certified
+from tests.certificates.cases import about_field, certified
 from tests.certificates.hand_made import direct, ends, implication, opposite, rejects
 
 # --- implications --------------------------------------------------------------------------------
@@ -17,7 +17,7 @@ def test_direct_items() -> None:
     assert check(good).scope == COMMUTATIVE_RINGS
     for field in ("ZZ", "ZZ/6", "GF(2)", "QQ[x,y]", "ZZ[x]", "GF(4)"):
         if field not in ("QQ[x,y]",):
-            assert check({**good, "field": field, "algebra": f"(-1,-1|{field})"}).scope == FIELD
+            assert check(about_field(good, field)).scope == FIELD
     for bad in (
         {**item, "cofactors": []},
         {**item, "cofactors": ["t + 1"]},
@@ -56,7 +56,7 @@ def test_a_hypothesis_that_is_a_contradiction() -> None:
     rejects({**data, "evidence": implication([twice])}, "not covered")
     over_q = certified("s == 0 and s == 2 => p == q", "QQ", "implication", implication([twice]))
     assert check(over_q)
-    rejects({**over_q, "field": "GF(2)", "algebra": "(-1,-1|GF(2))"}, "not covered")
+    rejects(about_field(over_q, "GF(2)"), "not covered")
 
 
 def test_primes_that_are_divided_by_are_covered_again() -> None:
@@ -81,8 +81,8 @@ def test_contradictions_and_cases() -> None:
     data = certified("s*y == 0 => s == 0 or y == 0", None, "implication", implication([item]))
     assert check(data).scope == FIELDS
     for field in ("ZZ", "QQ", "GF(4)", "ZZ[x]", "ZZ/7"):
-        assert check({**data, "field": field, "algebra": f"(-1,-1|{field})"})
-    rejects({**data, "field": "ZZ/6", "algebra": "(-1,-1|ZZ/6)"}, "not covered")
+        assert check(about_field(data, field))
+    rejects(about_field(data, "ZZ/6"), "not covered")
     branches = [[ends("0", "1", "0", "T1")], [ends("0", "0", "1", "T2")]]
     step: dict[str, Any] = {
         "step": "cases",
@@ -131,7 +131,7 @@ def test_constants_that_are_not_0_may_be_divided_by() -> None:
     item = opposite(["x*s"], ["x", "s"], steps)
     data = certified("x*s == 0 => s == 0", "QQ(x)", "implication", implication([item]))
     assert check(data)
-    everywhere = {**data, "field": None, "algebra": "(-1,-1|F)"}
+    everywhere = about_field(data, None)
     rejects(everywhere, "not covered")
     related = direct(["s - x"], "s**2 + 1", ["s + x", "1"], relations=["x**2 + 1"])
     fits = certified("s == x => s**2 == -1", "GF(9, x^2+1)", "implication", implication([related]))

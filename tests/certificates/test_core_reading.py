@@ -24,9 +24,8 @@ from hfield.certificates.rejection import (
     shown,
     texts,
 )
-from hfield.certificates.scalars.fields import read_field
-from hfield.certificates.statement import HAMILTON, read_setting, read_statement
-from hfield.certificates.work import bounded, charge
+from hfield.certificates.statement import HAMILTON, read_statement
+from hfield.certificates.work import Work, bounded, charge
 from tests.certificates.cases import certified
 from tests.certificates.hand_made import (
     IDENTITY,
@@ -34,6 +33,7 @@ from tests.certificates.hand_made import (
     rejects,
     setting,
 )
+from tests.certificates.ring_data import read_field
 
 # --- JSON values ---------------------------------------------------------------------------------
 
@@ -63,15 +63,19 @@ def test_json_values_of_the_wrong_kind() -> None:
     assert an_integer(5, "it", 5) == 5
     assert shown("a\0b" * 100, 10) == "a?ba?ba?b…"
     assert shown([1]) == "[1]"
+    assert shown(1 << 20_000) == "a number of 20001 bits"
     assert one_line(" a\n \u2028b\u202e ") == "a b?"
 
 
 def test_work_is_bounded() -> None:
     charge(10**9)  # outside nothing is counted
-    with bounded():
+    with bounded() as work:
         charge(10_000_000)
-        with pytest.raises(Rejected, match="more work"):
+        with pytest.raises(Rejected, match=r"more work .* 10 million units; .* --work N"):
             charge(1)
+    assert work.spent == 10_000_001
+    with bounded(Work(0.5)), pytest.raises(Rejected, match=r"0\.5 million units"):
+        charge(500_001)
 
 
 def test_nothing_but_rejected_leaves_the_checker(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -93,6 +97,7 @@ def test_nothing_but_rejected_leaves_the_checker(monkeypatch: pytest.MonkeyPatch
     [
         *("q" * 20_001 + " == q", "(" * 101 + "q" + ")" * 101 + " == q", "q == " + "+".join(["q"] * 202)),
         *("q == (exists p: p == q)", "p == not q", "q**s == q", "q**(2 == q", "q**2**2 == q", "q[0][1] == 0"),
+        *("q == q\u00a0", "\u00a0q == q", "q\u2003== q", "q == q\x1c"),
         *("q[4] == 0", "q[0 == 0", "q**" + "9" * 4_001 + " == q", "q == " + "9" * 4_001, "q == 1e99999"),
         *("q ==", "== q", "q == q)", "exists and: q == q", "exists 2: q == q", "exists q q == q", "q = q"),
         *("comm(p == q", "p == q == r", "(p == q <=> q == p <=> p == q)", "q == $"),
@@ -141,7 +146,7 @@ def test_trees() -> None:
 )
 def test_algebras_that_are_none(algebra: str, field: str | None) -> None:
     with pytest.raises(Rejected):
-        read_setting(algebra, field)
+        setting(algebra, field)
 
 
 def test_an_algebra_with_three_constants() -> None:

@@ -11,8 +11,9 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.work import Work
 from hfield.proving.prove import prove
-from tests.certificates.cases import certified
+from tests.certificates.cases import about_field, certified
 from tests.certificates.hand_made import IDENTITY, direct, ends, implication, opposite, rejects
+from tests.certificates.ring_data import data_of
 
 # --- rules of a field ----------------------------------------------------------------------------
 
@@ -78,13 +79,13 @@ def test_a_norm_that_is_0_only_at_0() -> None:
         bad = {**items[0], "steps": [{**items[0]["steps"][0], **change}, items[0]["steps"][1]]}
         rejects({**data, "evidence": implication([bad, *items[1:]], [NORM])}, ".")
     # a constant that the statement does not speak of
-    real = {**data, "field": "RR", "algebra": "(-1,-1|RR)"}
+    real = about_field(data, "RR")
     assert check(real)
     for algebra in ("(-sqrt(2),-1|RR)", "(-1,-sqrt(2)|RR)"):
         foreign = implication(other, [{**NORM, "algebra": algebra}])
         rejects({**real, "evidence": foreign}, "there is no function")
     for field in (None, "ZZ", "CC", "GF(3)", "QQ(I)"):
-        rejects({**data, "field": field, "algebra": f"(-1,-1|{field or 'F'})"}, ".")
+        rejects(about_field(data, field), ".")
 
 
 def test_sums_of_squares() -> None:
@@ -119,7 +120,7 @@ def test_sums_of_squares() -> None:
     )
     assert check(two)
     for field in ("GF(5)", "QQ(I)", "CC", "GF(2)"):
-        rejects({**two, "field": field, "algebra": f"(-1,-1|{field})"}, ".")
+        rejects(about_field(two, field), ".")
     three = implication([plain_item], [{**level, "most": 3}])
     rejects({**two, "evidence": three}, "may be 0")
     for coefficients in ([1], [0, 1], [1, -1], [1, 1, 1]):
@@ -139,7 +140,7 @@ def test_forms_and_polynomials_without_roots() -> None:
     by_squares = implication([item], [{**ROOTS, "by": "squares"}])
     rejects({**data, "evidence": by_squares}, "told by factors")
     for field in ("GF(5)", "GF(7)", "RR", "GF(2)", "QQ(sqrt(2))", "QQ(x)"):
-        moved = {**data, "field": field, "algebra": f"(-1,-1|{field})"}
+        moved = about_field(data, field)
         rejects(moved, "told by squares")
         if field in ("GF(5)", "QQ(x)"):
             assert check({**moved, "evidence": by_squares})
@@ -162,9 +163,9 @@ def test_forms_and_polynomials_without_roots() -> None:
     data = certified("s**2 != 3", "QQ", "implication", implication([none], [ROOTS]))
     assert check(data)
     by_squares = implication([none], [{**ROOTS, "by": "squares"}])
-    seven = {**data, "field": "GF(7)", "algebra": "(-1,-1|GF(7))", "evidence": by_squares}
+    seven = {**about_field(data, "GF(7)"), "evidence": by_squares}
     assert check(seven)
-    rejects({**seven, "field": "GF(11)", "algebra": "(-1,-1|GF(11))"}, "may have one")
+    rejects(about_field(seven, "GF(11)"), "may have one")
     for polynomial in ("s**2 - 4", "s**2 - 3*y", "s**65 - 3", "3", "s**2 + 1"):
         bad = opposite(["s**2 - 3"], [], [{**step, "polynomial": polynomial}])
         rejects({**data, "evidence": implication([bad], [ROOTS])}, ".")
@@ -207,7 +208,7 @@ def test_how_far_a_verdict_reaches() -> None:
     assert str(check(data)).startswith("proved over QQ\n")
     inside = certified("over{GF(2); p*q == q*p}", None, "identity", IDENTITY)
     assert check(inside).where == "as it stands"
-    witness = {"kind": "witness", "field": "GF(3)", "values": {"s": ["2"]}}
+    witness = {"kind": "witness", "ring": data_of("GF(3)"), "values": {"s": ["2"]}}
     false = certified("s == 1", None, "identity", witness)
     assert check({**false, "verdict": "refuted"}).where == "as a statement on all fields"
 
@@ -270,6 +271,21 @@ def test_pins_of_any_field() -> None:
         check(data, Pin(("p == p",), any_field=True))
 
 
+def test_an_unknown_of_a_pin_is_no_element_of_a_field_that_it_does_not_name() -> None:
+    """Over GF(9) the x of "x*s == s" is the generator: that is no proof for all x."""
+    statement = "x**2 == x + 1"
+    data = certified(statement, "GF(9)", "identity", IDENTITY)
+    assert check(data, Pin((statement,), "GF(9)")).verdict == "proved"
+    assert check(data, Pin((statement,), data_of("GF(9)"))).verdict == "proved"
+    with pytest.raises(Rejected, match="x is an unknown of the statement"):
+        check(data, Pin((statement,), any_field=True))
+    with pytest.raises(Rejected, match=r"about GF.9., not about GF.9, x.2.1."):
+        check(data, Pin((statement,), data_of("GF(9, x^2+1)")))
+    for name in ("GF(3^2)", "GF( 9)", "GF(9,x^2+2*x+2)"):
+        with pytest.raises(Rejected, match="this is about GF"):
+            check(data, Pin((statement,), name))
+
+
 def test_the_number_of_cases() -> None:
     """It is that of all values, or of those of the coordinates on which the clauses depend."""
     for statement, field, right in (
@@ -313,7 +329,7 @@ def test_a_refutation_is_named_by_what_is_refuted(statement: str, field: str, me
     answer = prove(statement, field)
     assert answer.verdict == "refuted"
     assert answer.to_json()["method"] == method
-    witness = {"kind": "witness", "field": field, "values": answer.to_json()["witness"]}
+    witness = {"kind": "witness", "ring": data_of(field), "values": answer.to_json()["witness"]}
     for name in ("identity", "witness", "counterexample", "exhaustion"):
         data = {**certified(statement, field, name, witness), "verdict": "refuted"}
         if name == method:
@@ -322,12 +338,12 @@ def test_a_refutation_is_named_by_what_is_refuted(statement: str, field: str, me
             rejects(data, "not that of the evidence")
 
 
-def test_comparing_many_clauses_with_many_items_is_work(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_comparing_many_clauses_with_many_items_is_work() -> None:
     clauses = [f"(s == 0 => s*t == {n}*s)" for n in range(20)]
     items = [direct(["s"], f"s*t - {n}*s", [f"t - {n}"]) for n in range(20)]
     items += [direct(["s + 1"], "s + 1", ["1"])] * 400
     data = certified(" and ".join(clauses), None, "implication", implication(items))
     assert check(data)
-    monkeypatch.setattr(Work.__init__, "__defaults__", (60_000,))
-    assert check({**data, "evidence": implication(items[:20])})
-    rejects(data, "more work")
+    assert check({**data, "evidence": implication(items[:20])}, work=Work(0.06))
+    with pytest.raises(Rejected, match="more work"):
+        check(data, work=Work(0.06))

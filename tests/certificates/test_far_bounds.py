@@ -9,26 +9,45 @@ from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars import names, rationals, real_roots, surds
-from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.number_fields import _without
 from hfield.certificates.scalars.quotients import MAX_DEGREE
 from hfield.certificates.scalars.quotients import Quotient as Residues
 from hfield.certificates.scalars.real_roots import RealRoot
 from hfield.certificates.scalars.root_discs import root_discs
 from hfield.certificates.statement import HAMILTON
+from tests.certificates.ring_data import read_field
 
 LONG = 10**9 + 7
 
 
 def test_numbers_and_moduli_that_are_too_long() -> None:
-    for digits in ("", "1.5", "x", "+3", "٣", "1_1"):
-        with pytest.raises(Rejected, match="expected a number"):
-            names.integer(digits)
-    with pytest.raises(Rejected, match="is too large"):
-        names.integer("9" * (names.MAX_DIGITS + 1))
-    assert names.integer("-12") == -12
-    with pytest.raises(Rejected, match="has too large coefficients"):
-        names.polynomial(f"{'9' * names.MAX_DIGITS}**4*x**2", "x", 8)
+    long = "9" * (names.MAX_DIGITS + 1)
+    for digits in (
+        "",
+        "1.5",
+        "x",
+        "+3",
+        "٣/2",
+        "1_1/2",
+        "1/1",
+        "4/2",
+        "2/4",
+        "-0/3",
+        "1/-2",
+        "1 /2",
+        "1/0",
+    ):
+        with pytest.raises(Rejected, match="must be an integer or a text such as '-1/2'"):
+            names.a_rational(digits, "it")
+    for digits in ("3", "-12", "01/2", "1/02", "--1/2", "1/2\n", f"{long}/2", f"1/{long}"):
+        with pytest.raises(Rejected, match="must be an integer or a text such as '-1/2'"):
+            names.a_rational(digits, "it")
+    for value in (1.0, None, True, ["1/2"], 10 ** (names.MAX_DIGITS + 20)):
+        with pytest.raises(Rejected, match=r"must be an integer|has more than 4000 digits"):
+            names.a_rational(value, "it")
+    assert names.a_rational(-12, "it") == -12
+    assert names.a_rational("-1/2", "it") == Fraction(-1, 2)
+    assert names.a_rational(f"{'9' * names.MAX_DIGITS}/2", "it").denominator == 2
 
 
 def test_rational_roots_with_too_many_candidates() -> None:

@@ -14,8 +14,21 @@ from hfield.certificates.glossary import (
     REAL_ROOTS,
     SIGN_CHANGE,
 )
-from tests.certificates.cases import Certificate, certified
+from tests.certificates.cases import Certificate, Field, certified
 from tests.certificates.hand_made import implication, opposite, rejects
+from tests.certificates.ring_data import (
+    INFINITY,
+    QQ,
+    Data,
+    completion,
+    data_of,
+    generated,
+    ideal,
+    number,
+    other,
+    prime,
+    split,
+)
 from tests.certificates.test_orders import true_ones
 
 LIPSCHITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
@@ -26,7 +39,7 @@ HALF = {"den": 2, "rows": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0], [1, 1, 1, 1
 
 
 def forged(
-    statement: str, field: str | None, verdict: str, method: str, evidence: Any, **more: Any
+    statement: str, field: Field, verdict: str, method: str, evidence: Any, **more: Any
 ) -> Certificate:
     return {**certified(statement, field, method, evidence), "verdict": verdict, **more}
 
@@ -233,7 +246,7 @@ SQUARES = [
     ("Qp(5)", "1/4"),
     ("Qp(5)", "25"),
     ("Qp(3)", "-2"),
-    ("QQ(sqrt(2))_(7,sqrt(2)-3)", "sqrt(2)+6"),
+    ("QQ(sqrt(2))_(7, sqrt(2)-3)", "sqrt(2)+6"),
     ("QQ(sqrt(2),sqrt(3))", "6"),
     ("GF(3)((t))", "1+t"),
     ("QQ(sqrt(2),sqrt(3))", "5+2*sqrt(6)"),
@@ -272,50 +285,46 @@ def test_cubes_have_roots_in_local_fields() -> None:
 
 
 HALVES, PLUS = ["1/2"] * 4, ["1", "1", "0", "0"]
-NO_PLACES = [
-    *(
-        ("QQ[s]/(s^3-2)", p)
-        for p in ("(4, s)", "(0, s)", "(1, s)", "(2, 0)", "(2, 1)", "(2, 2*s)", "(2, s^2)")
-    ),
-    *(
-        ("QQ[s]/(s^3-2)", p)
-        for p in ("(2, x; 2*s)", "(2, x; 1)", "(2, x; 0)", "(2, x; s/2)", "(2,x;s;s)", "-2")
-    ),
-    ("QQ(zeta5)", "2"),
-    ("QQ(zeta3)", "2"),
-    ("QQ(zeta8)", "(2, zeta8-1)"),
-    ("QQ[s]/(s^2+1)", "(2, s+1)"),
-    ("QQ[s]/(s^2-5)", "(2, s-1)"),
-    ("QQ[s]/(s^2-5)", "(2, x^2+x+1; s)"),
-    ("QQ[s]/(s^2+3)", "(2, x^2+x+1; (1+s)/2)"),
-    ("QQ[s]/(s^3-8)", "(2, s)"),
-    ("QQ[s]/(s^2-4)", "(2, s)"),
-    ("QQ[s]/(s^2-17)", "2"),
-    ("QQ[s]/(s^2-1/2)", "(2, s)"),
-    ("QQ", "3"),
-    ("QQ", "9"),
-    ("QQ", "1"),
-    ("QQ", "-2"),
-    ("QQ", "inf"),
-    ("QQ(sqrt(-7))", "(2,sqrt(-7)-5)"),
-    ("QQ(sqrt(-7))", "2"),
-    ("QQ(I)", "2"),
-    ("QQ(sqrt(-3))", "2"),
-    ("Qp(3)", "2"),
-    ("Qp(5)", "5"),
-    ("GF(3)((t))", "t"),
-    ("GF(3)(t)", "t^2+1"),
-    ("GF(3)(t)", "t^2-1"),
-    ("GF(3)(t)", "inf"),
-    ("CC", "2"),
-    ("RR", "2"),
-    ("QQ(x)", "2"),
-    ("QQ(sqrt(2),sqrt(3))", "2"),
-]
+CUBE, GOLDEN = "QQ[s]/(s^3-2)", "QQ[s]/(s^2-5)"
+NO_PLACES: list[tuple[Field, Any]] = [
+    *((CUBE, ideal(n, 0, 1, 0)) for n in (4, 0, 1, -2, "2", 2.0)),
+    *((CUBE, ideal(2, *x)) for x in ((0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 1), (0, 1), ("2/2", 1, 0))),
+    *((CUBE, ideal(n)) for n in (2, -2, 3)),
+    *((CUBE, other(2, [0, 1], x)) for x in ([0, 2, 0], [1, 0, 0], [0, 0, 0], [0, "1/2", 0], [[0, 1, 0]])),
+    (CUBE, other(2, [[0, 1, 0]], [0, 1, 0])),
+    (CUBE, number(2)),
+    ("QQ(zeta5)", ideal(2)),
+    ("QQ(zeta3)", ideal(2)),
+    ("QQ(zeta8)", ideal(2, -1, 1, 0, 0)),
+    ("QQ[s]/(s^2+1)", ideal(2, 1, 1)),
+    (GOLDEN, ideal(2, -1, 1)),
+    (GOLDEN, other(2, [1, 1, 1], [0, 1])),
+    ("QQ[s]/(s^2+3)", other(2, [1, 1, 1], ["1/2", "1/2"])),
+    (generated([-8, 0, 0, 1]), ideal(2, 0, 1, 0)),
+    (generated([-4, 0, 1]), ideal(2, 0, 1)),
+    ("QQ[s]/(s^2-17)", ideal(2)),
+    ("QQ[s]/(s^2-1/2)", ideal(2, 0, 1)),
+    *(("QQ", number(n)) for n in (3, 9, 1, -2, 4, True, "2")),
+    ("QQ", INFINITY),
+    ("QQ(sqrt(-7))", split(2, 5)),
+    ("QQ(sqrt(-7))", number(2)),
+    ("QQ(I)", number(2)),
+    ("QQ(sqrt(-3))", number(2)),
+    ("Qp(3)", number(2)),
+    ("Qp(5)", number(5)),
+    ("GF(3)((t))", prime(0, 1)),
+    ("GF(3)(t)", prime(1, 0, 1)),
+    ("GF(3)(t)", prime(2, 0, 1)),
+    ("GF(3)(t)", INFINITY),
+    ("CC", number(2)),
+    ("RR", number(2)),
+    ("QQ(x)", number(2)),
+    ("QQ(sqrt(2),sqrt(3))", number(2)),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("field", "place"), NO_PLACES)
-def test_no_place_shows_a_split_algebra_to_be_a_division_algebra(field: str, place: str) -> None:
+def test_no_place_shows_a_split_algebra_to_be_a_division_algebra(field: Field, place: Any) -> None:
     for u, j in product(
         (HALVES, ["0", "1", "0", "0"], ["0", "1", "1", "0"]),
         (PLUS, ["0", "0", "1", "0"], ["1", "1", "1", "0"], ["0"] * 4),
@@ -324,11 +333,15 @@ def test_no_place_shows_a_split_algebra_to_be_a_division_algebra(field: str, pla
         rejects(forged("division", field, "proved", "anisotropic norm", evidence), ".")
 
 
-def _inside(field: str, root: str, witness: Any) -> dict[str, Any]:
-    return {"kind": "subfield", "field": field, "root": root, "witness": witness}
+def own(field: str | Data) -> Data:
+    return data_of(field) if isinstance(field, str) else field
 
 
-SUBFIELDS = [
+def _inside(field: str | Data, root: str, witness: Any) -> dict[str, Any]:
+    return {"kind": "subfield", "ring": own(field), "root": root, "witness": witness}
+
+
+SUBFIELDS: list[tuple[str, Field, str | Data, str, str]] = [
     ("exists s: s*s == 2", "Qp(5)", "QQ(sqrt(2))", "1", "sqrt(2)"),
     ("exists s: s*s == -1", "Qp(2)", "QQ(I)", "1", "I"),
     ("exists s: s*s == 5", "Qp(2)", "QQ(sqrt(5))", "1", "sqrt(5)"),
@@ -344,27 +357,27 @@ SUBFIELDS = [
     ("exists s: s**3 == 2", "Qp(7)", "QQ[g]/(g^3-2)", "3/7", "g"),
     ("exists s: s**3 == 2", "Qp(7)", "QQ[g]/(g^3-2)", "1/49", "g"),
     ("exists s: 7*s**3 == 1", "Qp(7)", "QQ[g]/(g^3-1/7)", "1/7", "g"),
-    ("exists s: s**3 == 8", "Qp(7)", "QQ[g]/(g^3-8)", "2", "g"),
-    ("exists s: s**3 == 2", "Qp(4)", "QQ[g]/(g^3-2)", "2", "g"),
+    ("exists s: s**3 == 8", "Qp(7)", generated([-8, 0, 0, 1], "g"), "2", "g"),
+    ("exists s: s**3 == 2", completion(QQ, number(4)), "QQ[g]/(g^3-2)", "2", "g"),
     ("exists s: s**4 == -1", "Qp(3)", "QQ(zeta8)", "1", "zeta8"),
     ("exists s: s*s == 2", "QQ", "QQ(sqrt(2))", "3", "sqrt(2)"),
-    ("exists s: s*s == 3", "QQ(sqrt(2))_(7,sqrt(2)-3)", "QQ(sqrt(3))", "1", "sqrt(3)"),
+    ("exists s: s*s == 3", "QQ(sqrt(2))_(7, sqrt(2)-3)", "QQ(sqrt(3))", "1", "sqrt(3)"),
     ("exists s: s*s == -1", "GF(5)((t))", "QQ(I)", "2", "I"),
 ]
 
 
 @pytest.mark.parametrize(("statement", "field", "inner", "root", "value"), SUBFIELDS)
 def test_a_root_that_is_not_there_embeds_nothing(
-    statement: str, field: str, inner: str, root: str, value: str
+    statement: str, field: Field, inner: str | Data, root: str, value: str
 ) -> None:
-    witness = {"kind": "witness", "field": inner, "values": {"s": [value]}}
+    witness = {"kind": "witness", "ring": own(inner), "values": {"s": [value]}}
     rejects(forged(statement, field, "proved", "witness", _inside(inner, root, witness)), ".")
 
 
 def test_the_witness_lies_in_the_subfield_that_is_named() -> None:
     statement, witness = (
         "exists s: s*s == -1",
-        {"kind": "witness", "field": "QQ(I)", "values": {"s": ["I"]}},
+        {"kind": "witness", "ring": data_of("QQ(I)"), "values": {"s": ["I"]}},
     )
     true = forged(statement, "Qp(5)", "proved", "witness", _inside("QQ(I)", "2", witness))
     assert check(true)
@@ -378,13 +391,22 @@ def test_the_witness_lies_in_the_subfield_that_is_named() -> None:
 
 def test_long_numbers_that_do_not_fit_are_rejected_and_break_nothing() -> None:
     """Python writes no integer of more than 4300 digits, in messages neither, and reads none."""
-    witness = {"kind": "witness", "field": "QQ(I)", "values": {"s": ["I"]}}
+    witness = {"kind": "witness", "ring": data_of("QQ(I)"), "values": {"s": ["I"]}}
     for root in ("3**9999", "1/3**9999"):
         evidence = _inside("QQ(I)", root, witness)
         rejects(forged("exists s: s*s == -1", "Qp(7)", "proved", "witness", evidence), "Hensel")
-    place = {"by": "place", "place": f"(7,sqrt(2)-{'9' * 5000})", "u": ["0"] * 4, "j": ["0"] * 4}
-    evidence = {"kind": "anisotropic", **place}
-    rejects(forged("division", "QQ(sqrt(2))", "proved", "norm", evidence), "too large")
+    for place, said in (
+        (split(7, 10**5000), "more than 4000 digits"),
+        (split(7, 10**3999), "is not"),
+    ):
+        evidence = {
+            "kind": "anisotropic",
+            "by": "place",
+            "place": place,
+            "u": ["0"] * 4,
+            "j": ["0"] * 4,
+        }
+        rejects(forged("division", "QQ(sqrt(2))", "proved", "norm", evidence), said)
 
 
 ROOTS: list[tuple[dict[str, Any], str]] = [

@@ -9,8 +9,8 @@ from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.kinds import checks
 from hfield.certificates.language import parse
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.statement import HAMILTON
+from tests.certificates.ring_data import read_field
 
 MODULES = {p.stem for p in Path(evidence.__file__).parent.glob("*.py")} - {"__init__"}
 

@@ -9,9 +9,8 @@ from typing import Any
 import pytest
 
 from hfield import prove
-from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.anisotropy import is_certified as certifies
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.quotients import Quotient
 from hfield.certificates.scalars.rationals import has_no_rational_root
 from hfield.certificates.scalars.residues import jacobi
@@ -19,12 +18,28 @@ from hfield.product import Constants
 from hfield.rings import ring
 from hfield.structure import norm_evidence, place, ramified_places, zero_norm
 from hfield.structure.norm_forms.anisotropy_evidence import evidence_at
+from tests.certificates.ring_data import (
+    INFINITY,
+    Data,
+    data_of,
+    ideal,
+    number,
+    place_data,
+    prime,
+    read_field,
+    real,
+    split,
+)
 
 FIELDS = (
     *("QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-2))", "QQ(sqrt(-3))", "QQ(sqrt(3))", "QQ(sqrt(5))"),
     *("QQ(sqrt(-7))", "QQ(sqrt(-15))", "QQ(sqrt(17))", "QQ(sqrt(-5))", "QQ(sqrt(6))"),
     *("GF(2)(t)", "GF(3)(t)", "GF(4)(t)", "GF(5)(t)", "GF(7)(t)", "GF(8)(t)", "GF(9)(t)", "QQ(x)"),
 )
+
+
+def is_certified(algebra: str, field: str, reason: Any) -> bool:
+    return certifies(algebra, data_of(field), reason)
 
 
 def element(F: Any, rng: random.Random) -> Any:
@@ -90,7 +105,8 @@ def test_at_each_ramified_place_and_at_no_other(name: str) -> None:
         ramified = set(map(str, ramified_places(F, c)))
         for v in sorted(shown.keys() - ramified)[:10]:
             reused = shown[v][:1] + [
-                {**shown[u][0], "place": v} for u in sorted(ramified & shown.keys())[:1]
+                {**shown[u][0], "place": place_data(name, v)}
+                for u in sorted(ramified & shown.keys())[:1]
             ]
             for data in reused:
                 assert not is_certified(algebra, name, data), (algebra, data)
@@ -189,7 +205,7 @@ def test_residue_fields_are_fields(text: str) -> None:
                 assert k.mul(x, k.inverse(x)) == k.one
 
 
-H_IN_QQ = {"by": "place", "place": "2", "u": ["1/2"] * 4, "j": ["1", "1", "0", "0"]}
+H_IN_QQ = {"by": "place", "place": number(2), "u": ["1/2"] * 4, "j": ["1", "1", "0", "0"]}
 
 
 def test_the_hurwitz_order_shows_hamilton() -> None:
@@ -200,10 +216,18 @@ def test_the_hurwitz_order_shows_hamilton() -> None:
     "changes",
     [
         *(
-            {"place": place}
-            for place in ("3", "4", "1", "0", "-2", "inf", "", "2.0", "(2, sqrt(2)-1)")
+            {"place": number(n)}
+            for n in (3, 4, 1, 0, -2, 2.0, "2", "", True, None, [2], 15, 10**2000 - 1)
         ),
-        *({"place": place} for place in (2, None, ["2"], "15", "9" * 2000)),
+        *({"place": {**number(2), key: 1}} for key in ("root", "p", "element", "more")),
+        *(
+            {"place": place}
+            for place in (INFINITY, split(2, 1), ideal(2), prime(0, 1), real(0), {"n": 2})
+        ),
+        *(
+            {"place": place}
+            for place in ("2", 2, None, ["2"], "(2)", [number(2)], {}, {"kind": "number"})
+        ),
         *(
             {"u": u}
             for u in (
@@ -236,57 +260,76 @@ def test_a_changed_reason_is_none(changes: dict[str, Any]) -> None:
     assert not is_certified("(-1,-1|QQ)", "QQ", {**H_IN_QQ, **changes})
 
 
+def numbers(*n: Any) -> list[Data]:
+    return list(map(number, n))
+
+
+def splits(*pairs: tuple[Any, Any]) -> list[Data]:
+    return [split(n, r) for n, r in pairs]
+
+
+SIX = [*numbers(9, 15, 21, 33, 6, 12), *splits((3, 0), (15, 6), (15, 9))]
+ELSE = [real(0), ideal(7), prime(0, 1), INFINITY, {"kind": "complex", "number": 0}]
+
+
 @pytest.mark.parametrize(
     ("field", "good", "bad"),
     [
-        ("QQ", "2 3 4611686018427387905", "4 6 1 0 -3 t inf (7,sqrt(2)-3) 3.0 ³"),
+        ("QQ", numbers(2, 3, 4611686018427387905), [*numbers(4, 6, 1, 0, -3, "3", 3.0, True), split(7, 3)]),
+        ("QQ", [], [*ELSE, "3", 3, None, [], {}]),
+        ("QQ(sqrt(2))", [*numbers(2, 3, 15), *splits((7, 3), (119, 45))], splits((7, 1), (2, 1), (7, -3))),
+        ("QQ(sqrt(2))", splits((7, 4)), splits((7, 10), (14, 4), (3, 1), (7, "3"), (7, 3.0), (7, None))),
+        ("QQ(sqrt(2))", [], [*numbers(4, 6, 14), *ELSE, {**split(7, 3), "d": 2}, {"kind": "split", "n": 7}]),
+        ("QQ(sqrt(6))", [*numbers(2, 3, 35), split(5, 1)], SIX),
+        ("QQ(sqrt(17))", [number(17), *splits((2, 1), (2, 3))], [*numbers(2, 51), *splits((2, 2), (2, 5))]),
+        ("QQ(sqrt(17))", [], splits((2, 0), (2, -1))),
+        ("QQ(sqrt(5))", numbers(2, 5, 3), [*splits((2, 1), (2, 3)), *numbers(10, 25)]),
+        ("QQ(I)", [*numbers(2, 3), split(5, 2)], [*splits((5, 1), (2, 1)), number(1)]),
         (
-            "QQ(sqrt(2))",
-            "2 3 15 (7,sqrt(2)-3) (119,sqrt(2)-45)",
-            "(7,sqrt(2)-1) (7,sqrt(3)-3) (2,sqrt(2)-1)",
+            "GF(2)(t)",
+            [prime(0, 1), INFINITY, prime(1, 1, 1), prime(1, 1, 0, 0, 1)],
+            [prime(0, 0, 1), prime(1, 0, 1), prime(1, 0, 1, 0, 1), prime(1), prime(0), prime(), number(2)],
         ),
         (
-            "QQ(sqrt(2))",
-            "(7,sqrt(2)-4)",
-            "(7,sqrt(2)-10) (14,sqrt(2)-4) (3,sqrt(2)-1) (7,I-3) 4 6 14 inf+",
+            "GF(2)(t)",
+            [],
+            [prime(0, 2), prime(2, 1), prime(-1, 1), prime("0", 1), prime([0], [1]), prime(1, 1, 0)],
         ),
+        ("GF(2)(t)", [], [{**INFINITY, "sign": "+"}, {**prime(0, 1), "at": 1}, prime(0, True), "t", "inf"]),
         (
-            "QQ(sqrt(6))",
-            "2 3 35 (5,sqrt(6)-1)",
-            "9 15 21 33 6 12 (3,sqrt(6)-0) (15,sqrt(6)-6) (15,sqrt(6)-9)",
+            "GF(9)(t)",
+            [prime([0, 0], [1, 0]), prime([0, 2], [1, 0]), INFINITY, prime([0, 2], [0, 0], [1, 0])],
+            [prime([1, 0], [0, 0], [1, 0]), prime([2, 2], [0, 0], [1, 0]), prime([0, 1]), real(0), ideal(3)],
         ),
-        (
-            "QQ(sqrt(17))",
-            "17 (2,sqrt(17)-1) (2,sqrt(17)-3)",
-            "2 51 (2,sqrt(17)-2) (2,sqrt(17)-5) (2,sqrt(17)-0)",
-        ),
-        ("QQ(sqrt(5))", "2 5 3", "(2,sqrt(5)-1) (2,sqrt(5)-3) 10 25"),
-        ("QQ(I)", "2 3 (5,I-2)", "(5,sqrt(-1)-2) (5,I-1) (2,I-1) 1"),
-        ("GF(2)(t)", "t inf t^2+t+1 t^4+t+1", "t^2 t^2+1 t^4+t^2+1 1 0 1/t (t^2+t+1)/t 2 inf+"),
-        ("GF(9)(t)", "t t-x inf t^2-x", "t^2+1 t^2-x^2 x t*x^0*t"),
-        ("QQ(x)", "", "x inf x^2+1 2"),
-        ("RR", "", "2 inf"),
-        ("CC", "", "2 3"),
-        ("GF(5)", "", "2 5"),
+        ("GF(9)(t)", [], [prime(0, 1), prime([0], [1]), prime([0, 0, 0], [1, 0, 0]), prime([0, 3], [1, 0])]),
+        ("GF(9)(t)", [], [prime([1, 0], [0, 1]), prime([0, 0], [2, 0])]),
+        ("QQ(x)", [], [prime(0, 1), INFINITY, prime(1, 0, 1), number(2)]),
+        ("RR", [], [number(2), INFINITY, real(0)]),
+        ("CC", [], numbers(2, 3)),
+        ("GF(5)", [], numbers(2, 5)),
     ],
-)
-def test_what_is_a_place(field: str, good: str, bad: str) -> None:
-    for text in good.split():
-        assert read_field(field).place(text)
-    for text in bad.split():
+)  # fmt: skip
+def test_what_is_a_place(field: str, good: list[Any], bad: list[Any]) -> None:
+    for data in good:
+        assert read_field(field).place(data)
+    for data in bad:
         with pytest.raises(Rejected):
-            read_field(field).place(text)
+            read_field(field).place(data)
 
 
 def test_what_is_integral_at_a_composite_modulus() -> None:
-    for field, text in (("QQ", "119"), ("QQ(sqrt(2))", "(119,sqrt(2)-45)"), ("QQ(sqrt(2))", "15")):
-        ring_of, n = read_field(field), 15 if text == "15" else 119
-        v = ring_of.place(text)
+    for field, at in (
+        ("QQ", number(119)),
+        ("QQ(sqrt(2))", split(119, 45)),
+        ("QQ(sqrt(2))", number(15)),
+    ):
+        ring_of, n = read_field(field), at["n"]
+        v = ring_of.place(at)
         for p in (3, 5, 7, 17):
             integral = v.residue(ring_of.fraction(Fraction(1, p))) is not None
             assert integral == (n % p != 0)
         assert v.residue(ring_of.fraction(Fraction(n, n * n))) is None
-    v = read_field("QQ(sqrt(2))").place("(7,sqrt(2)-3)")
+    v = read_field("QQ(sqrt(2))").place(split(7, 3))
     x = read_field("QQ(sqrt(2))").read(
         "(3+sqrt(2))/7"
     )  # of norm 1/7: integral at the other ideal only
@@ -346,17 +389,27 @@ def test_polynomials_without_rational_roots() -> None:
 def test_a_modulus_need_not_be_prime() -> None:
     """(−1, n) has the Jacobi symbol −1 at n = 3·5·7·11·23 (23 times): N(j) = −n, and u² = −1."""
     n = 3 * 5 * 7 * 11 * 23
-    reason = {"by": "place", "place": str(n), "u": ["0", "1", "0", "0"], "j": ["0", "0", "1", "0"]}
+    reason = {
+        "by": "place",
+        "place": number(n),
+        "u": ["0", "1", "0", "0"],
+        "j": ["0", "0", "1", "0"],
+    }
     assert jacobi(-1, n) == 1
     assert not is_certified(f"(-1,{n}|QQ)", "QQ", reason)
     assert jacobi(2, n) == -1
     assert is_certified(f"(2,{n}|QQ)", "QQ", reason)
     assert not is_certified(f"(2,{n * n}|QQ)", "QQ", reason)
-    assert not is_certified(f"(2,{n * n}|QQ)", "QQ", {**reason, "place": str(n * n)})
+    assert not is_certified(f"(2,{n * n}|QQ)", "QQ", {**reason, "place": number(n * n)})
     assert is_certified(f"(2,{n * 1_000_003}|QQ)", "QQ", reason)
     assert not is_certified(f"(2,{n * 9}|QQ)", "QQ", reason)
-    assert not is_certified(f"(2,{n * 9}|QQ)", "QQ", {**reason, "place": str(n // 3)})
-    over = {"by": "place", "place": "33", "u": ["0", "1", "0", "0"], "j": ["0", "0", "1", "0"]}
+    assert not is_certified(f"(2,{n * 9}|QQ)", "QQ", {**reason, "place": number(n // 3)})
+    over = {
+        "by": "place",
+        "place": number(33),
+        "u": ["0", "1", "0", "0"],
+        "j": ["0", "0", "1", "0"],
+    }
     assert is_certified("(1+2*sqrt(2),33|QQ(sqrt(2)))", "QQ(sqrt(2))", over) == (
         jacobi(-7, 33) == -1
     )
@@ -382,7 +435,8 @@ def test_a_modulus_need_not_be_prime() -> None:
 )
 def test_split_algebras_have_no_reason(algebra: str, field: str) -> None:
     elements = [H_IN_QQ["u"], *(["1" if m == n else "0" for n in range(4)] for m in range(4))]
-    places = ["2", "3", "5", "7", "inf", "t", "t+1", "x", "t^2+t+1", "(2, I-1)", "(7, sqrt(2)-3)"]
+    places = [*map(number, (2, 3, 5, 7)), INFINITY, prime(0, 1), prime(1, 1), prime(1, 1, 1)]
+    places += [split(2, 1), split(7, 3), ideal(2), ideal(2, 1, 1), ideal(2, 0, 1), ideal(7)]
     reasons: list[Any] = [{"by": "ordering"}, {"by": "level"}]
     reasons += [
         {"by": "place", "place": p, "u": u, "j": j}
@@ -435,7 +489,7 @@ def test_polynomials_at_a_prime_that_stays_prime(field: str, p: int, d: int) -> 
     """The symbol of the norm of the discriminant tells what the field of p² elements does."""
     base = read_field(f"GF({p})")
     k = Quotient(base, [-d % p, 0, 1])
-    v = read_field(field).place(str(p))
+    v = read_field(field).place(number(p))
     for trace, norm in product(product(range(p), repeat=2), repeat=2):
         assert v.is_irreducible(trace, norm) == k.is_irreducible(
             k.reduce(list(trace)), k.reduce(list(norm))

@@ -9,6 +9,7 @@ import pytest
 from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import Certificate, certified
+from tests.certificates.ring_data import QQ, number
 
 IDENTITY = {"kind": "identity"}
 SQUARES = {"form": "squares", "by": "ordering", "most": None, "positive": True}
@@ -24,7 +25,7 @@ CASES = {
     "branches": [[END]],
 }
 FORM = {"step": "squares", "cofactors": ["1", "0"], "denominator": 1, "terms": ["s"]}
-NORM = {"form": "norm", "by": "place", "place": "7", "u": ["0"] * 4, "j": ["0"] * 4}
+NORM = {"form": "norm", "by": "place", "place": number(7), "u": ["0"] * 4, "j": ["0"] * 4}
 ROOT = {"step": "no root", "polynomial": "s", "cofactors": ["1", "0"], "denominator": 1}
 
 
@@ -41,14 +42,14 @@ def direct() -> dict[str, Any]:
     return {"kind": "implication", "facts": [], "items": [{**item, **more}]}
 
 
-def at(values: Any, field: str = "QQ") -> dict[str, Any]:
-    return {"kind": "witness", "field": field, "values": values}
+def at(values: Any) -> dict[str, Any]:
+    return {"kind": "witness", "ring": QQ, "values": values}
 
 
 TERMS = {"kind": "terms", "terms": {"s": "t"}, "proof": IDENTITY}
 CASE = {"when": "t == t", "terms": {"s": "t"}, "proof": IDENTITY}
 PLACE = {"kind": "place", "values": {"t": ["2"]}, "proof": {"kind": "none exists", "proof": {}}}
-THERE = {**PLACE, "field": "QQ"}
+THERE = {**PLACE, "ring": QQ}
 BASE: dict[str, Certificate] = {
     "implication": certified("s**2 == 0 => s == 0", "QQ", "implication", implication()),
     "direct": certified("s**2 == 0 => s == 0", "QQ", "implication", direct()),
@@ -76,11 +77,12 @@ BASE: dict[str, Certificate] = {
     "place": {**certified("exists s: s**2 == t", "QQ", "implication", PLACE), "verdict": "refuted"},
     "there": {**certified("exists s: s**2 == t", None, "implication", THERE), "verdict": "refuted"},
     "fractions": certified(
-        "s == s", "ZZ", "identity", {"kind": "fractions", "field": "QQ", "proof": IDENTITY}
+        "s == s", "ZZ", "identity", {"kind": "fractions", "ring": QQ, "proof": IDENTITY}
     ),
     "reduction": certified(
         "s**2 != 3", "ZZ", "exhaustion", {"kind": "reduction", "modulus": 4, "proof": IDENTITY}
     ),
+    "finite": certified("s == s", "GF(4)", "identity", IDENTITY),
     "exhaustion": certified("s == s", "GF(2)", "exhaustion", {"kind": "exhaustion", "cases": 2}),
     "multilinear": certified(
         "p == p", "QQ", "multilinear", {"kind": "multilinear", "unknowns": ["p"],
@@ -97,7 +99,12 @@ EVIDENCE = "the evidence"
 # Where, whose keys must be complete under which name, and what the entries are called.
 NAMED: list[tuple[str, tuple[Any, ...], str, dict[str, str]]] = [
     ("implication", (), "a certificate", {"statement": "statement must be a text",
-     "algebra": "algebra must be a text", "assumes": "assumes must be a list"}),
+     "algebra": "algebra must be a text", "assumes": "assumes must be a list",
+     "ring": "the data of a ring must be an object", "field": "the data say QQ, and not '2.5'",
+     "schema": "the schema must be"}),
+    ("implication", ("ring",), "the data of a ring", {"kind": "the kind of a ring must be a text"}),
+    ("finite", ("ring",), "the data of a ring", {"degree": "the degree must be an integer",
+     "characteristic": "the characteristic must be an integer", "modulus": "a modulus must be a list"}),
     ("implication", ("evidence",), EVIDENCE, {"items": "items must be a list",
      "facts": "facts must be a list"}),
     ("implication", ITEM, "an item", {"zero": "zero must be a list",
@@ -117,10 +124,12 @@ NAMED: list[tuple[str, tuple[Any, ...], str, dict[str, str]]] = [
     ("binary", (*STEP, "coefficients"), "",
      {0: "an entry of coefficients must be a text"}),  # type: ignore[dict-item]
     ("root", STEP, "a step", {"polynomial": "polynomial must be a text"}),
-    ("norm", ("evidence", "facts", 0), "a fact about a norm", {"place": "a place must be a text",
+    ("norm", ("evidence", "facts", 0), "a fact about a norm", {"place": "a place must be an object",
      "u": "coordinates must be a list", "j": "coordinates must be a list"}),
+    ("norm", ("evidence", "facts", 0, "place"), "a place", {"n": "a place must be an integer",
+     "kind": "no place of the kind '2.5' is known of QQ"}),
     ("witness", ("evidence",), EVIDENCE, {"values": "the values must be an object",
-     "field": "the field of the evidence must be a text"}),
+     "ring": "the data of a ring must be an object"}),
     ("witness", ("evidence", "values"), "the values", {"s": "the values of s must be a list",
      "t": "the values of t must be a list"}),
     ("quaternion", ("evidence", "values"), "the values", {"p": "the values of p must be a list"}),
@@ -130,9 +139,9 @@ NAMED: list[tuple[str, tuple[Any, ...], str, dict[str, str]]] = [
     ("cases", ("evidence", "cases", 0), "a case", {"when": "the condition of a case must be a text",
      "terms": "the terms must be an object"}),
     ("place", ("evidence",), EVIDENCE, {"values": "the values must be an object"}),
-    ("there", ("evidence",), EVIDENCE, {"field": "the field of the evidence must be a text"}),
+    ("there", ("evidence",), EVIDENCE, {"ring": "the data of a ring must be an object"}),
     ("place", ("evidence", "proof"), EVIDENCE, {}),
-    ("fractions", ("evidence",), EVIDENCE, {"field": "the field of the evidence must be a text"}),
+    ("fractions", ("evidence",), EVIDENCE, {"ring": "the data of a ring must be an object"}),
     ("reduction", ("evidence",), EVIDENCE, {"modulus": "the modulus must be an integer"}),
     ("exhaustion", ("evidence",), EVIDENCE, {"cases": "cases must be an integer"}),
     ("multilinear", ("evidence",), EVIDENCE, {"unknowns": "unknowns must be a list",
@@ -159,7 +168,7 @@ def spoilt() -> Iterator[tuple[Certificate, str]]:
             yield data, said
         if owner:
             for key in place(BASE[name], path):
-                if (key, owner) == ("kind", EVIDENCE) or key in ("step", "form"):
+                if key in ("kind", "step", "form") or (key, owner) == ("schema", "a certificate"):
                     continue
                 data = copy.deepcopy(BASE[name])
                 del place(data, path)[key]

@@ -10,28 +10,38 @@ from flint import fmpz_poly
 
 from hfield.certificates.anisotropy import is_certified
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.irreducible import check_irreducible
 from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
 from hfield.certificates.scalars.real_roots import real_roots
 from hfield.certificates.scalars.root_discs import BITS, root_discs
 from hfield.certificates.work import bounded
+from tests.certificates import ring_data
+from tests.certificates.ring_data import (
+    INFINITY,
+    QQ,
+    Data,
+    completion,
+    generated,
+    ideal,
+    multiquadratic,
+    number,
+    other,
+    prime,
+    quadratic,
+    read_field,
+    root_field,
+)
 from tests.steps import steps
 
 
-def refused(name: str) -> str:
+def refused(data: Data) -> str:
     try:
         with bounded():
-            read_field(name)
+            read_ring(data)
     except Rejected as error:
         return str(error)
-    pytest.fail(f"{name} is read")
-
-
-def written(f: Sequence[int]) -> str:
-    """Write a monic polynomial, low degree first, as the name of its field."""
-    terms = [f"{c:+}*s^{n}" if n else f"{c:+}" for n, c in enumerate(f[:-1])]
-    return f"QQ[s]/(s^{len(f) - 1}{''.join(reversed(terms))})"
+    pytest.fail(f"{data} is read")
 
 
 def is_irreducible(f: Sequence[int]) -> bool:
@@ -82,39 +92,55 @@ def test_where_no_prime_helps(f: list[int], right: bool) -> None:
             check_irreducible(f, "it")
 
 
+LONG, CUBE = 4**1000, generated([-2, 0, 0, 1])
+
+
 @pytest.mark.parametrize(
-    ("name", "why"),
+    ("data", "why"),
     [
-        ("QQ[s]/(s^4+4)", "may be reducible"),
-        ("QQ[s]/(s^2-1/4)", "may be reducible"),
-        ("QQ[s]/(s^2-2*s+1)", "are not parted here"),
-        ("QQ[s]/(s^4)", "are not parted here"),
-        ("QQ(root(4,4))", "may be reducible"),
-        ("QQ(root(-4,4))", "may be reducible"),
-        ("QQ(root(8,3))", "may be reducible"),
-        ("QQ(root(2,2))", "expected a root of order 3 to 40"),
-        ("QQ(root(2,41))", "expected a root of order 3 to 40"),
-        ("QQ(root(1/0,3))", "is no element of QQ"),
-        ("QQ(zeta401)", "of too large an order"),
-        *((f"QQ(zeta{n}){plus}", "the degree is from 2") for n in (0, 1, 2) for plus in ("", "+")),
-        *((f"QQ(zeta{n})+", "the degree is from 2") for n in (3, 4, 6)),
-        ("QQ(zeta43)", "the degree is from 2 to 40"),
-        ("QQ[s]/(s-2)", "the degree is from 2 to 40"),
-        ("QQ[s]/(2*s^2-1)", "does not begin with 1"),
-        ("QQ[s]/(0)", "does not begin with 1"),
-        ("QQ[s]/(7)", "does not begin with 1"),
-        ("QQ[e]/(e^2+1)", "cannot name a variable"),
-        ("QQ[zeta5]/(zeta5^2+1)", "cannot name a variable"),
-        ("QQ[s]/(s^2-4^1000)", "are too large"),
-        ("QQ[s]/(s^2-4^90)", "may be reducible"),
-        ("QQ[s]/(s^16+1)", "is irreducible is shown up to the degree 14"),
-        # Names of completions that name no number.
-        *((f"{base}_{place}", "expected a number") for base in ("QQ", "QQ(I)") for place in ("inf", "(x)")),
-        ("QQ[s]/(s^3-2)_inf", "is no prime ideal"),
+        (generated([4, 0, 0, 0, 1]), "may be reducible"),
+        (generated(["-1/4", 0, 1]), "may be reducible"),
+        (generated([1, -2, 1]), "are not parted here"),
+        (generated([0, 0, 0, 0, 1]), "are not parted here"),
+        (root_field(4, 4), "may be reducible"),
+        (root_field(-4, 4), "may be reducible"),
+        (root_field(8, 3), "may be reducible"),
+        (root_field(2, 2), "expected a root of order 3 to 40"),
+        (root_field(2, 41), "expected a root of order 3 to 40"),
+        (root_field("1/0", 3), "a radicand must be an integer or a text such as '-1/2'"),
+        (root_field("4/2", 3), "a radicand must be an integer or a text such as '-1/2'"),
+        (root_field(2.0, 3), "a radicand must be an integer"),
+        (root_field(2, "3"), "an order must be an integer"),
+        (ring_data.cyclotomic(401), "of too large an order"),
+        *((ring_data.cyclotomic(n, real), "at least 3") for n in (0, 1, 2, -5) for real in (False, True)),
+        *((ring_data.cyclotomic(n, True), "the degree is from 2") for n in (3, 4, 6)),
+        (ring_data.cyclotomic(43), "the degree is from 2 to 40"),
+        (ring_data.cyclotomic("5"), "an order must be an integer"),
+        (generated([-2, 1]), "has 2 entries; expected 3"),
+        (generated([0]), "has 1 entries; expected 3"),
+        (generated([7]), "has 1 entries; expected 3"),
+        (generated([-1, 0, 2]), "is not monic"),
+        (generated([-1, 0, 1, 0]), "is not monic"),
+        (generated([-1, 0, "1/2"]), "is not monic"),
+        (generated([1, "2/4", 1]), "a coefficient must be an integer or a text such as '-1/2'"),
+        (generated([1, "2", 1]), "a coefficient must be an integer or a text such as '-1/2'"),
+        (generated([1, 2.0, 1]), "a coefficient must be an integer"),
+        (generated([1, [1], 1]), "a coefficient must be an integer"),
+        (generated([1, 0, 1], "e"), "cannot name a variable"),
+        (generated([1, 0, 1], "I"), "cannot name a variable"),
+        (generated([1, 0, 1], ""), "cannot name a variable"),
+        (generated([1, 0, 1], None), "a variable must be a text"),
+        (generated([-LONG, 0, 1]), "are too large"),
+        (generated([-(4**90), 0, 1]), "may be reducible"),
+        (generated([1, *[0] * 15, 1]), "is irreducible is shown up to the degree 14"),
+        # Completions at what is no place.
+        *((completion(base, INFINITY), "a prime number must be an integer") for base in (QQ, quadratic(-1))),
+        *((completion(base, prime(0, 1)), "must be an integer") for base in (QQ, quadratic(-1))),
+        (completion(CUBE, INFINITY), "no place of the kind 'infinity'"),
     ],
 )  # fmt: skip
-def test_names_of_no_field(name: str, why: str) -> None:
-    said = refused(name)
+def test_data_of_no_field(data: Data, why: str) -> None:
+    said = refused(data)
     assert why in said
 
 
@@ -175,12 +201,13 @@ def test_sturms_sequence_stays_small() -> None:
     """Of degree 40, coefficients of eight digits: where contents stay in, it did not end in a minute."""
     rng = random.Random(5)
     f = [2 * rng.randrange(-(10**8), 10**8) + (n in (0, 3, 4, 5)) for n in range(40)] + [1]
-    name = written(f)
-    assert steps(lambda: read_field(name)) < 10**6
+    data = generated(f)
+    assert steps(lambda: read_ring(data)) < 10**6
+    name = read_ring(data).name
     count = steps(lambda: real_roots([Fraction(c) for c in f]))
     assert count < 10**6
     with bounded():
-        assert is_certified(f"(-1,-1|{name})", name, {"by": "ordering"})
+        assert is_certified(f"(-1,-1|{name})", data, {"by": "ordering"})
 
 
 @pytest.mark.parametrize("n", [3, 4, 5, 7, 8, 9, 12, 15, 16, 20, 21, 30, 60, 105])
@@ -232,50 +259,65 @@ def test_squares_and_levels() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "place", "why"),
+    ("field", "place", "why"),
     [
-        ("QQ[s]/(s^3-2)", "(2,s)", ""),
-        ("QQ[s]/(s^3-2)", "(5,s-3)", ""),
-        ("QQ[s]/(s^3-2)", "(5,s^2+3*s+4)", ""),
-        ("QQ[s]/(s^3-2)", "7", ""),
-        ("QQ[s]/(s^3-2)", "(3,s+1)", ""),
-        ("QQ[s]/(s^2-s/3-1)", "2", ""),
-        ("QQ[s]/(s^3-2)", "5", "reducible"),
-        ("QQ[s]/(s^3-2)", "2", "reducible"),
-        ("QQ[s]/(s^3-2)", "(5,s-2)", "is no prime ideal"),
-        ("QQ[s]/(s^3-2)", "(5,s^2+1)", "reducible"),
-        ("QQ[s]/(s^3-2)", "(5,s^2+2)", "is no prime ideal"),
-        ("QQ[s]/(s^3-2)", "(5,3)", "a prime ideal needs a polynomial"),
-        ("QQ[s]/(s^3-2)", "(5,5*s)", "a prime ideal needs a polynomial"),
-        ("QQ[s]/(s^3-2)", "(5,s/5)", "a number is not integral at 5"),
-        ("QQ[s]/(s^3-2)", "(6,s)", "6 is no prime"),
-        ("QQ[s]/(s^3-2)", "(0,s)", "is not integral at 0"),
-        ("QQ[s]/(s^3-2)", "(1,s)", "is not integral at 1"),
-        ("QQ[s]/(s^3-2)", "5,s-3", "is no prime ideal"),
-        ("QQ[s]/(s^2-s/3-1)", "(3,s)", "is not integral at 3"),
-        ("QQ[s]/(s^2-45)", "(3,s)", "is no valuation ring"),
-        ("QQ[s]/(s^2-5)", "(2,s+1)", "is no valuation ring"),
-        ("QQ[s]/(s^2-12)", "(2,s)", "is no valuation ring"),
+        (CUBE, ideal(2, 0, 1, 0), ""),
+        (CUBE, ideal(5, -3, 1, 0), ""),
+        (CUBE, ideal(5, 4, 3, 1), ""),
+        (CUBE, ideal(7), ""),
+        (CUBE, ideal(3, 1, 1, 0), ""),
+        (generated([-1, "-1/3", 1]), ideal(2), ""),
+        (CUBE, ideal(5), "reducible"),
+        (CUBE, ideal(2), "reducible"),
+        (CUBE, ideal(5, -2, 1, 0), "is no prime ideal"),
+        (CUBE, ideal(5, 1, 0, 1), "reducible"),
+        (CUBE, ideal(5, 2, 0, 1), "is no prime ideal"),
+        (CUBE, ideal(5, 3, 0, 0), "a prime ideal needs a polynomial"),
+        (CUBE, ideal(5, 0, 5, 0), "a prime ideal needs a polynomial"),
+        (CUBE, ideal(5, 0, "1/5", 0), "a number is not integral at 5"),
+        (CUBE, ideal(5, 0, "5/5", 0), "a coefficient must be an integer or a text"),
+        (CUBE, ideal(5, 0, 1.0, 0), "a coefficient must be an integer"),
+        (CUBE, ideal(5, -3, 1), "has 3 coefficients"),
+        (CUBE, ideal(5, -3, 1, 0, 0), "has 3 coefficients"),
+        (CUBE, ideal(6, 0, 1, 0), "6 is no prime"),
+        (CUBE, ideal(6), "6 is no prime"),
+        (CUBE, ideal(0, 0, 1, 0), "must be at least 2"),
+        (CUBE, ideal(1, 0, 1, 0), "must be at least 2"),
+        (CUBE, ideal("5", -3, 1, 0), "a prime number must be an integer"),
+        (CUBE, {**ideal(7), "element": []}, "has 3 coefficients"),
+        (CUBE, {**ideal(7), "element": "s"}, "an element must be a list"),
+        (CUBE, {**ideal(7), "more": 1}, "unknown key 'more'"),
+        (CUBE, {"kind": "prime ideal", "p": 7}, "lacks the key 'element'"),
+        (CUBE, number(7), "no place of the kind 'number'"),
+        (generated([-1, "-1/3", 1]), ideal(3, 0, 1), "is not integral at 3"),
+        (generated([-45, 0, 1]), ideal(3, 0, 1), "is no valuation ring"),
+        (generated([-5, 0, 1]), ideal(2, 1, 1), "is no valuation ring"),
+        (generated([-12, 0, 1]), ideal(2, 0, 1), "is no valuation ring"),
+        (CUBE, {**other(5, [2, 1], [0, 1, 0]), "element": None}, "unknown key 'element'"),
+        (CUBE, other(5, [2, "1"], [0, 1, 0]), "a coefficient must be an integer"),
+        (CUBE, other(5, 2, [0, 1, 0]), "a polynomial must be a list"),
+        (CUBE, other(5, [2, 1], [0, 1]), "has 3 coefficients"),
+        (CUBE, other(5, [2, 1], [0, "2/2", 0]), "a coefficient must be an integer or a text"),
     ],
 )
-def test_prime_ideals(name: str, place: str, why: str) -> None:
-    field = read_field(name)
+def test_prime_ideals(field: Data, place: Data, why: str) -> None:
+    ring = read_ring(field)
     if why:
         with pytest.raises(Rejected, match=why):
-            field.place(place)
+            ring.place(place)
         return
-    found, p = field.place(place), int(place.strip("(").split(",")[0].strip(")"))
-    assert found.residue(field.number(p)) == found.residue(field.zero)
-    assert found.is_unit(found.residue(field.one))
+    found, p = ring.place(place), place["p"]
+    assert found.residue(ring.number(p)) == found.residue(ring.zero)
+    assert found.is_unit(found.residue(ring.one))
     assert not found.is_unit(found.residue(found.odd))
-    assert found.residue(field.inverse(found.odd)) is None
-    assert found.residue(field.mul(field.inverse(found.odd), found.odd)) == found.residue(field.one)
+    assert found.residue(ring.inverse(found.odd)) is None
+    assert found.residue(ring.mul(ring.inverse(found.odd), found.odd)) == found.residue(ring.one)
 
 
 def test_residues_with_denominators() -> None:
     """s³ − 2 is 25 at 3, so that s − 3 has the valuation 2 at the one ideal above 5, and 0 at the other."""
     field = read_field("QQ[s]/(s^3-2)")
-    first, second = field.place("(5,s-3)"), field.place("(5,s^2+3*s+4)")
+    first, second = field.place(ideal(5, -3, 1, 0)), field.place(ideal(5, 4, 3, 1))
     x = field.read("5/(s-3)")
     assert first.residue(x) is None
     assert second.residue(x) == second.residue(field.zero)
@@ -317,10 +359,8 @@ def test_several_square_roots() -> None:
     assert not field.is_square(field.read("1 - sqrt(2)"))
     with pytest.raises(Rejected, match="is not decided here"):
         field.is_square(field.read("5 + 2*sqrt(6)"))
-    complex_one = read_field("QQ(I,sqrt(2),sqrt(-2),sqrt(8))")
+    complex_one = read_ring(multiquadratic(2, -2, 8, -1))
     assert complex_one.signs(complex_one.one) == (None,)
     assert complex_one.is_square(complex_one.read("-2"))
     assert not complex_one.is_ordered
-    assert "has more than 5 roots" in refused(
-        "QQ(" + ",".join(f"sqrt({n})" for n in range(2, 8)) + ")"
-    )
+    assert "there are 6 square roots; at most 5" in refused(multiquadratic(2, 3, 5, 6, 7, 10))

@@ -4,16 +4,19 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.anisotropy import anisotropic, constants_of, is_certified, is_readable
+from hfield.certificates.anisotropy import anisotropic, constants_of, is_readable
+from hfield.certificates.anisotropy import is_certified as certifies
 from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import certified
+from tests.certificates.ring_data import Data, data_of, ideal, number, prime, split
 
 ORDERING, LEVEL = {"by": "ordering"}, {"by": "level"}
 
 
-def at(place: str, u: str, j: str) -> dict[str, Any]:
-    """Return the reason at a place; u and j by their coordinates."""
+def at(place: int | Data, u: str, j: str) -> dict[str, Any]:
+    """Return the reason at a place, or at a number; u and j by their coordinates."""
+    place = number(place) if isinstance(place, int) else place
     return {"by": "place", "place": place, "u": u.split(), "j": j.split()}
 
 
@@ -21,10 +24,10 @@ def near(point: str, proof: Any) -> dict[str, Any]:
     return {"by": "specialisation", "at": point, "proof": proof}
 
 
-THREE = at("3", "0 1 0 0", "0 0 1 0")
-TWO = at("2", "1/2 0 1/2 1/2", "0 1/2 1 1/2")
-WILD = at("t", "0 1 0 0", "0 0 1 0")
-HALF = at("2", "1/2 1/2 1/2 3/2", "0 1 0 1")
+THREE = at(3, "0 1 0 0", "0 0 1 0")
+TWO = at(2, "1/2 0 1/2 1/2", "0 1/2 1 1/2")
+WILD = at(prime(0, 1), "0 1 0 0", "0 0 1 0")
+HALF = at(2, "1/2 1/2 1/2 3/2", "0 1 0 1")
 POINT = near("-1", HALF)
 REAL, IMAGINARY = "QQ(sqrt(2))", "QQ(sqrt(-7))"
 Row = tuple[str, str, Any]
@@ -42,10 +45,14 @@ GENUINE: list[Row] = [
 ]
 
 
-def refused(algebra: str, field: str | None, reason: Any) -> str:
+def is_certified(algebra: str, field: str, reason: Any) -> bool:
+    return certifies(algebra, data_of(field), reason)
+
+
+def refused(algebra: str, field: str, reason: Any) -> str:
     """Return why a reason is rejected."""
     try:
-        ring, c = constants_of(algebra, field)  # type: ignore[arg-type]
+        ring, c = constants_of(algebra, data_of(field))
         anisotropic(ring, c, reason, algebra)
     except Rejected as error:
         return str(error)
@@ -55,7 +62,7 @@ def refused(algebra: str, field: str | None, reason: Any) -> str:
 @pytest.mark.parametrize(("algebra", "field", "reason"), GENUINE)
 def test_what_is_genuine_is_accepted(algebra: str, field: str, reason: Any) -> None:
     assert is_certified(algebra, field, reason)
-    ring, c = constants_of(algebra, field)
+    ring, c = constants_of(algebra, data_of(field))
     assert anisotropic(ring, c, reason, algebra) == ()
 
 
@@ -99,38 +106,46 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("(-2,-1|QQ(sqrt(-7)))", IMAGINARY, LEVEL, SQUARES),
     ("[-1,-1|QQ(sqrt(-7)))", IMAGINARY, LEVEL, SQUARES),
     # Another place, another u, another j.
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "5"}, f"{VALUATION} of 5"),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "7"}, ROOT),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "2"}, ROOT),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "9"}, ROOT),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "4"}, "is no place"),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "1"}, "is no place"),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": "t"}, "is no place"),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": 3}, "a place must be a text"),
-    ("(2,3|QQ)", "QQ", at("3", "1 0 0 0", "0 0 1 0"), ROOT),
-    ("(2,3|QQ)", "QQ", at("3", "0 0 1 0", "0 0 1 0"), ROOT),
-    ("(2,3|QQ)", "QQ", at("3", "1/3 1 0 0", "0 0 1 0"), ROOT),
-    ("(2,3|QQ)", "QQ", at("3", "0 1/3 0 0", "0 0 1 0"), ROOT),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0 0", "0 1 0 0"), f"{VALUATION} of 3"),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0 0", "0 0 3 0"), f"{VALUATION} of 3"),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0 0", "0 0 0 0"), f"{VALUATION} of 3"),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0 0", "0 0 1/3 0"), f"{VALUATION} of 3"),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0", "0 0 1 0"), "coordinates has 3 entries"),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0 0 0", "0 0 1 0"), "a quaternion has four coordinates"),
-    ("(2,3|QQ)", "QQ", at("3", "0 1 0 0", "0 0 1 0 0"), "a quaternion has four coordinates"),
-    ("(2,3|QQ)", "QQ", at("3", "0 x 0 0", "0 0 1 0"), "'x' is no element of QQ"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(5)}, f"{VALUATION} of (5)"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(7)}, ROOT),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(2)}, ROOT),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(9)}, ROOT),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(4)}, "is no place"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(1)}, "a place must be at least 2"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number("3")}, "a place must be an integer"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": {**number(3), "root": 1}}, "unknown key"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": prime(0, 1)}, "no place of the kind 'prime polynomial'"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": split(3, 1)}, "no place of the kind 'split'"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": ideal(3)}, "no place of the kind 'prime ideal'"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": 3}, "a place must be an object"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": "3"}, "a place must be an object"),
+    ("(2,3|QQ)", "QQ", at(3, "1 0 0 0", "0 0 1 0"), ROOT),
+    ("(2,3|QQ)", "QQ", at(3, "0 0 1 0", "0 0 1 0"), ROOT),
+    ("(2,3|QQ)", "QQ", at(3, "1/3 1 0 0", "0 0 1 0"), ROOT),
+    ("(2,3|QQ)", "QQ", at(3, "0 1/3 0 0", "0 0 1 0"), ROOT),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0 0", "0 1 0 0"), f"{VALUATION} of (3)"),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0 0", "0 0 3 0"), f"{VALUATION} of (3)"),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0 0", "0 0 0 0"), f"{VALUATION} of (3)"),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0 0", "0 0 1/3 0"), f"{VALUATION} of (3)"),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0", "0 0 1 0"), "coordinates has 3 entries"),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0 0 0", "0 0 1 0"), "a quaternion has four coordinates"),
+    ("(2,3|QQ)", "QQ", at(3, "0 1 0 0", "0 0 1 0 0"), "a quaternion has four coordinates"),
+    ("(2,3|QQ)", "QQ", at(3, "0 x 0 0", "0 0 1 0"), "'x' is no element of QQ"),
     ("(2,3|QQ)", "QQ", {**THREE, "u": [0, 1, 0, 0]}, "an entry of coordinates must be a text"),
     # These two split: N(j) = 3 and −3, but tr(j) = 4 and B(u, j) = −4.
-    ("(2,1|QQ)", "QQ", at("3", "0 1 0 0", "2 0 1 0"), TRACES),
-    ("(2,1|QQ)", "QQ", at("3", "0 1 0 0", "0 1 1 0"), TRACES),
-    ("(2,3|QQ)", "QQ", {**TWO, "place": "3"}, ROOT),
+    ("(2,1|QQ)", "QQ", at(3, "0 1 0 0", "2 0 1 0"), TRACES),
+    ("(2,1|QQ)", "QQ", at(3, "0 1 0 0", "0 1 1 0"), TRACES),
+    ("(2,3|QQ)", "QQ", {**TWO, "place": number(3)}, ROOT),
     ("(2,3|QQ)", "QQ", {**TWO, "u": ["0", "0", "1", "0"]}, ROOT),
     ("(2,3|QQ)", "QQ", {**TWO, "j": ["0", "0", "1", "0"]}, VALUATION),
     ("(3,7|QQ)", "QQ", TWO, ROOT),
-    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": "t+1"}, VALUATION),
-    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": "t^2+t+1"}, ROOT),
-    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": "t^2+1"}, "is reducible"),
-    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": "1"}, "a degree of at least 1"),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": prime(1, 1)}, VALUATION),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": prime(1, 1, 1)}, ROOT),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": prime(1, 0, 1)}, "is reducible"),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": prime(1)}, "has 1 entries; expected 2"),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": prime(0, 2)}, "from 0 to 1"),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": prime(1, 0)}, "is monic"),
+    ("[1,t|GF(2)(t))", "GF(2)(t)", {**WILD, "place": number(2)}, "no place of the kind 'number'"),
     ("[t,t|GF(2)(t))", "GF(2)(t)", WILD, ROOT),
     ("[1,t^2|GF(2)(t))", "GF(2)(t)", WILD, VALUATION),
     ("(1,t|GF(2)(t))", "GF(2)(t)", WILD, ROOT),
@@ -145,7 +160,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("(x,3|QQ(x))", "QQ(x)", near("-1", POINT), "have no values at points"),
     ("(x,3|QQ(x))", "QQ(x)", near("-1", None), "(x,3|QQ(x)) at -1 is of no known kind"),
     ("(x,3|QQ(x))", "QQ(x)", {**POINT, "at": -1}, "a point must be a text"),
-    ("(x,3|QQ(x))", "QQ(x)", HALF, "no places of QQ(x) are known here"),
+    ("(x,3|QQ(x))", "QQ(x)", HALF, "no place of the kind 'number' is known of QQ(x)"),
     ("(2,3|QQ)", "QQ", POINT, "have no values at points"),
     # Nothing of this is said of rings, of unknown constants, or of all fields.
     ("(-1,-1|ZZ)", "ZZ", ORDERING, "ZZ is no exact field"),
@@ -163,12 +178,14 @@ def test_constants_that_are_not_known() -> None:
     for algebra, field, said in (
         ("(a,b|QQ)", "QQ", "the structure constants are not known"),
         ("(1/0,-1|QQ)", "QQ", "the structure constants are not defined"),
-        ("(-1,-1|F)", None, "the field must be named"),
+        ("(-1,-1|F)", "QQ", "the algebra '(-1,-1|F)' is none over QQ, as (-1,-1|QQ) is"),
     ):
         assert refused(algebra, field, ORDERING) == said
-        assert not is_readable(algebra, field)  # type: ignore[arg-type]
-    assert is_readable("(sqrt(2),x-1|QQ(x))", "QQ(x)") is False
-    assert is_readable("(1/2,-1|QQ)", "QQ")
+        assert not is_readable(algebra, data_of(field))
+    assert not is_readable("(-1,-1|F)", None)
+    assert not certifies("(-1,-1|F)", None, ORDERING)
+    assert is_readable("(sqrt(2),x-1|QQ(x))", data_of("QQ(x)")) is False
+    assert is_readable("(1/2,-1|QQ)", data_of("QQ"))
     assert not is_certified("(-1,-1|QQ", "QQ", ORDERING)
 
 
@@ -210,12 +227,12 @@ def test_a_certificate_rests_on_its_reason() -> None:
         (about(fact, name="(2,3|QQ)"), "in an algebra that a fact is about"),
         (about(fact, fact), "a fact stands there twice"),
         (about(named, named), "a fact stands there twice"),
-        (about({**fact, "place": "5"}), VALUATION),
+        (about({**fact, "place": number(5)}), VALUATION),
         (about({**named, "algebra": "(3,2|QQ)", **THREE}), ROOT),
         (about({**named, "algebra": "(1/0,3|QQ)"}), "constants of a fact are not known"),
         (about({**named, "algebra": "(a,3|QQ)"}), "the unknown 'a' has no value"),
         (about({**named, "algebra": 5}), "an algebra must be a text"),
-        (about({**named, "algebra": "(2,3|QQ(I))"}), "not over the field of the certificate"),
+        (about({**named, "algebra": "(2,3|QQ(I))"}), "none over QQ, as (-1,-1|QQ) is"),
         # Anisotropic, but another form.
         (
             about({"form": "norm", "algebra": "(-1,-1|QQ)", **ORDERING}, name="(-1,-1|QQ)"),

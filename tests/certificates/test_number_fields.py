@@ -2,24 +2,38 @@
 
 from math import prod
 from random import Random
+from typing import Any
 
 import pytest
 from flint import fmpz_poly
 
 from hfield import NumberField, QuaternionAlgebra, ring
-from hfield.certificates.anisotropy import is_certified
+from hfield.certificates.anisotropy import is_certified as certifies
 from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.irreducible import check_irreducible
 from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
 from hfield.certificates.scalars.real_roots import real_roots
 from hfield.rings.number_primes import PrimeIdeal
 from hfield.structure.global_field import known_field
+from tests.certificates import ring_data
 from tests.certificates.cases import decided
+from tests.certificates.ring_data import (
+    Data,
+    generated,
+    ideal,
+    other,
+    read_field,
+    root_field,
+)
 from tests.structure.number_field_cases import cases, field
 
 FIELDS = [case["polynomial"] for case in cases("number_fields")]
+
+
+def is_certified(algebra: str, K: NumberField, reason: Any) -> bool:
+    return certifies(algebra, K.data, reason)
 
 
 def accepted(f: list[int]) -> bool:
@@ -116,50 +130,58 @@ def test_places_that_ramify_are_certified_and_others_are_not(polynomial: str) ->
         for P in A.ramified_places():
             if isinstance(P, PrimeIdeal):
                 data = next(
-                    d
-                    for d in arithmetic.evidence(A.constants, [P])
-                    if is_certified(A.name, K.name, d)
+                    d for d in arithmetic.evidence(A.constants, [P]) if is_certified(A.name, K, d)
                 )
-                assert not is_certified(QuaternionAlgebra(K, a, 1).name, K.name, data)
-                assert not is_certified(A.name, K.name, {**data, "u": data["j"], "j": data["u"]})
-                assert not is_certified(A.name, K.name, {**data, "j": data["u"]})
+                assert not is_certified(QuaternionAlgebra(K, a, 1).name, K, data)
+                assert not is_certified(A.name, K, {**data, "u": data["j"], "j": data["u"]})
+                assert not is_certified(A.name, K, {**data, "j": data["u"]})
                 others = [Q for p in (2, 5) for Q in K.primes_above(p)]
                 for Q in others:
                     if Q not in A.ramified_places():
-                        assert not is_certified(A.name, K.name, {**data, "place": str(Q)})
+                        assert not is_certified(A.name, K, {**data, "place": Q.data})
                 seen += 1
     assert seen
 
 
+CUBE, QUARTIC = generated([-2, 0, 0, 1]), generated([4, 0, -16, 0, 1])
+
+
 @pytest.mark.parametrize(
-    ("name", "place", "why"),
+    ("field", "place", "why"),
     [
-        ("QQ[s]/(s^3-2)", "(4, s)", "no prime"),
-        ("QQ[s]/(s^3-2)", "(5, s)", "no prime ideal"),
-        ("QQ[s]/(s^3-2)", "5", "reducible"),
-        ("QQ[s]/(s^3-s^2-2*s-8)", "(2, s)", "no valuation ring|no prime ideal|reducible"),
-        ("QQ[s]/(s^2-9/2)", "(2, s)", "not integral"),
-        ("QQ[s]/(s^3-2)", "(2, s^3)", "generator|expected|no prime|needs a polynomial"),
-        ("QQ[s]/(s^4-16*s^2+4)", "(2, s)", "no valuation ring"),
-        ("QQ[s]/(s^4-16*s^2+4)", "(2, x; s)", "no valuation ring"),
-        ("QQ[s]/(s^4-16*s^2+4)", "(2, x; s^2)", "does not generate"),
-        ("QQ[s]/(s^4-16*s^2+4)", "(2, x; s/4)", "not integral|is integral"),
-        ("QQ[s]/(s^3-2)", "(2, x+1; s)", "no prime ideal"),
+        (CUBE, ideal(4, 0, 1, 0), "no prime"),
+        (CUBE, ideal(5, 0, 1, 0), "no prime ideal"),
+        (CUBE, ideal(5), "reducible"),
+        (
+            generated([-8, -2, -1, 1]),
+            ideal(2, 0, 1, 0),
+            "no valuation ring|no prime ideal|reducible",
+        ),
+        (generated(["-9/2", 0, 1]), ideal(2, 0, 1), "not integral"),
+        (CUBE, ideal(2, 2, 0, 0), "needs a polynomial"),  # s³
+        (QUARTIC, ideal(2, 0, 1, 0, 0), "no valuation ring"),
+        (QUARTIC, other(2, [0, 1], [0, 1, 0, 0]), "no valuation ring"),
+        (QUARTIC, other(2, [0, 1], [0, 0, 1, 0]), "does not generate"),
+        (QUARTIC, other(2, [0, 1], [0, "1/4", 0, 0]), "not integral|is integral"),
+        (CUBE, other(2, [1, 1], [0, 1, 0]), "no prime ideal"),
     ],
 )
-def test_what_is_no_place_is_rejected(name: str, place: str, why: str) -> None:
+def test_what_is_no_place_is_rejected(field: Data, place: Data, why: str) -> None:
     with pytest.raises(Rejected, match=why):
-        read_field(name).place(place)
+        read_ring(field).place(place)
 
 
 @pytest.mark.parametrize(
-    "name",
-    ["QQ[s]/(s^4-4)", "QQ[s]/(2*s^3-2)", "QQ[s]/(s)", "QQ(root(4,4))", "QQ(root(-4,4))", "QQ(zeta5)(zeta7)",
-     "QQ[s]/(s^2-t)", "QQ(root(2,3),zeta3)", "QQ[i]/(i^2+1)", "QQ(zeta2)"],
+    "data",
+    [
+        *(generated(f) for f in ([-4, 0, 0, 0, 1], [-2, 0, 0, 2], [0, 1], ["t", 0, 1], [1, 0, 1, 0])),
+        *(root_field(4, 4), root_field(-4, 4), generated([1, 0, 1], "i"), ring_data.cyclotomic(2)),
+        *({"kind": "field of numbers", "numbers": ["root(2,3)", "zeta3"]}, ring_data.cyclotomic([5, 7])),
+    ],
 )  # fmt: skip
-def test_what_is_no_field_here_is_rejected(name: str) -> None:
+def test_what_is_no_field_here_is_rejected(data: Data) -> None:
     with pytest.raises(Rejected):
-        read_field(name)
+        read_ring(data)
 
 
 @pytest.mark.parametrize(

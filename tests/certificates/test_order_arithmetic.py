@@ -3,26 +3,27 @@
 import random
 from fractions import Fraction
 from itertools import product
+from math import prod
 from typing import Any
 
 import pytest
 from flint import fmpz_mat
 
 from hfield import QuaternionAlgebra
-from hfield.certificates import work
 from hfield.certificates.orders import local_types
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Lattice, hermite, inverse, rational_rows
 from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.statement import read_setting
-from hfield.certificates.work import MAX_WORK, bounded
+from hfield.certificates.work import bounded
 from tests.certificates.order_certificates import ALGEBRAS
 
 
 def mirrored(L: Any) -> Lattice:
     """Return a lattice of the package as one of the checker."""
-    algebra = Algebra(read_setting(str(L.algebra), "QQ"))
+    algebra = Algebra(read_setting(str(L.algebra), QQ))
     den, rows = L.hnf
     return Lattice(algebra, den, rows)
 
@@ -105,6 +106,18 @@ def test_what_is_too_large_to_factor_is_rejected() -> None:
     with bounded():
         assert local_types.factored(2**5 * 3 * 1000003) == {2: 5, 3: 1, 1000003: 1}
         assert local_types.factored(10**12 + 39) == {10**12 + 39: 1}
+        primes = [
+            1031,
+            1033,
+            1039,
+            1049,
+            1051,
+            1061,
+            1063,
+            1069,
+            1087,
+        ]  # together too long to be proved prime
+        assert local_types.factored(prod(primes)) == dict.fromkeys(primes, 1)
         for n in (2**5000, (10**9 + 7) * (10**9 + 9), 5 * 2**248 - 1):
             with pytest.raises(Rejected):
                 local_types.factored(n)
@@ -119,8 +132,8 @@ def test_long_numbers_are_paid_for() -> None:
 
     def spent(scale: int) -> int:
         gram = tuple(tuple(scale * (m == n) for n in range(4)) for m in range(4))
-        with bounded():
+        with bounded() as work:
             assert len(list(short_vectors(gram, 4 * scale))) == 44
-            return MAX_WORK - work._current.get().left
+        return work.spent
 
     assert spent(10**4000) > 50 * spent(1)

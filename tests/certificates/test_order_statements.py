@@ -1,6 +1,7 @@
 """Statements about orders, ideals and embeddings, one by one: what is accepted and why others are not."""
 
 from hfield import QuaternionAlgebra
+from tests.certificates.cases import about_field
 from tests.certificates.order_certificates import (
     HURWITZ,
     LIPSCHITZ,
@@ -35,8 +36,8 @@ def test_orders() -> None:
     rejects(order("1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,e", 4), "no rational number")
     rejects(order(LIPSCHITZ, 4, "(-1,0|QQ)"), "degenerate")
     rejects(order(LIPSCHITZ, 4, "(-1,a|QQ)"), "numbers for constants")
-    rejects({**order(LIPSCHITZ, 4, "(-1,-1|F)"), "field": None}, "over QQ alone")
-    rejects({**order(LIPSCHITZ, 4, "(-1,-1|GF(5))"), "field": "GF(5)"}, "over QQ alone")
+    for field in (None, "GF(5)"):
+        rejects(about_field(order(LIPSCHITZ, 4), field), "over QQ alone")
     rejects({**order(LIPSCHITZ, 4), "verdict": "refuted"}, "does not show")
     rejects({**order(LIPSCHITZ, 4), "evidence": {"kind": "order", "n": 4}}, "unknown key")
     huge = "9" * 4001

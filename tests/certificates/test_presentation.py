@@ -9,7 +9,7 @@ from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.vocabulary import presentation
 from hfield.certificates.vocabulary.presentation import read_presentation
-from tests.certificates.cases import Certificate, certified
+from tests.certificates.cases import Certificate, about_field, certified
 
 WITH_E = "associative(e, i, j, k): "
 UNITS = "eijk"
@@ -174,10 +174,10 @@ def test_what_is_shown_is_accepted() -> None:
     assert accepted(PROVED) == "commutative rings"
     for data in (TWICE, THREE, REFUTED, ONE_SIDED):
         assert accepted(data) == "field"
-    over = {**PROVED, "field": "GF(4)", "algebra": "(-1,-1|GF(4))"}
+    over = about_field(PROVED, "GF(4)")
     assert accepted(over) == "field"
     # In characteristic 3 the same value may be written otherwise; so may the table.
-    three = copy.deepcopy({**REFUTED, "field": "GF(9)", "algebra": "(-1,-1|GF(9))"})
+    three = copy.deepcopy(about_field(REFUTED, "GF(9)"))
     three["evidence"] |= {"characteristic": 3, "value": [0, 3, -3, -1]}
     three["evidence"]["table"]["kk"] = [1, 0, 3, 0]
     assert accepted(three) == "field"
@@ -233,7 +233,7 @@ def test_where_a_proof_holds() -> None:
     """Dividing by 2 needs a field in which 2 is not 0; a proof modulo 3 is one in characteristic 3."""
 
     def over(data: Certificate, field: str | None) -> Certificate:
-        return {**data, "field": field, "algebra": f"(-1,-1|{field or 'F'})"}
+        return about_field(data, field)
 
     for field in ("GF(3)", "GF(9)"):
         assert accepted(over(TWICE, field)) == accepted(over(THREE, field)) == "field"
@@ -308,10 +308,10 @@ def test_what_a_table_shows() -> None:
         rejects(REFUTED, said, goal=goal)
     rejects(REFUTED, "the number of a goal must be an integer", goal="1")
     rejects(REFUTED, "four small coordinates", value=[0, 0, 0, 2, 0])
-    two = {**REFUTED, "field": "GF(2)", "algebra": "(-1,-1|GF(2))"}
+    two = about_field(REFUTED, "GF(2)")
     rejects(two, "it is 0", characteristic=2, value=[0, 0, 0, 0])
     rejects(two, "over another characteristic")
-    rejects({**REFUTED, "field": "QQ", "algebra": "(-1,-1|QQ)"}, "over another", characteristic=3)
+    rejects(about_field(REFUTED, "QQ"), "over another", characteristic=3)
     # i·i = −1, but i·j = 0 in this one; and everything is 0 in the last.
     wrong = {**TABLE, **dict.fromkeys(("ij", "ji", "ik", "ki", "jj", "jk", "kj", "kk"), [0] * 4)}
     rejects(REFUTED, "the table is not associative", table=wrong)

@@ -5,7 +5,7 @@ import pytest
 from hfield.certificates.check import check
 from hfield.certificates.glossary import QUATERNION_ROOT
 from hfield.certificates.rejection import Rejected
-from tests.certificates.cases import Certificate, certified
+from tests.certificates.cases import Certificate, about_field, certified
 
 
 def about(statement: str) -> Certificate:
@@ -83,7 +83,7 @@ def test_what_may_have_none(statement: str, why: str) -> None:
 def test_it_is_a_theorem_about_hamiltons_quaternions() -> None:
     data = about("exists q: q*q == i")
     for field in ("QQ", "CC", "QQ(sqrt(2))", None):
-        other = {**data, "field": field, "algebra": f"(-1,-1|{field or 'F'})"}
+        other = about_field(data, field)
         with pytest.raises(Rejected, match="have roots over RR"):
             check(other)
     for algebra in ("(1,-1|RR)", "(-1,-2|RR)", "[-1,-1|RR)", "(a,b|RR)"):

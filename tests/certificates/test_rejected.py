@@ -11,19 +11,63 @@ import pytest
 from hfield import QQ, H
 from hfield.certificates.check import Pin, check, check_text
 from hfield.certificates.rejection import Rejected
-from tests.certificates.cases import Certificate, decided
+from tests.certificates.cases import Certificate, about_field, decided
+from tests.certificates.ring_data import QQ as QQ_DATA
+from tests.certificates.ring_data import (
+    RDF,
+    Data,
+    completion,
+    cyclotomic,
+    data_of,
+    finite,
+    functions,
+    generated,
+    multiquadratic,
+    polynomials,
+    quadratic,
+    residues,
+    root_field,
+)
 
 IDENTITY = {
-    "schema": "hfield-cert/1",
+    "schema": "hfield-cert/2",
     "statement": "(p*q)*r == p*(q*r)",
     "algebra": "(-1,-1|QQ)",
     "field": "QQ",
+    "ring": {"kind": "rationals"},
     "verdict": "proved",
     "method": "identity",
     "assumes": [],
     "evidence": {"kind": "identity"},
 }
 WITNESS = {"p": ["0", "1", "0", "0"], "q": ["0", "0", "1", "0"]}
+
+
+def nested(depth: int) -> Data:
+    ring: Data = RDF
+    for _ in range(depth):
+        ring = completion(ring, {})
+    return ring
+
+
+LARGE: list[Data] = [
+    *(finite(2**521 - 1), finite(2, 600), finite(2, 65), finite(2, 3, [1] * 30_000)),
+    *(
+        residues(10**3999),
+        quadratic(2 * 10**9 + 14),
+        quadratic(-(10**3999)),
+        multiquadratic(*range(2, 99)),
+    ),
+    *(root_field(2, 41), cyclotomic(401), cyclotomic(10**9), generated([1] * 60)),
+    *(generated([*[10**3000] * 5, 1]), functions(QQ_DATA, "x" * 101), nested(100)),
+    *(polynomials(QQ_DATA, *(f"x{n}" for n in range(65))), nested(3)),
+]
+
+
+def over(ring: Data) -> Certificate:
+    """Return the keys of a certificate that say its field."""
+    data = about_field({}, ring)
+    return {key: data[key] for key in ("field", "ring", "algebra")}
 
 
 def with_(**changes: Any) -> Certificate:
@@ -38,14 +82,14 @@ def rejects(data: Certificate, why: str, pin: Pin | None = None) -> None:
 @pytest.mark.parametrize("key", list(IDENTITY))
 def test_each_key_is_needed(key: str) -> None:
     data = {k: v for k, v in IDENTITY.items() if k != key}
-    rejects(data, f"lacks the key '{key}'")
+    rejects(data, "the schema must be" if key == "schema" else f"lacks the key '{key}'")
 
 
 @pytest.mark.parametrize(
     ("changes", "why"),
     [
         ({"note": "true"}, "unknown key"),
-        ({"schema": "hfield-cert/2"}, "schema"),
+        *(({"schema": name}, "schema") for name in ("hfield-cert/3", "hfield-cert", 2, None, [])),
         ({"statement": ""}, "empty"),
         ({"statement": "p*q == q*p"}, "does not hold by expanding"),
         ({"statement": "p*q"}, "expected a statement"),
@@ -55,14 +99,22 @@ def test_each_key_is_needed(key: str) -> None:
         ({"verdict": "true"}, "verdict"),
         ({"method": "magic"}, "not that of the evidence"),
         ({"assumes": ["0 == 1"]}, "does not list exactly"),
-        ({"field": "GF(3)"}, "not over the field"),
-        ({"field": "GF(6)", "algebra": "(-1,-1|GF(6))"}, "no power of a prime"),
-        ({"field": "GF(9, x^2-1)", "algebra": "(-1,-1|GF(9, x^2-1))"}, "reducible"),
-        ({"field": "QQ(sqrt(8))", "algebra": "(-1,-1|QQ(sqrt(8)))"}, "squarefree"),
-        ({"field": "RDF", "algebra": "(-1,-1|RDF)"}, "nothing is proved over floats"),
-        ({"field": "QQQ", "algebra": "(-1,-1|QQQ)"}, "no ring"),
-        ({"algebra": "(-1,-1|GF(3))"}, "not over the field"),
-        ({"algebra": "-1,-1"}, "cannot be read"),
+        ({"field": "GF(3)"}, "the data say QQ, and not 'GF"),
+        ({"field": "GF(3)", "algebra": "(-1,-1|GF(3))"}, "the data say QQ, and not 'GF"),
+        ({"field": None, "algebra": "(-1,-1|F)"}, "the data say QQ, and not 'None'"),
+        ({"ring": None}, "the data say all fields, and not 'QQ'"),
+        ({"ring": finite(3)}, "the data say GF.3., and not 'QQ'"),
+        ({"ring": finite(3), "field": "GF(3)"}, "none over GF.3."),
+        ({"ring": "QQ"}, "the data of a ring must be an object"),
+        ({"ring": {"kind": "QQ"}}, "rings of the kind 'QQ' are not known here"),
+        ({"ring": {**QQ_DATA, "n": 2}}, "unknown key"),
+        (over(finite(6)), "no prime number"),
+        (over(finite(3, 2, [2, 0, 1])), "reducible"),
+        (over(quadratic(8)), "squarefree"),
+        (over(RDF), "nothing is proved over floats"),
+        ({"algebra": "(-1,-1|GF(3))"}, "none over QQ"),
+        ({"algebra": "-1,-1"}, "none over QQ"),
+        ({"algebra": "(-1|QQ)"}, "cannot be read"),
         ({"evidence": {}}, "kind"),
         ({"evidence": {"kind": "identity", "because": "clear"}}, "unknown key"),
         ({"evidence": {"kind": "trust"}}, "does not show"),
@@ -74,11 +126,52 @@ def test_changed_certificates(changes: dict[str, Any], why: str) -> None:
     rejects(with_(**changes), why)
 
 
+@pytest.mark.parametrize("number", [f"{7 * 10**3000}/{10**2999 + 1}", "1e9999"])
+def test_a_number_that_is_too_long_for_a_message(number: str) -> None:
+    text = f"s == sqrt({number})"
+    why = "bits is not taken apart|too long to be shown is not taken"
+    rejects(with_(**over({"kind": "reals"}), statement=text), why)
+
+
+@pytest.mark.parametrize("name", ["zeta5", "zeta_8"])
+@pytest.mark.parametrize("base", [QQ_DATA, {"kind": "integers"}])
+def test_polynomials_in_a_root_of_unity_read_as_the_ring_that_it_generates(
+    base: Data, name: str
+) -> None:
+    for ring in (polynomials(base, name), polynomials(base, "x", name)):
+        with pytest.raises(Rejected, match=f"reads as the ring that the number {name} generates"):
+            check({**IDENTITY, "ring": ring})
+    functions_of_it = over(functions(QQ_DATA, name))
+    assert check(with_(**functions_of_it)).field == f"Frac(QQ[{name}])"
+
+
+@pytest.mark.parametrize(
+    ("ring", "told"),
+    [
+        (polynomials({"kind": "integers"}, "sqrt2"), "ZZ[sqrt2], the polynomials in sqrt2 over ℤ"),
+        (
+            functions(QQ_DATA, "zeta5"),
+            "Frac(QQ[zeta5]), the rational functions in zeta5 over ℚ",
+        ),
+    ],
+)
+def test_what_the_rings_are_that_a_statement_names_is_told(ring: Data, told: str) -> None:
+    name, variable = told.split(",")[0], ring["variables"][0]
+    evidence = {"kind": "witness", "ring": ring, "values": {}}
+    said = f"over{{{name}; {variable}**10 == {variable}**5}}"
+    for statement, part in ((said, evidence), (f"every{{{said}; 1 == 1}}", None)):
+        shown: Data = part or {"kind": "part", "part": 0, "evidence": evidence}
+        wrapped = {"kind": "rings", "rings": [ring], "evidence": shown}
+        nowhere = with_(field=None, ring=None, algebra="(-1,-1|F)", verdict="refuted")
+        found = check({**nowhere, "statement": statement, "evidence": wrapped})
+        assert f"names the ring: {told}" in found.lines()
+
+
 def test_a_witness_must_refute() -> None:
     good = with_(
         statement="p*q == q*p",
         verdict="refuted",
-        evidence={"kind": "witness", "field": "QQ", "values": WITNESS},
+        evidence={"kind": "witness", "ring": data_of("QQ"), "values": WITNESS},
     )
     assert check(good)
     for values, why in (
@@ -89,10 +182,9 @@ def test_a_witness_must_refute() -> None:
         ({**WITNESS, "q": ["0", "0", "sqrt(2)", "0"]}, "no element"),
     ):
         rejects({**good, "evidence": {**good["evidence"], "values": values}}, why)
-    other = {**good["evidence"], "field": "GF(3)"}
+    other = {**good["evidence"], "ring": finite(3)}
     rejects({**good, "evidence": other}, "not that of the certificate")
-    over_gf_2 = {"algebra": "(-1,-1|GF(2))", "field": "GF(2)"}
-    rejects({**good, **over_gf_2, "evidence": {**other, "field": "GF(2)"}}, "is true")
+    rejects({**about_field(good, "GF(2)"), "evidence": {**other, "ring": finite(2)}}, "is true")
 
 
 def test_a_proof_of_something_weaker_is_no_proof() -> None:
@@ -119,7 +211,7 @@ def test_each_item_is_needed_and_multiplied_out() -> None:
 def test_facts_are_verified() -> None:
     data = decided("norm(q) == 0 => q == 0", "QQ")
     for field in ("QQ(I)", "CC", "QQ(sqrt(-3))", "GF(3)", "QQ(sqrt(-5))"):
-        moved = {**data, "field": field, "algebra": f"(-1,-1|{field})"}
+        moved = about_field(data, field)
         rejects(moved, "ordering|0 only at 0|does not list|is 0 at an element")
     ramified = decided("norm(q) == 0 => q == 0", "QQ", "(2,3|QQ)")
     split = {**ramified, "algebra": "(2,7|QQ)"}  # 2·1² + 7·1² = 3²
@@ -129,8 +221,8 @@ def test_facts_are_verified() -> None:
 def test_denominators_may_not_vanish() -> None:
     data = decided("2*s == 0 => s == 0", "QQ")
     assert check(data)
-    rejects({**data, "field": None, "algebra": "(-1,-1|F)"}, "divides by a number|not covered")
-    rejects({**data, "field": "GF(2)", "algebra": "(-1,-1|GF(2))"}, "denominator is 0|not covered")
+    rejects(about_field(data, None), "divides by a number|not covered")
+    rejects(about_field(data, "GF(2)"), "denominator is 0|not covered")
 
 
 def test_exhaustion_is_repeated() -> None:
@@ -160,6 +252,7 @@ def test_presentations() -> None:
         statement=found.statement,
         algebra="(-1,-1|F)",
         field=None,
+        ring=None,
         method="presentation",
         evidence=decision.evidence,
     )
@@ -218,7 +311,7 @@ def test_lists_of_tuples_must_be_complete() -> None:
         json.dumps(with_(statement="((p*q*r*u*v*w)**30)**30 == 0")),
         json.dumps(with_(statement=" and ".join(["(p == q <=> q == p)"] * 200))),
         json.dumps(with_(statement=f"q == {'9' * 5_000}")),
-        json.dumps(with_(field=f"GF({2**521 - 1})", algebra=f"(-1,-1|GF({2**521 - 1}))")),
+        *(json.dumps(with_(ring=ring)) for ring in LARGE),
     ],
 )
 def test_hostile_files(text: str) -> None:

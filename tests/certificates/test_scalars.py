@@ -6,9 +6,11 @@ from itertools import product
 import pytest
 
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.rationals import has_no_rational_root
 from hfield.certificates.work import bounded
+from tests.certificates import ring_data as data
+from tests.certificates.ring_data import Data, read_field
 
 NEAR = (Fraction(10**6), Fraction(-(10**6)), Fraction(1, 10**6), Fraction(-1, 10**6))
 
@@ -85,8 +87,8 @@ def test_units() -> None:
         ("QQ", "2**-3 - 1/4", "-1/8"),
         ("QQ", "1**10000", "1"),
         ("GF(9, x^2+1)", "(1 - x)*(1 + x)", "2"),
-        ("GF(9, -x^2-1)", "x*x", "-1"),
-        ("GF(9, x*x + 2*x - 1)", "x*x", "x + 1"),
+        ("GF(9)", "x*x", "x + 1"),
+        ("GF(9, x^2+x+2)", "x*x", "2*x + 1"),
         ("QQ[x]", "(x - 1)*(x + 1) - x**2", "-1"),
         ("GF(4)(t)", "(t**2 - 1)/(t - 1)", "t + 1"),
     ],
@@ -113,17 +115,34 @@ def test_texts_that_name_no_element(field: str, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name",
+    "ring",
     [
-        *("GF(9, x^2+2)", "GF(9, x)", "GF(9, x^3+1)", "GF(9, 3*x^2+1)", "GF(9, x^2+y)"),
-        *("GF(6)", "ZZ/1", "ZZ/0", "QQ(sqrt(4))", "QQ(sqrt(8))", "QQ(sqrt(-1))", "QQ(i)(x)"),
-        *("QQ[x,x]", "QQ[e]", "ZZ/4[x]", "ZZ/4(x)", "QQ(x)(y)", "GF(4)(x)", "RR(x)", "QQ(or)"),
-        *("GF(9, 1/2)", "GF(9, x^-1)", "GF(9, (x^9)*(x^9))", "Q Q", "QQ(", "", "GF(9)[x]"),
+        *(data.finite(3, 2, f) for f in ([2, 0, 1], [0, 1], [1, 0, 0, 1], [1, 0, 3], [1, 0, 1, 0], [])),
+        *(data.finite(3, 2, f) for f in ([1, 0, 4], [-2, 0, 1], [2, 3, 1], ["1", 0, 1], [1.0, 0, 1], "101")),
+        *(data.finite(2, 2, f) for f in (None, [1, 1, True], [1, "1/2", 1], [[1], 0, 1])),
+        *(data.finite(p) for p in (6, 9, -5, 0, "5", 5.0, True)),
+        *(data.finite(p, n, f) for p, n, f in ((3, 1, [0, 1]), (5, 0, None), (5, -1, None), (9, 1, None))),
+        *(data.residues(n) for n in (1, 0, -3, "7", None, 7.0)),
+        *(data.quadratic(d) for d in (0, 1, 4, 8, 12, -4, "2", "-1", 2.0, None)),
+        *(data.multiquadratic(*d) for d in ((), (2,), (2, "3"), (2, 2), (2, 4), (-1, 2))),
+        data.multiquadratic(2, 3, 5, 7, 11, 13),
+        *(data.functions(base, "x") for base in (data.ZZ, data.RR, data.CC, data.RDF, data.residues(4))),
+        *(data.functions(base, "y") for base in (data.quadratic(-1), data.functions(data.QQ, "x"), "QQ", 2)),
+        *(data.functions(data.QQ, *names) for names in ((), ("x", "y"), ("or",), ("i",), ("x", "x"))),
+        data.functions(data.finite(2, 2, [1, 1, 1]), "x"),
+        *(data.polynomials(base, "x") for base in (data.residues(4), data.finite(3, 2, [2, 2, 1]), data.RR)),
+        *(data.polynomials(data.QQ, *names) for names in (("x", "x"), ("e",), (), ("x,y",), ("x ",))),
+        {**data.polynomials(data.QQ, "x"), "variables": "x"},
+        *({**data.QQ, key: None} for key in ("name", "characteristic", "modulus", "")),
+        *({"kind": kind} for kind in ("QQ", "Rationals", " rationals", "", None, 1, ["rationals"])),
+        *({"kind": kind} for kind in ("finite field", "residues", "completion", "number field")),
+        *("QQ", None, 7, [], [data.QQ], {}, {"Kind": "rationals"}),
     ],
-)
-def test_names_that_name_no_ring(name: str) -> None:
+    ids=str,
+)  # fmt: skip
+def test_data_of_no_ring(ring: object) -> None:
     with pytest.raises(Rejected), bounded():
-        read_field(name)
+        read_ring(ring)
 
 
 @pytest.mark.parametrize(
@@ -222,31 +241,30 @@ def test_numbers_do_not_grow_without_end(name: str, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("field", "text", "why"),
+    ("ring", "text", "why"),
     [
-        ("GF(2^2)", None, "there is no ring"),
-        ("GF(5,x)", None, "GF.5. takes no modulus"),
-        (f"GF({2**65})", None, "has the degree 65; at most 64"),
-        (f"GF({2**600})", None, "is too large; at most 512"),
-        (f"ZZ/{'9' * 3990}{'9' * 20}", None, "the name of a ring has|is too large"),
-        (f"GF({'9' * 3995})", None, "is too large"),
-        ("GF(4,(x+1)*x^4*x)", None, "too high a degree"),
-        ("GF(4,x^9)", None, "of a fitting degree"),
-        ("GF(4,x/2)", None, "of a fitting degree"),
-        ("GF(4,x-x)", None, "must have the degree 2"),
-        (f"QQ{' ' * 4000}", None, "at most 4000 are read"),
-        (f"GF({3**40})", "x", "what x is in GF.* is not known here"),
-        ("QQ(x)", "1/(x^2001 + x + 1) + x", "a degree above 2000"),
-        ("RR", "sqrt(1000000007)", "is not taken apart here"),
-        ("RR", "*".join(f"(1+sqrt({p}))" for p in (2, 3, 5, 7, 11, 13)), "too many square roots"),
-        ("RDF", "1/2", "."),
-        ("RDF", "9007199254740992", "below 2.53"),
+        (data.finite(2, 2), None, "GF.4. has to say its modulus"),
+        (data.finite(5, 1, [0, 1]), None, "GF.5. takes no modulus"),
+        (data.finite(2, 65), None, "of degree 65 over .* is too large"),
+        (data.finite(2, 600), None, "of degree 600 over .* is too large"),
+        (data.finite(10**200, 1), None, "of degree 1 over .* is too large"),
+        (data.finite(2, 2, [1, 1, 0, 0, 1]), None, "is monic, of the degree 2"),
+        (data.finite(2, 2, [1, 1, 2]), None, "is monic, of the degree 2, reduced modulo 2"),
+        (data.functions(data.QQ, "x" * 101), None, "a variable has 101 characters"),
+        (data.generated([1, *[10**3990] * 6, 1]), None, "at most 20000 are read"),
+        (data.residues(10**5000), None, "a number in them is too long"),
+        (data.finite(3, 40), "x", "what x is in GF.* is not known here"),
+        (data.functions(data.QQ, "x"), "1/(x^2001 + x + 1) + x", "a degree above 2000"),
+        (data.RR, "sqrt(1000000007)", "is not taken apart here"),
+        (data.RR, "*".join(f"(1+sqrt({p}))" for p in (2, 3, 5, 7, 11, 13)), "too many square roots"),
+        (data.RDF, "1/2", "."),
+        (data.RDF, "9007199254740992", "below 2.53"),
     ],
-)
-def test_what_is_too_large_or_unknown(field: str, text: str | None, why: str) -> None:
+)  # fmt: skip
+def test_what_is_too_large_or_unknown(ring: Data, text: str | None, why: str) -> None:
     def reads() -> None:
         with bounded():
-            read_field(field).read(text or "0")
+            read_ring(ring).read(text or "0")
 
     with pytest.raises(Rejected, match=why):
         reads()
@@ -265,4 +283,4 @@ def test_bounds_of_single_rings() -> None:
     with pytest.raises(Rejected, match="above the degree 2000"):
         functions.is_square(functions.read("x^2002"))
     with pytest.raises(Rejected, match="neither divides 15 nor is prime to it"):
-        read_field("QQ(sqrt(15))").place("9")
+        read_field("QQ(sqrt(15))").place(data.number(9))

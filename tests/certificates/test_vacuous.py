@@ -4,6 +4,8 @@ import pytest
 
 from hfield import prove
 from hfield.certificates.check import Rejected, check
+from hfield.proving.methods.presentations import decide_presentation, presentation_text
+from tests.certificates.cases import certified
 
 NEVER = [
     ("a == 0 => i*i == 0", "(1/a,1|GF(3))"),
@@ -55,3 +57,59 @@ def test_hypotheses_that_hold_somewhere_are_none_of_the_checkers_business():
         decision = prove(statement, algebra=algebra)
         assert decision.verdict == "proved"
         assert check(decision.certificate).verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("relations", "field"),
+    [
+        (["1 == 2"], None),
+        (["2 == 0"], "QQ"),
+        (["i == j", "i == j + 1"], None),
+        (["4 == 1"], "GF(5)"),
+    ],
+)
+def test_relations_that_leave_no_algebra_are_vacuous(relations, field):
+    statement = presentation_text(relations, ["i == 0"])
+    decision = decide_presentation(relations, ["i == 0"], field=field)
+    assert decision.verdict == "vacuous"
+    data = decision.certificate(statement, f"(-1,-1|{field or 'F'})", field)
+    assert check(data).verdict == "vacuous"
+    with pytest.raises(Rejected):  # nothing is shown of relations that hold somewhere
+        check({**data, "statement": statement.replace(relations[0], "i == k", 1)})
+    with pytest.raises(Rejected):
+        check({**data, "statement": statement.replace("(i, j, k)", "(e, i, j, k)")})
+
+
+@pytest.mark.parametrize(
+    ("number", "field", "verdict"),
+    [
+        (-1, None, "vacuous"),
+        (2, "QQ", "vacuous"),
+        (2, None, "proved"),
+        (2, "GF(2)", "proved"),
+        (5, "GF(3)", "vacuous"),
+    ],
+)
+def test_what_follows_from_a_number_that_is_0_is_proved_where_it_may_be(number, field, verdict):
+    evidence = {
+        "kind": "presentation",
+        "characteristic": 0,
+        "identity": True,
+        "relations": [[[number, ""]]],
+        "goals": [[[number, "i"]]],
+        "proofs": [{"cofactors": [[1, "i", 0, ""]], "denominator": 1}],
+    }
+    statement = f"associative(i, j, k): {number} == 0 => {number}*i == 0"
+    data = certified(statement, field, "presentation", evidence)
+    if verdict == "proved":
+        assert check(data).verdict == "proved"
+    else:
+        with pytest.raises(Rejected, match="vacuous and not proved"):
+            check(data)
+
+
+def test_relations_that_leave_algebras_of_characteristic_2_are_not_vacuous():
+    relations, goals = ["i*i == 1", "i*j == j*i + 1", "j*j == j"], ["2*i == 0"]
+    assert decide_presentation(relations, goals).verdict == "proved"
+    assert decide_presentation(relations, goals, field="QQ").verdict == "vacuous"
+    assert decide_presentation(relations, goals, field="GF(4)").verdict == "proved"

@@ -6,9 +6,10 @@ from typing import Any
 import pytest
 
 from hfield.certificates.check import check
-from hfield.certificates.glossary import COMPLEX_ROOTS, INDUCTION, KULIKOV, REAL_ROOTS
+from hfield.certificates.glossary import CIRCLE, COMPLEX_ROOTS, INDUCTION, KULIKOV, REAL_ROOTS
 from hfield.certificates.rejection import Rejected
-from tests.certificates.cases import certified
+from tests.certificates.cases import certified, with_rings
+from tests.certificates.ring_data import data_of
 
 TUPLES = [["".join(t) for t in product("eijk", repeat=k)] for k in (1, 2, 3)]
 IDENTITY = {"kind": "identity"}
@@ -37,11 +38,11 @@ def both(left: Any, right: Any) -> dict[str, Any]:
 
 
 def over(field: str, evidence: Any) -> dict[str, Any]:
-    return {"kind": "over", "field": field, "evidence": evidence}
+    return {"kind": "over", "ring": data_of(field), "evidence": evidence}
 
 
 def at(values: dict[str, list[str]], field: str) -> dict[str, Any]:
-    return {"kind": "witness", "field": field, "values": values}
+    return {"kind": "witness", "ring": data_of(field), "values": values}
 
 
 def tuples(*arities: int) -> dict[str, Any]:
@@ -137,6 +138,7 @@ GOOD: list[Row] = [
 def certificate(row: Row, **changes: Any) -> dict[str, Any]:
     statement, field, verdict, method, cites, evidence, _ = row
     field = changes.get("field", field)
+    statement, evidence = changes.pop("statement", statement), changes.pop("evidence", evidence)
     assumes = [cites] if cites else []
     data = certified(statement, field, method, evidence)
     return {**data, "verdict": verdict, "assumes": assumes, **changes}
@@ -318,9 +320,11 @@ def test_words_nest_only_so_deep() -> None:
         check(nested(7))
     inside = nested(5)
     inside["statement"] = f"over{{QQ; {inside['statement']}}}"
+    own = inside["evidence"]
+    inside["evidence"] = with_rings(inside["statement"], own)
     assert check(inside).scope == "field"
     inside["statement"] = f"every{{{inside['statement']}}}"
-    inside["evidence"] = {**PARTS, "parts": [proved(inside["evidence"])]}
+    inside["evidence"] = {**inside["evidence"], "evidence": {**PARTS, "parts": [proved(own)]}}
     with pytest.raises(Rejected, match="nests too deeply"):
         check(inside)
 
@@ -344,7 +348,7 @@ def test_vacuous_parts_are_said() -> None:
     nothing = {**PARTS, "parts": [empty, empty]}
     with pytest.raises(Rejected, match="all parts are vacuous"):
         check(certificate(row, statement=f"every{{{first}; {first}}}", evidence=nothing))
-    with pytest.raises(Rejected, match="braces of the statement do not match"):
+    with pytest.raises(Rejected, match=r"brackets of .* do not match"):
         check(certificate(row, statement="every{q == q; every{q == q}"))
     everywhere = check(certificate(row_of("basis{2; 1,2; 3,7}", None)))
     assert everywhere.where == "over all commutative rings"
@@ -368,3 +372,91 @@ def test_the_evidence_is_named() -> None:
     ):
         with pytest.raises(Rejected, match=said):
             check(certificate(row, evidence={**row[5], "value": value}))
+
+
+LATTICE = " | ".join(",".join(str(int(m == n)) for n in range(4)) for m in range(4))
+NONSENSE = (
+    *("hello", "s +", "sqrt(2) == s", "x[0] == y(q)", "every{q == q; q}"),
+    *("over{QQ; sqrt(2) == s}", "citing{choice; q == q}", "angles{q == q; I == s}"),
+    *("not-everywhere{sqrt(2) == s}", "associative(i, j): i == j => j == i"),
+    *("division{2}", "level-above", "level-above{two}", "norm-criterion{>=}", "modulus-law{/}"),
+    *("centre{-2}", "basis{2}", "basis{2; 1,x}", "determined-by{some; 1}", "determined-by{all; 5}"),
+    *(
+        "curried-linear{2}",
+        "last-argument{6; 1}",
+        "last-argument{4; 1.5}",
+        f"order{{{LATTICE}; a}}",
+    ),
+    *(
+        f"order{{{LATTICE}}}",
+        f"embedding{{{LATTICE[1:]}; -4}}",
+        f"equivalent{{up; {LATTICE}; {LATTICE}}}",
+    ),
+)
+
+
+@pytest.mark.parametrize("nonsense", NONSENSE)
+def test_every_part_has_a_meaning(nonsense: str) -> None:
+    """Also a part that the evidence is not about."""
+    never = {"kind": "part", "part": 0, "evidence": at({}, "QQ")}
+    first = "1 == 2"
+    for word, verdict, evidence in (
+        ("every", "refuted", never),
+        ("implies", "vacuous", {"kind": "hypothesis", "evidence": at({}, "QQ")}),
+    ):
+        row = (f"{word}{{{first}; q == q}}", "QQ", verdict, "identity", None, evidence, "field")
+        assert check(certificate(row)).verdict == verdict
+        with pytest.raises(Rejected):
+            check(certificate(row, statement=f"{word}{{{first}; {nonsense}}}"))
+    row = ("implies{q == q; q == q}", "QQ", "proved", "identity", None, {}, "field")
+    found = check(certificate(row, evidence={"kind": "conclusion", "evidence": IDENTITY}))
+    assert found.left_out == ("q == q (whether it holds)",)
+    with pytest.raises(Rejected):
+        check(
+            certificate(
+                row,
+                statement=f"implies{{{nonsense}; q == q}}",
+                evidence={"kind": "conclusion", "evidence": IDENTITY},
+            )
+        )
+
+
+def test_what_speaks_of_one_ring_may_name_its_elements() -> None:
+    """Also where it stands in a statement on all fields, which one field refutes."""
+    for statement, evidence in (
+        ("angles{1 == 1; sqrt(2) == 1}", {"kind": "part", "part": 1, "evidence": at({}, "RR")}),
+        ("iff{over{RR; sqrt(2)**2 == 2}; 1 == 2}", both(proved(IDENTITY), refuted(at({}, "RR")))),
+    ):
+        cites = CIRCLE if "angles" in statement else None
+        row = (statement, None, "refuted", "identity", cites, over("RR", evidence), "field")
+        assert check(certificate(row)).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("part", "field"),
+    [("not-everywhere{I == 0}", "QQ(I)"), (f"order{{{LATTICE}; 4}}", "GF(3)"), ("x*x == y", None)],
+)
+def test_a_part_has_a_meaning_over_the_field(part: str, field: str | None) -> None:
+    evidence = {"kind": "part", "part": 0, "evidence": at({}, field or "QQ")}
+    row = (f"every{{1 == 2; {part}}}", field, "refuted", "identity", None, evidence, "field")
+    if field is None:
+        assert check(certificate(row)).verdict == "refuted"
+    else:
+        with pytest.raises(Rejected):
+            check(certificate(row))
+
+
+def test_what_names_elements_of_one_field_says_nothing_of_all() -> None:
+    evidence = {"kind": "part", "part": 0, "evidence": at({}, "QQ(I)")}
+    row = ("every{1 == 2; q == q}", None, "refuted", "identity", None, evidence, "field")
+    assert check(certificate(row)).verdict == "refuted"
+    with pytest.raises(Rejected, match="means nothing"):
+        check(certificate(row, statement="every{1 == 2; I*I == -1}"))
+
+
+def test_over_one_field_the_centre_is_that_of_its_characteristic() -> None:
+    for field, other in (("QQ", "2 the centre is H(F)"), ("GF(4)", "not 2 the centre is F·e")):
+        found = check(certificate(row_of("centre{2}", field)))
+        assert found.left_out == (f"in characteristic {other}",)
+        assert f"left out: in characteristic {other}" in found.lines()
+    assert check(certificate(row_of("centre{2}", None))).left_out == ()

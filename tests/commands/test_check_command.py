@@ -120,7 +120,7 @@ def test_the_whole_statement_is_shown(tmp_path: Path, capsys: pytest.CaptureFixt
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].endswith(": proved over QQ")
     assert "  statement: p*q == q*p or 0 == 0" in lines
-    assert {"  field: QQ", "  algebra: (-1,-1|QQ)"} <= set(lines)
+    assert {"  field: QQ, the rational numbers", "  algebra: (-1,-1|QQ)"} <= set(lines)
 
 
 def test_a_file_of_many_is_checked_line_by_line(
@@ -139,7 +139,50 @@ def test_a_file_of_many_is_checked_line_by_line(
         stream.write(json.dumps(two | {"verdict": "refuted"}) + "\n")
     assert main(["check", str(many), "--format", "csv"]) == 1
     assert "many.jsonl:4,false," in capsys.readouterr().out
-    assert main(["check", str(many), "--coq"]) == 2
-    assert "one certificate each" in capsys.readouterr().err
     assert main(["check", str(tmp_path / "absent.jsonl")]) == 2
     assert "absent.jsonl" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("field", "words"),
+    [
+        ("QQ(p)", "QQ(p), the rational functions in p over ℚ"),
+        ("QQ(zeta_8)", "QQ(zeta8), the field of ζ₈ over ℚ"),
+        ("QQ(sqrt2)", "QQ(sqrt(2)), the field of sqrt(2) over ℚ"),
+        ("GF(3)(t)_t", "GF(3)((t)), the completion of GF(3)(t) at t = 0, the Laurent series"),
+        ("Frac(QQ[sqrt2])", "Frac(QQ[sqrt2]), the rational functions in sqrt2 over ℚ"),
+    ],
+)
+def test_fields_are_said_in_words(
+    field: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path, "s*q == q*s", "--field", field)
+    assert words.partition(",")[0] in capsys.readouterr().out
+    assert main(["check", path]) == 0
+    assert f"  field: {words}" in capsys.readouterr().out.splitlines()
+
+
+def test_an_unknown_of_a_pin_is_no_element_of_the_field(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path, "p*q == q*p", "--field", "QQ(p)")
+    assert main(["check", path]) == 0
+    for pin in (["--statement", "p*q == q*p", "--field", "QQ(p)"], ["--claim", "C1.3.1-p"]):
+        assert main(["check", path, *pin]) == 1, pin
+    assert "p is an unknown of the statement, and an element of QQ(p)" in capsys.readouterr().out
+    path = written(tmp_path, "x*q == q*x", "--field", "QQ(x)")
+    assert main(["check", path, "--statement", "x*q == q*x", "--field", "QQ(x)"]) == 0
+    assert "over QQ(x), rational functions in x over ℚ" in capsys.readouterr().err
+
+
+def test_a_claim_without_a_field_says_where_that_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    directory = tmp_path / "certificates"
+    main(["verify", "C1-a", "--field", "GF(4)", "--certificates", str(directory)])
+    (path,) = map(str, directory.iterdir())
+    capsys.readouterr()
+    assert main(["check", "--claim", "C1-a", path]) == 0
+    told = capsys.readouterr()
+    assert "claim C1-a over any field: each certificate says below over which" in told.err
+    assert "  field: GF(4), the field with 4 elements, x a root of x^2+x+1" in told.out

@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 
 from hfield import QuaternionAlgebra, census
+from hfield.commands import orders
 from hfield.commands.brandt import polynomial
 from hfield.commands.survey import numbers
 from tests.commands.running import page, run
@@ -89,6 +90,14 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["classes", str(2**61 - 1)], "Eichler's formula"),
         (["brandt", "37", "--prime", "x"], "expected a positive number, a prime"),
         (["brandt", "37", "0"], "positive integer"),
+        (
+            ["brandt", "1000003"],
+            "83334 classes, by Eichler's formula, so the matrix has 6944555556 entries",
+        ),
+        (
+            ["brandt", "1000003", "--prime", "4", "--format", "edges"],
+            "--format edges, with a prime",
+        ),
         (["survey", "4"], "no pair"),
         (["survey", "5..2"], "ascending"),
         (["survey", "2..x"], "2..100"),
@@ -102,6 +111,49 @@ def test_bad_input(capsys, words, hint):
     assert hint in err
     assert err.startswith("hfield: error: ")
     assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "seconds", "said"),
+    [
+        (["classes", "1019"], 1e-3, "86 classes, by Eichler's formula, and this takes about"),
+        (["classes", "1019"], 10, ""),
+        (
+            ["brandt", "1019"],
+            1e-3,
+            "--format edges, with a prime, writes only the entries that are not 0",
+        ),
+        (["brandt", "1019", "--format", "edges"], 1e-3, "hfield classes --formula counts them"),
+    ],
+)
+def test_long_enumerations_are_announced(capsys, monkeypatch, words, seconds, said):
+    monkeypatch.setattr(orders, "PATIENCE", seconds)
+    status, _, err = run(capsys, *words)
+    assert status == 0
+    assert (said in " ".join(err.split())) if said else err == ""
+
+
+def test_how_long_enumerations_are_said_to_take(capsys):
+    for seconds, said in (
+        (30, "30 seconds"),
+        (200, "3 minutes"),
+        (1e4, "3 hours"),
+        (1e7, "116 days"),
+    ):
+        orders.announce(83334, seconds, "--formula enumerates none")
+        assert f"takes about {said}; --formula" in " ".join(capsys.readouterr().err.split())
+
+
+@pytest.mark.parametrize("level", ["1", "3", "9"])
+@pytest.mark.parametrize("prime", ["2", "3"])
+def test_edges_are_the_entries_of_the_matrix(capsys, level, prime):
+    """They come from the neighbours, without the matrix."""
+    edges = page(capsys, "brandt", "37", level, "--prime", prime, "--format", "edges").split("\n")
+    matrix = json.loads(page(capsys, "brandt", "37", level, "--prime", prime, "--format", "json"))[
+        "matrix"
+    ]
+    rows = [f"{i} {j} {m}" for i, row in enumerate(matrix) for j, m in enumerate(row) if m]
+    assert [line for line in edges if line] == rows
 
 
 def test_certificates(capsys, tmp_path):

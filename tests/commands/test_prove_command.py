@@ -85,9 +85,9 @@ def test_a_certificate_is_written(capsys, tmp_path):
     status, data = answer(capsys, *words)
     assert (status, data["certificate"]) == (0, str(target))
     certificate = json.loads(target.read_text("utf-8"))
-    keys = {"schema", "statement", "algebra", "field", "verdict", "method", "assumes", "evidence"}
-    assert set(certificate) == keys
-    assert certificate["schema"] == "hfield-cert/1"
+    keys = {"schema", "statement", "algebra", "field", "ring", "verdict", "method", "assumes"}
+    assert set(certificate) == {*keys, "evidence"}
+    assert certificate["schema"] == "hfield-cert/2"
 
 
 def test_equality_may_be_written_as_it_is_printed(capsys):

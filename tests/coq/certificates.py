@@ -16,6 +16,7 @@ from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.registry import find
 from hfield.proving.prove import prove
 from hfield.rings import ring
+from tests.certificates.cases import about_field, certified
 
 # Statements, fields, algebras: one of every kind that is translated.
 TRUE = {
@@ -36,6 +37,7 @@ TRUE = {
     "norms": ("p*q == 0 => norm(p) == 0 or norm(q) == 0", None, None),
     "half": ("2 != 0 => 0.5*q + 0.5*q == q", None, None),
     "equivalent": ("p*q == q*p <=> 2 == 0 or p*q == q*p", None, None),
+    "either way": ("s*x == 1 => (s*y == 0 <=> y == 0)", None, None),
     "rotation": ("norm(q) == 1 => norm(q*p*conj(q)) == norm(p)", None, None),
     "commute": ("p*q == q*p", None, None),
     "commute over QQ": ("p*q == q*p", "QQ", None),
@@ -50,9 +52,13 @@ TRUE = {
     "ring of integers": ("norm(p*q) == norm(p)*norm(q)", "ZZ", None),
     "residues": ("(p + q)*(p - q) == p*p - p*q + q*p - q*q", "ZZ/6", None),
     "residues divide": ("s*y == 0 => s == 0 or y == 0", "ZZ/6", None),
+    "a field of residues": ("s*y == 0 => s == 0 or y == 0", "ZZ/101", None),
+    "Fermat for residues": ("s**3 == s", "ZZ/3", None),
+    "a large field of residues": ("s*s == s => s == 0 or s == 1", "ZZ/1009", None),
     "Fermat": ("s**3 == s", "GF(3)", None),
     "Fermat and more": ("(s*y)**5 == s*y", "GF(5)", None),
     "all cases": ("s*s == 2 => s == 3 or s == 4", "GF(7)", None),
+    "many cases": ("2*s == 0 => s == 0", "ZZ/501", None),
     "small ring": ("s**3 == s", "ZZ/6", None),
     "prime": ("p**3 == p => p == 0 or norm(p) != 7", "GF(1000003)", None),
     "large prime": ("7*s == 0 => s == 0", "GF(1000003)", None),
@@ -99,16 +105,32 @@ def _multilinear(text, field, value):
     for word in map("".join, product("eijk", repeat=2)):
         found = value(*(basis[letter] for letter in word))
         tuples.append([word, [int(c) for c in found.coordinates]])
-    return {
-        "schema": "hfield-cert/1",
-        "statement": text,
-        "algebra": f"(-1,-1|{field or 'F'})",
-        "field": field,
-        "verdict": "proved",
-        "method": "multilinear",
-        "assumes": [],
-        "evidence": {"kind": "multilinear", "unknowns": ["p", "q"], "tuples": tuples},
-    }
+    evidence = {"kind": "multilinear", "unknowns": ["p", "q"], "tuples": tuples}
+    return certified(text, field, "multilinear", evidence)
+
+
+_VACUOUS_PART = {
+    "schema": "hfield-cert/1",
+    "statement": "every{e*q == q; implies{norm(i) == 2; p*q == q*p}}",
+    "algebra": "(-1,-1|QQ)",
+    "field": "QQ",
+    "verdict": "proved",
+    "method": "identity",
+    "assumes": [],
+    "evidence": {
+        "kind": "parts",
+        "parts": [
+            {"verdict": "proved", "evidence": {"kind": "identity"}},
+            {
+                "verdict": "vacuous",
+                "evidence": {
+                    "kind": "hypothesis",
+                    "evidence": {"kind": "witness", "field": "QQ", "values": {}},
+                },
+            },
+        ],
+    },
+}
 
 
 @cache
@@ -119,6 +141,7 @@ def _true():
         _multilinear("trace(p*q) == trace(q*p)", "GF(3)", lambda p, q: 0 * p + (p * q).trace()),
     ]
     found["tuples"], found["tuples over GF(3)"] = map(json.dumps, own)
+    found["a vacuous part"] = json.dumps(_VACUOUS_PART)
     for name, (statement, field, algebra) in TRUE.items():
         certificate = prove(statement, field, algebra=algebra).certificate
         if certificate is not None:
@@ -137,6 +160,8 @@ def forged_certificates():
 
     def forge(name, of, **changes):
         data = copy.deepcopy(true[of])
+        if "field" in changes:
+            data = about_field(data, changes.pop("field"))
         for key, value in changes.items():
             if callable(value):
                 value(data["evidence"])
@@ -145,7 +170,6 @@ def forged_certificates():
         assert data != true[of]
         out[name] = data
 
-    H = "(-1,-1|F)"
     # Another statement than the evidence is for.
     forge("anticommute", "associative", statement="(p*q)*r == p*(r*q)")
     forge("conjugate in order", "conjugate", statement="conj(p*q) == conj(p)*conj(q)")
@@ -165,11 +189,14 @@ def forged_certificates():
     forge("left factor", "norms", statement="p*q == 0 => norm(p) == 0")
     forge("third", "half", statement="2 != 0 => 0.5*q + 0.25*q == q")
     forge("not half", "half", statement="0.5*q + 0.5*q == q")
+    forge("one way", "either way", statement="s*x == 1 => (s*y == 0 <=> x == 0)")
     forge("not a unit", "rotation", statement="norm(q) == 2 => norm(q*p*conj(q)) == norm(p)")
     forge("residues commute", "residues", statement="(p + q)*(p - q) == p*p - q*q")
+    forge("no field of residues", "a field of residues", field="ZZ/6", algebra="(-1,-1|ZZ/6)")
     forge("not Fermat", "Fermat", statement="s**2 == s")
     forge("not Fermat either", "Fermat and more", statement="(s*y)**4 == s*y")
     forge("wrong roots", "all cases", statement="s*s == 2 => s == 3 or s == 5")
+    forge("not all cases", "many cases", statement="3*s == 0 => s == 0")
     forge("cube", "small ring", statement="s**2 == s")
     forge("no trace", "trace", statement="q**2 + trace(q)*q + norm(q) == 0")
     forge("inverse of anything", "inverse exists", statement="exists q: p*q == e")
@@ -192,6 +219,11 @@ def forged_certificates():
             "every{", "every{p*q == q*p; "
         ),
     )
+    forge(
+        "a part that is not vacuous",
+        "a vacuous part",
+        statement="every{e*q == q; implies{norm(i) == 1; p*q == q*p}}",
+    )
     forge("neither", "both or none", statement="iff{p*q == q*p; 2 == 2}")
     forge(
         "a harmless circle",
@@ -200,14 +232,14 @@ def forged_certificates():
     )
     forge("tuples in order", "tuples", statement="conj(p*q) == conj(p)*conj(q)")
     # Another field, another algebra.
-    forge("Fermat everywhere", "Fermat", field=None, algebra=H)
-    forge("Fermat elsewhere", "Fermat", field="GF(5)", algebra="(-1,-1|GF(5))")
-    forge("definite over GF(5)", "definite", field="GF(5)", algebra="(-1,-1|GF(5))")
-    forge("definite everywhere", "definite", field=None, algebra=H)
+    forge("Fermat everywhere", "Fermat", field=None)
+    forge("Fermat elsewhere", "Fermat", field="GF(5)")
+    forge("definite over GF(5)", "definite", field="GF(5)")
+    forge("definite everywhere", "definite", field=None)
     forge("a split algebra", "definite", algebra="(1,-1|QQ)")
     forge("an indefinite algebra", "definite algebra", algebra="(2,-3|QQ)")
     forge("no field", "residues divide", verdict="proved", evidence={"kind": "identity"})
-    forge("characteristic 7", "large prime", field="GF(7)", algebra="(-1,-1|GF(7))")
+    forge("characteristic 7", "large prime", field="GF(7)")
     forge("integers divide", "integers", statement="2*s == y => s == 0")
     # Another verdict.
     forge("commute indeed", "commute over QQ", verdict="proved", evidence={"kind": "identity"})

@@ -25,6 +25,6 @@ def reject_each(coq, theorems):
     parts = done.stdout.split("@@ ")[1:]
     assert len(parts) == len(theorems), done.stderr
     return [
-        coq.reject([one]) is not None if one.place else CLOSED not in part
+        bool(coq.judge([one]).rejected) if one.place else CLOSED not in part
         for one, part in zip(theorems, parts, strict=True)
     ]

@@ -12,7 +12,7 @@ import pytest
 from hfield.commands import check, second_judge
 from hfield.commands.parser import Parser
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.coqc import Coqc
+from hfield.coq.coqc import Coqc, NotJudgedError
 from hfield.coq.export import export_certificates, export_statements
 from hfield.coq.ledger import export_ledger
 from hfield.coq.sentences import Proved
@@ -56,8 +56,8 @@ def test_the_ledger_and_certificates_hold_without_axioms_in_a_file_that_stands_a
 
 def test_certificates_of_every_kind_hold(coq):
     theorems = [theorem(name_of(name), data) for name, data in true_certificates().items()]
-    assert len(theorems) == len(TRUE) + len(LEDGER) + 2 > 50
-    assert coq.reject(theorems) is None
+    assert len(theorems) == len(TRUE) + len(LEDGER) + 3 > 50
+    assert len(coq.judge(theorems).propositions) == len(theorems)
     kinds = {data["evidence"]["kind"] for data in true_certificates().values()}
     assert {"identity", "implication", "witness", "exhaustion", "terms"} <= kinds
     assert {
@@ -89,7 +89,7 @@ def test_every_forged_certificate_is_rejected(coq):
     verdicts = dict(zip(mixed, reject_each(coq, mixed), strict=True))
     assert [t.name for t, rejected in verdicts.items() if rejected != (t in left)] == []
     for one in left[::8]:  # and in a file of its own the computation is what fails
-        assert 'has type "true = true"' in coq.reject([one])
+        assert 'has type "true = true"' in coq.judge([one]).rejected
 
 
 def test_spoilt_twins_are_rejected(coq):
@@ -110,18 +110,20 @@ def test_spoilt_twins_are_rejected(coq):
 def test_an_axiom_would_be_seen(coq):
     before = ("Axiom nothing : False.",)
     assumed = Theorem("t", "", Proved("0 = 1 :> Z", ("elim nothing.",), before))
-    assert "nothing" in coq.reject([assumed])
+    with pytest.raises(NotJudgedError, match="rests on: Axioms: nothing : False"):
+        coq.judge([assumed])
     assert reject_each(coq, [assumed]) == [True]
     admitted = Theorem("u", "", Proved("0 = 1 :> Z", ("admit.",)))
-    assert coq.reject([admitted]) is not None
+    with pytest.raises(NotJudgedError, match="given up goals"):
+        coq.judge([admitted])
 
 
 def test_wrong_statements_about_the_same_evidence_do_not_compile(coq):
     (right,) = export_statements(["conj(p*q) == conj(q)*conj(p)"]).theorems
     text = right.proved.text.replace("conj H q [*H] conj H p", "conj H p [*H] conj H q")
     assert text != right.proved.text
-    said = coq.reject([replace(right, proved=replace(right.proved, text=text))])
-    assert said.endswith('and "conj H (x0 [*H] x1) = conj H x0 [*H] conj H x1").')
+    with pytest.raises(NotJudgedError, match=r'and "conj H \(x0 \[\*H\] x1\) = conj H x0'):
+        coq.judge([replace(right, proved=replace(right.proved, text=text))])
 
 
 @pytest.fixture
@@ -138,12 +140,15 @@ def run(tmp_path, capsys):
 
 
 def test_check_asks_coq_too(run, coq, monkeypatch):
-    monkeypatch.setattr("hfield.coq.coqc.Coqc", lambda: nullcontext(coq))  # it has its library
-    status, out = run(true_certificates()["commute"])
+    monkeypatch.setattr("hfield.coq.coqc.Coqc", lambda *_: nullcontext(coq))  # it has its library
+    status, out = run(true_certificates()["commute over QQ"])
     assert status == 0
     assert "Coq: accepted: a theorem without axioms" in out
-    status, out = run(true_certificates()["commute"], "--format", "json")
-    assert json.loads(out)["results"][0]["coq"]["verdict"] == "accepted"
+    assert "Coq's theorem: ~ (forall p q : quaternion Qc, p [*H] q = q [*H] p)" in out
+    status, out = run(true_certificates()["both or none"], "--format", "json")
+    said = json.loads(out)["results"][0]["coq"]
+    assert said["verdict"] == "accepted"
+    assert said["proposition"].endswith("<-> num 2 = 0 :> GF 13")  # nothing else tells the ring
 
 
 def test_check_says_what_is_not_covered(run):

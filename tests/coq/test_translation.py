@@ -9,6 +9,8 @@ from hfield.coq.terms import NotCoveredError
 from hfield.coq.theorem import comment_text, theorem
 from hfield.errors import HFieldError, NotationError
 from hfield.proving.prove import prove
+from tests.certificates.cases import about_field
+from tests.coq.certificates import true_certificates
 
 
 def one(statement, algebra=None):
@@ -64,6 +66,7 @@ def test_a_comparison_that_divides_says_that_it_may():
 def test_negation_and_choice_need_a_field():
     assert one("s*y == 0 => s == 0 or y == 0").text.startswith(FIELDS.opening)
     assert one("p == q or p == -q => p*p == q*q").text.startswith(RINGS.opening)
+    assert one("s == 0 => (y == s <=> y == 0)").text.startswith(RINGS.opening)
     assert "(~ (s = 0 /\\ y = 0)) -> s <> 0 \\/ y <> 0" in one(
         "not (s == 0 and y == 0) => s != 0 or y != 0"
     ).text.replace("\n  ", " ")
@@ -130,6 +133,7 @@ def test_what_is_refuted_becomes_a_negation():
         ("p*q == q*p", None, "refuted, so this is no theorem"),
         ("norm(q) == 0 => q == 0", "QQ(sqrt(2))", "the field QQ(sqrt(2)): Coq has ZZ, QQ"),
         ("x**2 == -1 => x + x == 2*x", "GF(9)", "the field GF(9)"),
+        ("i == i*k => q != s*q => e == k", "ZZ/4", "'not' or '!=' over ZZ/4"),
         ("((((q**3)**3)**3)*p)*r == (((q**3)**3)**3)*(p*r)", None, "too large to unfold"),
         ("s**501 == s*s**500", None, "the exponent 501 is larger than 500"),
         ("s + 7**1000 == 7**1000 + s", None, "the exponent 1000 is larger than 500"),
@@ -141,6 +145,20 @@ def test_what_is_left_out_says_why(statement, field, reason):
     assert not export.theorems
     assert reason in export.left[0].reason
     assert f"(* Not in this file:\n   statement_1: {statement[:20]}" in export.text
+
+
+def test_a_part_that_is_vacuous_says_what_it_says():
+    text = theorem("t", true_certificates()["a vacuous part"]).text.replace("\n  ", " ")
+    assert text.endswith(
+        "((norm H i = num 2 :> Qc) -> forall (p q : quaternion Qc), p [*H] q = q [*H] p)"
+    )
+
+
+def test_that_nothing_exists_is_not_said_where_constants_divide():
+    data = prove("exists q: norm(p) == 3*s and comm(q, e) != 0", algebra="(0.5,3|F)").certificate
+    assert data["verdict"] == "refuted"
+    with pytest.raises(NotCoveredError, match="structure constants divide"):
+        theorem("t", data)
 
 
 def test_a_session_keeps_its_order():
@@ -158,6 +176,7 @@ def test_unreadable_statements_are_errors():
 
 def test_comments_cannot_be_closed_from_inside():
     assert comment_text('a (* b *) "c"') == "a ( * b * ) 'c'"
+    assert comment_text("a\u202eb\0\ud800\nc") == "a?b??\nc"  # nothing that turns the text around
     assert Export(()).text.count("(*") == Export(()).text.count("*)")
 
 
@@ -170,10 +189,16 @@ def test_evidence_is_written_out():
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"schema": "hfield-cert/2"}, "this is no certificate"),
+        ({"schema": "hfield-cert/3"}, "this is no certificate"),
         ({"more": 1}, "this is no certificate"),
         ({"verdict": "certain"}, "there is no verdict"),
-        ({"field": "GF(3)"}, "the algebra"),
+        ({"field": "GF(3)"}, "the algebra and the field do not agree"),
+        (
+            {"field": "GF(3)", "algebra": "(-1,-1|GF(3))"},
+            "the data of a ring are not those of its name",
+        ),
+        ({"ring": {"kind": "rationals"}}, "the data of a ring are not those of its name"),
+        (about_field({"algebra": "(-1,-1|F)"}, "GF(3)") | {"algebra": "(-1,-1|F)"}, "the algebra"),
         ({"evidence": {"kind": "implication"}}, "not of the form"),
         ({"evidence": {"kind": "implication", "facts": [], "items": [{}]}}, "not of the form"),
         ({"evidence": []}, "not of the form"),

@@ -1,5 +1,6 @@
 """Ideals: generators, arithmetic, given norms, two-sided ones, equivalence, connecting ideals."""
 
+import itertools
 import math
 import pickle
 from random import Random
@@ -76,6 +77,52 @@ def test_ideals_of_prime_power_norm_at_the_level() -> None:
         assert {sum(row) for row in by_theta_series(O.class_set(), n)} == {len(found)}
     P = A.eichler_order(9).two_sided_prime(3)
     assert P.hnf in {I.hnf for I in A.eichler_order(9).ideals_of_norm(9)}
+
+
+def right_ideals_of_norm(O, p):
+    """The invertible ones among all lattices between O and p·O, of index p²."""
+    found = set()
+    for u, v in itertools.combinations(itertools.product(range(p), repeat=4), 2):
+        plane = [
+            sum((b * c for b, c in zip(O.basis, w, strict=True)), O.algebra(0)) for w in (u, v)
+        ]
+        J = O.algebra.lattice([*plane, *(b * p for b in O.basis)])
+        if J.hnf not in found and O.index(J) == p * p and J * O == J:
+            I = O.right_ideal(J.basis)
+            if I.is_invertible() and I.norm() == p and I.right_order() == O:
+                found.add(J.hnf)
+    return found
+
+
+@pytest.mark.parametrize(("p", "count"), [(2, 12), (3, 2)])
+def test_ideals_of_orders_that_are_no_eichler_orders(p, count) -> None:
+    rng = Random(3)
+    while count:
+        A = algebra(rng, size=8)
+        M = A.maximal_order()
+        x = sum((b * rng.randint(-2, 2) for b in M.basis), A(0))
+        O = A.order([*(b * rng.choice((1, p)) for b in M.basis), *([x] if count % 2 else [])])
+        if O.is_eichler() or O.level % p:
+            continue
+        count -= 1
+        assert {I.hnf for I in O.ideals_of_norm(p, "right")} == right_ideals_of_norm(O, p)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 6, 8, 9])
+def test_brandt_matrices_count_them(n) -> None:
+    A = QuaternionAlgebra("QQ", -1, -7)
+    M = A.maximal_order()
+    for O in (A.lipschitz_order(), A.order([2 * b for b in M.basis]), A.order([3 * b for b in M.basis]),
+              A.order([M.basis[1], *(4 * b for b in M.basis)]),
+              A.order([7 * b for b in M.basis])):  # fmt: skip
+        found = O.ideals_of_norm(n, "right")
+        assert len({I.hnf for I in found}) == len(found)
+        assert {sum(row) for row in O.class_set().brandt_matrix(n)} == {len(found)}
+        for I in found[::7]:
+            assert I <= O
+            assert I.norm() == n
+            assert I.is_invertible()
+            assert I.right_order() == O
 
 
 def test_generators() -> None:

@@ -181,6 +181,22 @@ def test_klpt(p, prime) -> None:
         assert e * math.log2(prime) < 3.2 * math.log2(p) + 60
 
 
+@pytest.mark.parametrize(
+    ("p", "n", "prime"),
+    [(716897, 2, 3), (716897, 7, 2), (716897, 7, 7), (905909, 2, 3), (882788248245247, 272, 17),
+     (13029726666197949709, 2, 2), (2, 3, 5), (3, 2, 2), (5, 13, 2), (7, 6, 11)],
+)  # fmt: skip
+def test_klpt_of_small_norms(p, n, prime) -> None:
+    """All short elements of such an ideal may lie in a plane, in which no norm is prime."""
+    O = prime_algebra(p).extremal_order()
+    for seed in range(4):
+        I = O.random_ideal(n, seed=seed)
+        J, c, e = I.equivalent_of_power_norm(prime, seed=seed)
+        assert I * c == J
+        assert J.norm() == prime**e
+        assert J.left_order() == O
+
+
 def test_klpt_of_principal_ideals_and_of_wrong_orders() -> None:
     O = prime_algebra(10007).extremal_order()
     for x in (O.basis[1] * 3 + 1, O.represent_integer(10**9 + 7)):

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from hfield.certificates.evidence.exhaustion import truth_at
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.statement import read_setting as setting_of_checker
 from hfield.certificates.statement import read_statement as statement_of_checker
 from hfield.certificates.values import read_values
@@ -52,8 +52,8 @@ def agree(problem: Problem, scalars: Any, elements: Sequence[Any]) -> int:
     """Compare at some places; return at how many of them the algebra exists."""
     ring = problem.ring
     searcher = Searcher(problem, scalars, True)
-    field, exist = read_field(ring.name), 0
-    setting = setting_of_checker(problem.setting.algebra, ring.name)
+    field, exist = read_ring(ring.data), 0
+    setting = setting_of_checker(problem.setting.algebra, field)
     statement = statement_of_checker(problem.statement.text, setting)
     for place in places(problem, elements, random.Random(problem.statement.text)):
         texts = witness_texts(ring, {n: _lifted(ring, x) for n, x in place.items()})

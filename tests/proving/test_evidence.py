@@ -102,7 +102,8 @@ def test_facts_are_named_where_rules_are_used():
     evidence = prove("norm(q) == 0 => q == 0", "QQ(sqrt(-7))").certificate["evidence"]
     assert [(f["form"], f["by"]) for f in evidence["facts"]] == [("norm", "level")]
     evidence = prove("norm(q) == 0 => q == 0", algebra="(2,3|QQ)").certificate["evidence"]
-    assert (evidence["facts"][0]["by"], evidence["facts"][0]["place"]) == ("place", "2")
+    fact = evidence["facts"][0]
+    assert (fact["by"], fact["place"]) == ("place", {"kind": "number", "n": 2})
 
 
 def test_kinds_of_evidence():

@@ -37,6 +37,7 @@ LINEAR = [
     ("exists u: q*u == -u*q and u != 0", "QQ", "refuted"),
     ("trace(q) == 0 => (exists u: q*u == -u*q and u != 0)", "QQ", "proved"),
     ("exists u: trace(u) == s", None, "refuted"),
+    ("exists p, s: norm((q/s)*(q/p[1])) == 0", None, "refuted"),  # named in another order than used
     ("exists u: trace(u) == s", "QQ(x)", "proved"),
     ("exists u, v: u + v == p and u - v == q", "QQ", "proved"),
     ("exists u, v: u + v == p and u - v == q", None, "refuted"),

@@ -13,6 +13,7 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.rings.roots import residue_roots
+from tests.certificates.cases import certified
 
 P = 2**64 - 59  # a prime, 5 modulo 8, and 2 modulo 3
 N = 2**64 - 2
@@ -118,19 +119,9 @@ def test_forged_quaternion_roots() -> None:
     ]
     theorem = decide("exists q: q*q == p", "RR").assumes
     for text, field, algebra in forged:
+        data = certified(text, field, "witness", {"kind": "quaternion root"}, algebra)
         with pytest.raises(Rejected):
-            check(
-                {
-                    "schema": "hfield-cert/1",
-                    "statement": text,
-                    "algebra": algebra,
-                    "field": field,
-                    "verdict": "proved",
-                    "method": "witness",
-                    "assumes": list(theorem),
-                    "evidence": {"kind": "quaternion root"},
-                }
-            )
+            check({**data, "assumes": list(theorem)})
 
 
 @pytest.mark.parametrize("seed", range(12))

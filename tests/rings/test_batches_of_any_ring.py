@@ -1,13 +1,16 @@
 """What holds elements and arrays of any ring, as they are, against the table of products."""
 
+import pickle
+from contextlib import suppress
 from itertools import product
 from random import Random
 
 import numpy as np
 import pytest
 
-from hfield import QuaternionAlgebra, ring
+from hfield import H, Quaternion, QuaternionAlgebra, ring
 from hfield.errors import CoercionError, HFieldError
+from hfield.kernels import memory
 from hfield.product import Constants
 from hfield.rings.arrays import check_shapes, objects, one_shape
 from hfield.rings.holding import Batch, Holding
@@ -212,3 +215,71 @@ def test_arrays_of_an_algebra_without_a_form_of_integers() -> None:
     H = QuaternionAlgebra(ring("QQ[x]"), -1, -1)
     with pytest.raises(HFieldError):
         H([[1, 2, 3, 4], [1, 2, 3]])
+
+
+VALUES = (
+    *("GF(2)", "GF(7)", "GF(9)", "GF(2^8)", "GF(3^5)", "GF(3^11)", "GF(2^40)", "GF(4294967291)"),
+    *("GF(10000000000000061)", "ZZ", "QQ", "ZZ/6", "RDF", "RR", "QQ(sqrt(2))", "QQ[x]"),
+)
+
+
+def spoilt(*arrays):
+    """Write to arrays, whatever their flags say, and tell whether that could be done."""
+    done = []
+    for array in arrays:
+        with suppress(ValueError):
+            array.flags.writeable = True
+        with suppress(ValueError):
+            array[...] = array.flat[-1]
+            done.append(array)
+    return bool(done)
+
+
+@pytest.mark.parametrize("name", VALUES)
+def test_nothing_that_a_caller_holds_changes_an_element(name: str) -> None:
+    A = H(name)
+    p = A([[0, 1, 2], [1, 0, 5]], 1, [3, 0, 1], 1)
+    shown = str(p)
+    handed_out = (p, p[0], p.reshape(6), +p, p**1, p + 0, *p)
+    for q in (*handed_out, pickle.loads(pickle.dumps(p)), p.conjugate(), p * p):
+        before = str(q)
+        assert not spoilt(*q.coordinates, *q.vector_part.coordinates, q.scalar_part)
+        assert (str(q), str(p)) == (before, shown)
+    spoilt(p.norm(), p.trace(), p.units(), p.is_zero(), p == p)
+    assert str(p) == shown
+
+    taken = [np.array(c, subok=True) for c in p.coordinates]
+    whole = [np.array([[0, 1, 1]], kind) for kind in (np.int64, np.uint8, np.int8, np.int64)]
+    for values in (taken, whole):
+        for q in (A(*values), A(tuple(values)), A.scalar(values[0])):
+            before = str(q)
+            assert str(Quaternion(A, q.coordinates)) == before
+            own = [np.array(c, subok=True) for c in q.coordinates]
+            other = Quaternion(A, (own[0], own[1], own[2], own[3]))
+            kept = [v.copy() for v in values]
+            assert spoilt(*own, *values)
+            assert (str(q), str(other)) == (before, before)
+            for v, k in zip(values, kept, strict=True):
+                v[...] = k
+
+
+@pytest.mark.parametrize("name", ["GF(7)", "GF(9)", "ZZ/6", "ZZ", "QQ"])
+@pytest.mark.parametrize("size", [3, 4000])
+def test_arrays_of_integers_are_copied(
+    name: str, size: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(memory, "LARGE", 1000)  # where memory is handed on
+    A = H(name)
+    p = A(np.arange(size) % 5, 1, 2, 0)
+    for q in (p, p * p):
+        assert not spoilt(q.to_array(), q[1:].to_array())
+    assert (p == A(np.arange(size) % 5, 1, 2, 0)).all()
+    held = np.array(p.to_array())
+    for kind in {held.dtype, np.dtype(np.int64), np.dtype(np.int8)}:
+        for frozen in (False, True):
+            w = held.astype(kind)
+            w.flags.writeable = not frozen
+            q = A.from_array(w)
+            assert (q == p).all()
+            assert spoilt(w)
+            assert (q == p).all()

@@ -1,5 +1,6 @@
 """Heights, enclosures and sums of roots against sympy's numbers and bounds worked out by hand."""
 
+import threading
 from fractions import Fraction
 from itertools import product
 from math import inf, isclose, isqrt, log
@@ -11,7 +12,7 @@ from sympy import I, Pow, Rational, cos, exp, pi, sin, sqrt, tan
 
 from hfield.errors import HFieldError, NotInvertibleError
 from hfield.rings import ring
-from hfield.rings.balls import fingerprint
+from hfield.rings.balls import fingerprint, precision
 from hfield.rings.evaluate import evaluate, is_known
 from hfield.rings.heights import bounds
 from hfield.rings.radicals import surd_of, sympy_of
@@ -375,13 +376,14 @@ def test_numbers_that_are_refused() -> None:
     ):
         with pytest.raises(HFieldError, match=said):
             R(text)
-    z = C("root(-2,3)")
+    z = C("exp(I*pi/3)*root(2,3)")  # principal; root(-2,3) is real
+    assert z != C("root(-2,3)") == R("root(-2,3)")
     assert R("root(-2,3)") == -R("root(2,3)")
     assert R("root(-2,1)") == -2
     assert R("root(2,64)") ** 64 == 2
     assert z * z * z == -2
     assert not z.is_real()
-    assert (z * C("root(-4,3)") / C("exp(2*I*pi/3)") - 2).is_real()
+    assert (z * C("exp(I*pi/3)*root(4,3)") / C("exp(2*I*pi/3)") - 2).is_real()
     assert R("root(2,3)") / C("1/2") == R("2*root(2,3)")
     assert 2 / R("root(2,3)") == R("root(4,3)")
     assert (3 - R("pi")).sign() == -1
@@ -397,3 +399,23 @@ def test_what_has_a_square_root() -> None:
 
     for p, q in product(range(-30, 31), range(1, 31)):
         assert _is_square(flint.fmpq(p, q)) == (p > 0 and square(Fraction(p, q)))
+
+
+def test_one_thread_at_a_time_has_the_precision_of_flint() -> None:
+    """It is one number for all threads: who comes in later would have another's, or leave it behind."""
+    inside, before = threading.Event(), flint.ctx.prec
+    found: list[int] = []
+
+    def work() -> None:
+        with precision(800):
+            inside.set()
+            found.append(flint.ctx.prec)
+
+    thread = threading.Thread(target=work)
+    with precision(64):
+        thread.start()
+        assert not inside.wait(0.1)
+        assert flint.ctx.prec == 64
+    thread.join()
+    assert found == [800]
+    assert flint.ctx.prec == before

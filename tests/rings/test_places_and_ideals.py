@@ -299,16 +299,14 @@ def test_prime_ideals_by_definition(polynomial: str) -> None:
             )
             with pytest.raises(HFieldError, match="0 has no valuation: it lies in every power"):
                 P.valuation(0)
-            for text in by_other_generators(P, 4):
-                q, rest = text.removeprefix("(").removesuffix(")").split(", ", 1)
-                g, theta = rest.split("; ")
-                assert q == str(p)
-                value = ring(f"QQ[x]/({polynomial})")(theta)
-                f = ring("QQ[x]")(g)
-                assert int(f.degrees()[0]) == P.f
-                total = sum((value ** int(n[0]) * int(c) for n, c in f.terms()), K.zero)
+            for other in by_other_generators(P, 4):
+                g = other["polynomial"]
+                assert (other["kind"], other["p"], len(g)) == ("other generator", p, P.f + 1)
+                powers = (K.gen**n * K(c) for n, c in enumerate(other["generator"]))
+                value = sum(powers, K.zero)
+                total = sum((value**n * c for n, c in enumerate(g)), K.zero)
                 assert not total or P.valuation(total) > 0
-                modulo = residues(p, [int(f[(n,)]) for n in range(P.f + 1)])
+                modulo = residues(p, g)
                 assert len(sorted_factors(modulo)) == 1
         for x in drawn:
             assert sum(P.f * P.valuation(x) for P in above) == order_of(fraction(x.norm()), p)

@@ -1,7 +1,11 @@
 """Slerp and squad, pointwise and through keyframes."""
 
+import itertools
+
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from rotation import Rotation, RotationError, Slerp, Squad, slerp, squad
 
@@ -95,6 +99,65 @@ def test_squad_has_no_corners(seed: int) -> None:
         assert corners[1] < 0.2 * corners[0] or corners[1] < 1e-6  # they shrink with the step
     broken = rates(Slerp(times, keys), times[2], 1e-5)
     assert np.abs(np.diff(broken, axis=0)).max() > 0.1
+
+
+def velocity(curve: Squad, t: float, step: float) -> np.ndarray:
+    """The angular velocity at t on the side to which the step leads, to the third power of the step."""
+    steps = step / np.array([1.0, 2.0, 4.0])
+    found = (curve(t).inv() * curve(t + steps)).as_rotvec() / steps[:, None]
+    better = 2 * found[1:] - found[:-1]
+    return (4 * better[1] - better[0]) / 3
+
+
+def jump(times: list[float], keys: Rotation) -> float:
+    """The largest jump of the velocity, of one that would turn by 1 in the longer interval."""
+    curve, h = Squad(times, keys), np.diff(times)
+    sides = [
+        [velocity(curve, times[n], part * h[n + k]) * max(h[n - 1], h[n])
+         for k, part in ((-1, -1e-3), (0, 1e-3))]
+        for n in range(1, len(h))
+    ]  # fmt: skip
+    return float(np.abs(np.diff(sides, axis=1)).max())
+
+
+@given(st.lists(st.floats(0, 3), min_size=2, max_size=7), st.integers(0, 10**6))
+def test_squad_has_no_corners_for_any_times(logarithms: list[float], seed: int) -> None:
+    times = np.cumsum([0.0, *10.0 ** np.array(logarithms)])
+    keys = Rotation.random(len(times), rng=seed)
+    assert jump(list(times), keys) < 1e-3
+    # Nor does the curve itself jump: nothing turns faster than twice round in an interval.
+    curve = Squad(times, keys)
+    for start, end in itertools.pairwise(times):
+        path = curve(np.linspace(start, end, 400))
+        assert (path[:-1].inv() * path[1:]).magnitude().max() < 4 * np.pi / 399
+
+
+def test_squad_where_a_short_turn_is_between_rests() -> None:
+    keys = Rotation.from_euler("Z", [0, 0, 90, 90], degrees=True)
+    assert jump([0, 1, 1.1, 2.1], keys) < 1e-6
+    path = Squad([0, 1, 1.1, 2.1], keys)(np.linspace(0, 2.1, 500)).as_rotvec(degrees=True)
+    assert np.abs(path[:, :2]).max() == 0.0
+    assert path[:, 2].min() > -60
+    assert path[:, 2].max() < 150
+
+
+def test_squad_of_half_turns_has_no_corners() -> None:
+    cube = Rotation.create_group("O")
+    rng = np.random.default_rng(3)
+    for _ in range(40):
+        keys = cube[rng.integers(0, 24, 5)]
+        assert jump(list(np.cumsum(10.0 ** rng.uniform(0, 2, 5))), keys) < 1e-4
+
+
+@pytest.mark.parametrize(
+    "times", [[0, 5e-324, 1], [0, 1e-300, 1e300], [-1e308, 0, 1e-308], [-8e307, 0, 8e307]]
+)
+def test_curves_at_times_of_any_size(times: list[float]) -> None:
+    keys = Rotation.random(3, seed=1)
+    at = [0.3 * a + 0.7 * b for a, b in itertools.pairwise(times)]
+    for curve in (Slerp, Squad):
+        assert near(curve(times, keys)(times), keys, 1e-13)
+        assert np.isfinite(curve(times, keys)(at).as_quat()).all()
 
 
 def test_squad_takes_the_velocity_of_a_steady_acceleration() -> None:

@@ -124,26 +124,6 @@ def test_few_rotations_and_points_import_no_numba(tmp_path: Path) -> None:
     assert list((tmp_path / keeping.FOLDER).iterdir())
 
 
-def test_what_is_kept_is_whole_or_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    assert keeping.kept("key") is None
-    keeping.keep("key", b"machine code")
-    assert keeping.kept("key") == b"machine code"
-    (file,) = (tmp_path / keeping.FOLDER).iterdir()
-    file.write_bytes(file.read_bytes()[:-1])
-    assert keeping.kept("key") is None
-    file.unlink()
-    file.mkdir()  # something else stands in the place
-    keeping.keep("key", b"machine code")
-    assert keeping.kept("key") is None
-    assert list(file.parent.iterdir()) == [file]
-    file.rmdir()
-    file.write_text("no folder")
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(file))
-    keeping.keep("key", b"nowhere to write")
-    assert keeping.kept("key") is None
-
-
 def test_a_program_rounds_as_numpy_does() -> None:
     q = RNG.standard_normal((1000, 4)) * 10.0 ** RNG.uniform(-300, 300, (1000, 1))
     np.testing.assert_array_equal(Rotation(q).as_quat(), quiet(normalise)(q))

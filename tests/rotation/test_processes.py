@@ -151,7 +151,8 @@ def test_machine_code_is_kept_and_follows_the_formulas(tmp_path: Path) -> None:
     place = {"NUMBA_CACHE_DIR": str(cache)}
 
     def kept() -> int:
-        return len(list((cache / keeping.FOLDER).iterdir()))
+        names = {path.name for path in (cache / keeping.FOLDER).iterdir()}
+        return len(names - {keeping.SECRET})
 
     for numbers in ((1, 1), (2, 2)):
         for number in numbers:
@@ -172,11 +173,11 @@ found = []
 if PLAIN:
     llvm.get_host_cpu_name = lambda: "generic"
     compiling._features = lambda: llvm.FeatureMap()
-make = llvm.create_mcjit_compiler
-def compiler(module, target):
+emit = llvm.TargetMachine.emit_object
+def emitted(target, module):
     found.append(target.emit_assembly(module))
-    return make(module, target)
-llvm.create_mcjit_compiler = compiler
+    return emit(target, module)
+llvm.TargetMachine.emit_object = emitted
 angles = np.random.default_rng(5).uniform(-1e9, 1e9, 60_000)
 turned = rotate(np.array([1.0, 0.0, 0.0]), np.broadcast_to([0.0, 0.0, 1.0], (60_000, 3)), angles)
 worst = max(abs(v[1] - math.sin(a)) for v, a in zip(turned, angles))

@@ -53,6 +53,34 @@ def test_it_is_scipys() -> None:
         np.testing.assert_allclose(ours(at, order), theirs(at, order), atol=1e-6)
 
 
+@pytest.mark.parametrize("unit", [1e-300, 1.0, 1e300])
+def test_times_as_uneven_as_one_to_a_thousand(unit: float) -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(30):
+        h = 10.0 ** rng.uniform(0, 3, rng.integers(2, 9))
+        times, keys = np.cumsum([0.0, *h]) * unit, Rotation.random(len(h) + 1, rng=rng)
+        curve = RotationSpline(times, keys)
+        assert curve(times).approx_equal(keys, atol=1e-12).all()
+        inner = times[1:-1]
+        before = np.nextafter(inner, -np.inf)
+        # In turns, which are rates times the shorter interval; the longer one may be turned through often.
+        least, most = np.minimum(h[1:], h[:-1])[:, None], np.abs(curve(times, 1) * unit).max()
+        jumps = [
+            (curve(inner, order) - curve(before, order)) * unit * (unit * least) ** (order - 1)
+            for order in ((1, 2) if unit == 1.0 else (1,))
+        ]
+        assert np.abs(jumps).max() < 1e-9 * most
+        assert np.isfinite(curve(times, 0).as_quat()).all()
+
+
+def test_times_too_uneven_for_a_smooth_curve() -> None:
+    keys = Rotation.random(4, seed=0)
+    with pytest.raises(RotationError, match=r"at keyframe 1 a turn of \d+° in 1e-100 meets"):
+        RotationSpline([0, 1e-100, 1, 2], keys)
+    broken = Rotation(np.where(np.arange(4)[:, None] == 2, np.nan, keys.as_quat()))
+    assert np.isnan(RotationSpline([0, 1, 2, 3], broken)(0.5).as_quat()).all()
+
+
 def test_two_keyframes_and_mistakes() -> None:
     keys = Rotation.from_euler("Z", [0, 60], degrees=True)
     curve = RotationSpline([0, 2], keys)

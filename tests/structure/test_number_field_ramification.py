@@ -12,7 +12,7 @@ from hfield.rings.number_field_places import ComplexPlace, RealPlace
 from hfield.rings.number_primes import PrimeIdeal
 from hfield.rings.residues.number_ideals import local_place
 from hfield.structure.minimal_conics import Conic, minimise, norm_form
-from hfield.structure.number_fields import conic_number_fields
+from hfield.structure.number_fields import walk
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import candidates
 from tests.steps import steps
@@ -198,7 +198,7 @@ def test_square_roots_in_division_algebras() -> None:
 def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
     """So many bases, and at most so many exact values on each, however large the coefficients are."""
     tried = []
-    combine = conic_number_fields.combination
+    combine = walk.combination
 
     def counted(coefficients, basis):
         if not isinstance(
@@ -207,10 +207,10 @@ def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
             tried.append(coefficients)
         return combine(coefficients, basis)
 
-    monkeypatch.setattr(conic_number_fields, "WALKED", 6)
+    monkeypatch.setattr(walk, "WALKED", 6)
     K = ring("QQ[s]/(s^6+1000003*s+7919)")
     a, x, y = K("s+2"), K("s^2+1"), K("3*s-1")
-    monkeypatch.setattr(conic_number_fields, "combination", counted)
+    monkeypatch.setattr(walk, "combination", counted)
     with pytest.raises(UndecidedError, match="of each of 6 reduced bases"):
         solve_conic_number_field(K, a, x * x - a * y * y)
-    assert len(tried) <= 3 * K.degree + 6 * conic_number_fields.MOST
+    assert len(tried) <= 3 * K.degree + 6 * walk.MOST

@@ -1,7 +1,7 @@
 """Trying all cases over a finite ring: directly where they are few, else clause by clause."""
 
 from collections.abc import Hashable, Iterator, Mapping
-from functools import cache, partial
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -11,7 +11,7 @@ from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import EXHAUSTION, FIELD
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import Place
-from hfield.certificates.polynomials import ONE, Monomial, variables
+from hfield.certificates.polynomials import ONE, Monomial, variables, width
 from hfield.certificates.rejection import an_integer, an_object, reject
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
@@ -43,7 +43,7 @@ def truth_at(
     return None if evaluator.conditions else bool(evaluator.truth(statement.matrix))
 
 
-def width(unknowns: tuple[tuple[str, str], ...]) -> int:
+def coordinates(unknowns: tuple[tuple[str, str], ...]) -> int:
     """Return the number of coordinates of unknowns."""
     return sum(1 if sort == "s" else 4 for _, sort in unknowns)
 
@@ -51,7 +51,10 @@ def width(unknowns: tuple[tuple[str, str], ...]) -> int:
 def check_all(statement: Statement, setting: Setting, cases: int) -> None:
     """Check a statement without quantifiers for all values of its unknowns."""
     ring, order = _finite(setting)
-    total, by_clauses = order ** width(statement.unknowns), ring.is_field or not statement.divides
+    total, by_clauses = (
+        order ** coordinates(statement.unknowns),
+        ring.is_field or not statement.divides,
+    )
     if by_clauses and (total > FEW or cases != total):
         tree = _Tree(expand(statement, setting), ring)
         if cases not in (total, order ** len(tree.used)):
@@ -72,7 +75,7 @@ def check_all(statement: Statement, setting: Setting, cases: int) -> None:
 def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
     """Check that for all values given there are values of what ``exists`` binds."""
     ring, order = _finite(setting)
-    if cases != order ** width(statement.given):
+    if cases != order ** coordinates(statement.given):
         reject("the number of cases is wrong")
     bound = tuple((name, sort) for name, sort in statement.unknowns if name in statement.exists)
     defined = False
@@ -100,7 +103,7 @@ def _finite(setting: Setting) -> tuple[Ring, int]:
 def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Iterator[dict[str, Hashable]]:
     """Run through all values of the unknowns."""
     elements = list(ring.elements())
-    for values in product(elements, repeat=width(unknowns)):
+    for values in product(elements, repeat=coordinates(unknowns)):
         rest, out = iter(values), {}
         for name, sort in unknowns:
             out[name] = next(rest) if sort == "s" else Quaternion([next(rest) for _ in range(4)])
@@ -123,7 +126,8 @@ class _Tree:
             zeros = [place.coefficients(dict(f), True) for f in clause.zeros]
             goals = [[place.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
             self.cases.append((zeros, goals))
-        self.used, self.power = sorted(used), cache(ring.power)
+        self.used = sorted(used)
+        self.powers: dict[tuple[Hashable, int], Hashable] = {}
 
     def check(self) -> None:
         """Try everything."""
@@ -150,15 +154,21 @@ class _Tree:
 
     def _put(self, variable: int, value: Hashable, f: Coefficients) -> Coefficients:
         ring = self.ring
-        charge(len(f) + 1)
+        charge(2 * len(f) + width(f) // 4 + 1)
         out: Coefficients = {}
         for m, c in f.items():
             e = dict(m).get(variable, 0)
             if e:
-                c = ring.mul(c, self.power(value, e))
+                c = ring.mul(c, self._power(value, e))
                 m = tuple(pair for pair in m if pair[0] != variable)
             out[m] = ring.add(out[m], c) if m in out else c
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
+
+    def _power(self, value: Hashable, e: int) -> Hashable:
+        if (value, e) not in self.powers:
+            charge(5)
+            self.powers[value, e] = self.ring.power(value, e)
+        return self.powers[value, e]
 
 
 def exhaustion(statement: Statement, setting: Setting, evidence: object) -> Finding:

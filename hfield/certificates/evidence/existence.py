@@ -14,7 +14,7 @@ from hfield.certificates.rejection import (
     kind_of,
     reject,
 )
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.statement import Setting, Statement, read_tree, sort_of
 from hfield.certificates.values import trees_of_values
 
@@ -114,8 +114,8 @@ def _somewhere(
     """Return the setting over one field: that of the certificate, or that which the evidence names."""
     if setting.field is not None:
         return setting, an_object(evidence, keys, "the evidence")
-    data = an_object(evidence, f"{keys} field", "the evidence")
-    ring = read_field(a_text(data["field"], "the field of the evidence"))
+    data = an_object(evidence, f"{keys} ring", "the evidence")
+    ring = read_ring(data["ring"])
     if not ring.is_field:
         reject(f"{ring.name} is no field")
     if any(ring.constant(("name", name)) is not None for name in statement.exists):

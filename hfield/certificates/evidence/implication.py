@@ -14,7 +14,7 @@ from hfield.certificates.rejection import a_list, an_object, reject
 from hfield.certificates.rules import Rules
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import Setting, Statement
-from hfield.certificates.work import charge
+from hfield.certificates.work import charge, charge_products
 
 MAX_CHOICES = 512
 
@@ -43,6 +43,8 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
     charge(100 * len(divided) + sum(d.bit_length() for d in divided))
     primes = {item.p for item in items if item.p}
     primes |= {p for d in divided for p in range(2, 1000) if d % p == 0 and is_prime(p)}
+    charge(len(primes) * len(items))
+    charge_products(primes, [d for item in general for d in item.denominators])
     for p in primes:
         there = [item for item in general if all(d % p for d in item.denominators)]
         there += [item for item in items if item.p == p]
@@ -72,6 +74,7 @@ def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item
     def same(f: Any) -> Any:
         return place.same(without_factors(dict(f), known))
 
+    charge(len(items))
     zeros: set[Any] = {same(z) for z in clause.zeros} | {frozenset()}
     usable = [item for item in items if all(same(z) in zeros for z in item.zero)]
     members = [item.member for item in usable if item.member is not None]
@@ -85,11 +88,13 @@ def _covers(clause: Clause, expansion: Expansion, place: Place, items: list[Item
         return False
     excluded = [{same(g) for g in item.nonzero} for item in usable if item.member is None]
     excluded += [{f} for f in proved]
+    cost = len(goals) + len(excluded) + sum(map(len, excluded))
     for count, choice in enumerate(product(*goals)):
         if count >= MAX_CHOICES:
             reject("a case of the statement has too many branches")
-        charge(len(excluded))
-        if not any(part <= set(choice) for part in excluded):
+        charge(cost)
+        chosen = set(choice)
+        if not any(part <= chosen for part in excluded):
             return False
     return True
 

@@ -11,7 +11,7 @@ from hfield.certificates.glossary import COMMUTATIVE_RINGS, MULTILINEAR
 from hfield.certificates.language import Tree
 from hfield.certificates.over_field import reach
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject, texts
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.rationals import ZZ
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge
 
@@ -29,7 +29,7 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
         reject("the unknowns are not those of the statement")
     if not all(_degrees(side, names) <= {(1,) * len(names)} for side in tree[1:]):
         reject("a side of the equation is not linear in each unknown")
-    ring = setting.field or read_field("ZZ")
+    ring = setting.field or ZZ
     listed: dict[str, list[Any]] = {}
     for entry in a_list(data["tuples"], "tuples", 1):
         if not isinstance(entry, list) or len(entry) != 2 or not isinstance(entry[0], str):
@@ -67,12 +67,14 @@ def _degrees(tree: Tree, names: list[str]) -> Degrees:
         return _degrees(tree[1], names)
     if kind == "call" and tree[1] in ("conj", "trace", "scalar", "vector"):
         return _degrees(tree[2][0], names)
+    charge(5)
     if kind in ("+", "-"):
         return _degrees(tree[1], names) | _degrees(tree[2], names)
     if kind == "*" or (kind == "call" and tree[1] == "comm"):
         left, right = (_degrees(x, names) for x in (tree[1:] if kind == "*" else tree[2]))
         if len(left) * len(right) > MAX_TUPLES:
             reject("a side of the equation has too many degrees")
+        charge(len(left) * len(right))
         return {tuple(a + b for a, b in zip(u, v, strict=True)) for u in left for v in right}
     reject("a side of the equation is not linear in each unknown")
 

@@ -14,12 +14,12 @@ from hfield.certificates.finding import Finding
 from hfield.certificates.kinds import Check
 from hfield.certificates.rejection import a_text, an_object, reject
 from hfield.certificates.scalars.completions import AtPrime
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.number_fields import NumberField
 from hfield.certificates.scalars.quadratic import Quadratic
-from hfield.certificates.scalars.rationals import QQ, bounded
+from hfield.certificates.scalars.rationals import QQ, Number
 from hfield.certificates.statement import Setting, Statement
-from hfield.certificates.work import charge
+from hfield.certificates.work import charge_products
 
 
 def subfield(
@@ -29,18 +29,18 @@ def subfield(
     evidence: object,
 ) -> Finding:
     """Check a witness with coordinates in a number field for a statement over ℚ_p."""
-    data = an_object(evidence, "kind field root witness", "the evidence")
+    data = an_object(evidence, "kind ring root witness", "the evidence")
     local = setting.field
-    if not isinstance(local, AtPrime) or local.base is not QQ:
+    if not (isinstance(local, AtPrime) and isinstance(local.only, Number)):
         reject("subfields are known of the p-adic numbers only")
-    inner = read_field(a_text(data["field"], "the field of the witness"))
+    inner = read_ring(data["ring"])
     if isinstance(inner, Quadratic):
         f = [Fraction(-inner.d), Fraction(0), Fraction(1)]
     elif isinstance(inner, NumberField):
         f = inner.modulus
     else:
         reject(f"{inner.name} is no number field with a generator")
-    _lift(QQ.read(a_text(data["root"], "a root")), f, int(local.place_name))
+    _lift(QQ.read(a_text(data["root"], "a root")), f, local.only.n)
     return check(statement, replace(setting, field=inner), data["witness"])
 
 
@@ -58,8 +58,7 @@ def _value(f: list[Fraction], r: Fraction) -> Fraction:
     """Return f(r)."""
     total = Fraction(0)
     for c in reversed(f):
-        charge(10)
-        total = bounded(total * r + c)
+        total = QQ.add(QQ.mul(total, r), c)
     return total
 
 
@@ -67,10 +66,10 @@ def _order(x: Fraction, p: int) -> int:
     """Return the valuation of a number other than 0."""
     n, top, below = 0, x.numerator, x.denominator
     while top % p == 0:
-        charge(5 + top.bit_length() // 100)
+        charge_products([p], [top])
         n, top = n + 1, top // p
     while below % p == 0:
-        charge(5 + below.bit_length() // 100)
+        charge_products([p], [below])
         n, below = n - 1, below // p
     return n
 

@@ -6,16 +6,16 @@ from hfield.certificates.clauses import expand
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import FIELD
 from hfield.certificates.kinds import prove
-from hfield.certificates.rejection import a_text, an_integer, an_object, reject
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.rejection import an_integer, an_object, reject
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.statement import Setting, Statement
 
 
 def fractions(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """What nothing divides in, and holds for all of the field of fractions, holds for the ring in it."""
-    data = an_object(evidence, "kind field proof", "the evidence")
-    field = read_field(a_text(data["field"], "the field of the evidence"))
-    if statement.divides or setting.field is None or setting.field.fractions != field.name:
+    data = an_object(evidence, "kind ring proof", "the evidence")
+    field = read_ring(data["ring"])
+    if statement.divides or setting.field is None or not field.is_fraction_field_of(setting.field):
         reject("a ring takes from its field of fractions what is said without division")
     return prove(statement.matrix, replace(setting, field=field), data["proof"]).within(FIELD)
 
@@ -30,7 +30,7 @@ def reduction(statement: Statement, setting: Setting, evidence: object) -> Findi
         )
     if any(clause.goals for clause in expand(statement, setting).clauses):
         reject("only that polynomials have no common zero is shown modulo n")
-    there = replace(setting, field=read_field(f"ZZ/{n}"))
+    there = replace(setting, field=read_ring({"kind": "residues", "modulus": n}))
     return prove(statement.matrix, there, data["proof"]).within(FIELD)
 
 

@@ -6,6 +6,7 @@ from hfield.certificates.language import Tree
 from hfield.certificates.over_field import place_of
 from hfield.certificates.rejection import Rejected, an_object, reject
 from hfield.certificates.statement import Setting, Statement, read_tree
+from hfield.certificates.work import charge
 
 
 def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> Finding:
@@ -23,7 +24,8 @@ def need_hypotheses(statement: Statement, setting: Setting) -> None:
     try:
         over = place_of(read_tree(_denial(statement), setting), setting)
         never = all(map(over.is_identity, over.expansion.clauses))
-    except Rejected:  # it is not shown by expanding
+    except Rejected:  # it is not shown by expanding; or there was no work left
+        charge(0)
         return
     if never:
         reject("the hypotheses are never true together: the statement is vacuous and not proved")

@@ -12,8 +12,8 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import a_text, an_object, reject
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.rejection import an_object, reject
+from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.values import read_values
@@ -66,8 +66,8 @@ def _witness(
     statement: Statement, setting: Setting, evidence: object
 ) -> tuple[Ring, dict[str, Hashable]]:
     """Return the ring of a witness and its values."""
-    data = an_object(evidence, "kind values field", "the evidence")
-    ring = read_field(a_text(data["field"], "the field of the evidence"))
+    data = an_object(evidence, "kind values ring", "the evidence")
+    ring = read_ring(data["ring"])
     if setting.field is None and not ring.is_field:
         reject(f"{ring.name} is no field")
     if setting.field is not None and setting.field.name != ring.name:

@@ -7,13 +7,17 @@ from math import lcm
 from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.rejection import reject
 from hfield.certificates.statement import Setting
+from hfield.certificates.work import charge
 
 Row = tuple[int, ...]
 Rows = tuple[Row, ...]
 
 
 class Algebra:
-    """Products, conjugates and norms of integer rows; all of them come ``scale`` times too large."""
+    """Products, conjugates and norms of integer rows; all of them come ``scale`` times too large.
+
+    Who calls them pays, by the ``bits`` of the lattice that the rows are from.
+    """
 
     def __init__(self, setting: Setting) -> None:
         ring = setting.field
@@ -23,6 +27,8 @@ class Algebra:
         if evaluator.conditions:
             reject("the structure constants are not defined")
         a, t, b = map(Fraction, evaluator.constants)
+        bits = sum(n.bit_length() for x in (a, t, b) for n in (x.numerator, x.denominator))
+        charge(1_000 + bits * bits // 2_500)
         self.scale = s = lcm(*(x.denominator for x in (a, t, b, a * b, t * b)))
         table = [[[Fraction(0)] * 4 for _ in range(4)] for _ in range(4)]
         for m, products in enumerate(evaluator.table):
@@ -45,6 +51,7 @@ class Algebra:
             [0, 0, 0, -1],
         ]
         self._bar: Rows = tuple(_whole(row, s) for row in bar)
+        self.bits = longest([*self.form, *(row for rows in self._table for row in rows)])
         if not (t * t + 4 * a) * b:
             reject("the algebra is degenerate: (t² + 4a)·b is 0")
 
@@ -65,6 +72,11 @@ class Algebra:
     def conjugate(self, x: Sequence[int]) -> Row:
         """Return the conjugate of a row."""
         return times([x], self._bar)[0]
+
+
+def longest(rows: Iterable[Sequence[int]]) -> int:
+    """Return how many bits the longest number has."""
+    return max([n.bit_length() for row in rows for n in row], default=0)
 
 
 def _whole(row: Iterable[int | Fraction], s: int) -> Row:

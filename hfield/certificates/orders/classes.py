@@ -47,7 +47,7 @@ def least_vectors(lattice: Lattice) -> list[Row]:
 def divided(ideal: Lattice, x: Row) -> Key:
     """Return x⁻¹·I for an element x of I."""
     algebra = ideal.algebra
-    charge(100)
+    charge(100 + ideal.bits**2 // 5_000)
     (image,) = times([x], algebra.form)
     value = sum(u * v for u, v in zip(image, x, strict=True))  # 2·N(x)·scale·den²
     rows = times(ideal.rows, algebra.left(algebra.conjugate(x)))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from math import isqrt, lcm
 
-from hfield.certificates.orders.algebra import Row, Rows
+from hfield.certificates.orders.algebra import Row, Rows, longest
 from hfield.certificates.rejection import reject
 from hfield.certificates.work import charge
 
@@ -17,7 +17,9 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
     minors = [1, *(lines[m][m] for m in range(4))]
     common = lcm(*(minors[m] * minors[m + 1] for m in range(4)))
     weights = [common // (minors[m] * minors[m + 1]) for m in range(4)]
-    cost = 4 + common.bit_length() // 200
+    long, total = longest(lines), (bound * common).bit_length()
+    entry = long * long // 200_000 + total * total // 1_000_000
+    cost = 4 + (long + total) // 1_000 + total * total // 1_000_000
     x = [0, 0, 0, 0]
 
     def level(m: int, left: int, zero: bool) -> Iterator[tuple[Row, int]]:
@@ -30,7 +32,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
         reach = isqrt(left // weights[m])
         first = 0 if zero else -((reach + shift) // d)
         last = (reach - shift) // d
-        charge(cost * (1 + max(last - first + 1, 0)))
+        charge(entry + cost * (1 + max(last - first + 1, 0)))
         for value in range(first, last + 1):
             x[m] = value
             y = d * value + shift
@@ -44,6 +46,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
 def _triangle(gram: Rows) -> list[list[int]]:
     """Eliminate without fractions: the leading minors are on the diagonal, and have to be positive."""
     m = [list(row) for row in gram]
+    charge(60 + longest(m) ** 2 // 2_500)
     before = 1
     for c in range(4):
         if m[c][c] <= 0:

@@ -4,10 +4,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import gcd, isqrt, lcm
+from math import gcd
 
-from hfield.certificates.orders.algebra import Algebra, Row, Rows, times
+from hfield.certificates.orders.algebra import Algebra, Row, Rows, longest, times
 from hfield.certificates.rejection import reject
+from hfield.certificates.scalars.rationals import over_one_denominator
 from hfield.certificates.work import charge
 
 Key = tuple[int, Rows]
@@ -22,6 +23,11 @@ class Lattice:
     rows: Rows
 
     @cached_property
+    def bits(self) -> int:
+        """How long the numbers are, with those of the algebra."""
+        return longest([(self.den,), *self.rows]) + self.algebra.bits
+
+    @cached_property
     def key(self) -> Key:
         """The least denominator and the Hermite form: equal exactly for equal lattices."""
         return reduced(self.den, hermite(self.rows))
@@ -29,6 +35,7 @@ class Lattice:
     @cached_property
     def gram(self) -> Rows:
         """The matrix of tr(x·conj(y)) on the rows, :attr:`unit` times too large."""
+        charge(20 + self.bits**2 // 8_000)
         half = times(self.rows, self.algebra.form)
         return tuple(times(half, transposed(self.rows)))
 
@@ -41,12 +48,14 @@ class Lattice:
     def volume(self) -> Fraction:
         """The determinant of the rows, without its sign."""
         h = hermite(self.rows)
+        charge(self.bits**2 // 10_000)
         return Fraction(h[0][0] * h[1][1] * h[2][2] * h[3][3], self.den**4)
 
     @cached_property
     def norm(self) -> Fraction:
         """The greatest rational number of which all norms of elements are multiples."""
         g = self.gram
+        charge(self.bits**2 // 10_000)
         content = gcd(*(g[m][n] * (2 if m < n else 1) for m in range(4) for n in range(m, 4)))
         return Fraction(content, 2 * self.unit)
 
@@ -68,13 +77,14 @@ class Lattice:
 
     def times(self, x: "Element", side: str) -> "Lattice":
         """Return L·x for the ``right`` side, x·L for the left."""
+        charge(50 + (self.bits + longest([x.row])) ** 2 // 30_000)
         multiply = self.algebra.right if side == "right" else self.algebra.left
         rows = tuple(times(self.rows, multiply(x.row)))
         return Lattice(self.algebra, self.den * x.den * self.algebra.scale, rows)
 
     def products_lie_in(self, other: "Lattice", inside: "Lattice") -> bool:
         """Tell whether all products of an element of this lattice and one of the other lie in a third."""
-        charge(200)
+        charge(200 + (self.bits + other.bits + inside.bits) ** 2 // 2_500)
         den = self.den * other.den * self.algebra.scale
         return all(
             inside.holds(den, times(self.rows, self.algebra.right(row))) for row in other.rows
@@ -82,6 +92,7 @@ class Lattice:
 
     def into(self, other: "Lattice", side: str) -> "Lattice":
         """Return {x: L·x ⊆ M} for the ``left`` side, {x: x·L ⊆ M} for the right, M being ``other``."""
+        charge(200 + (self.bits + 4 * other.bits) ** 2 // 2_500)
         # x is in it exactly where x·c is an integer for the columns c of these matrices
         multiply = self.algebra.left if side == "left" else self.algebra.right
         back, det = inverse(other.rows)
@@ -112,6 +123,7 @@ class Element:
 
 def reduced(den: int, rows: Rows) -> Key:
     """Return a Hermite form over its least denominator."""
+    charge(den.bit_length() * sum(rows[n][n].bit_length() for n in range(4)) // 30_000)
     g = gcd(den, *(x for row in rows for x in row))
     return den // g, tuple(tuple(x // g for x in row) for row in rows)
 
@@ -124,9 +136,12 @@ def transposed(rows: Rows) -> Rows:
 def hermite(rows: Iterable[Sequence[int]]) -> Rows:
     """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` for a rank below 4."""
     rest = [list(row) for row in rows]
-    cost = 1 + max(x.bit_length() for row in rest for x in row) // 128
     found: list[list[int]] = []
+    first = longest(rest)
     for c in range(4):
+        bits = (c + 1) * first  # what has been combined is longer
+        cost = 1 + bits // 4_000  # where a quotient is short, as most are
+        charge(len(rest) * (bits * bits // 150_000))
         pool = [row for row in rest if row[c]]
         rest = [row for row in rest if not row[c]]
         if not pool:
@@ -142,6 +157,7 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
                 (pool if row[c] else rest).append(row)
         (pivot,) = pool
         found.append([-x for x in pivot] if pivot[c] < 0 else pivot)
+    charge(first**2 // 2_000)
     for c in range(1, 4):
         for upper in found[:c]:
             q = upper[c] // found[c][c]
@@ -152,6 +168,7 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
 
 def inverse(rows: Rows) -> tuple[Rows, int]:
     """Return ``(m, d)``, m/d being the inverse of a matrix. Raises :class:`Rejected` where there is none."""
+    charge(60 + longest(rows) ** 2 // 450)
     m = [[*row, *(int(r == c) for c in range(4))] for r, row in enumerate(rows)]
     before = 1
     for c in range(4):  # without fractions (Bareiss): all divisions by ``before`` leave no rest
@@ -171,11 +188,5 @@ def inverse(rows: Rows) -> tuple[Rows, int]:
 
 def rational_rows(values: Sequence[Sequence[Fraction]]) -> tuple[int, Rows]:
     """Return rational rows as integer rows over their least denominator."""
-    den = lcm(*(x.denominator for row in values for x in row))
-    return den, tuple(tuple(int(x * den) for x in row) for row in values)
-
-
-def root(x: Fraction) -> Fraction | None:
-    """Return the square root of a positive rational number, if that is rational."""
-    u, v = isqrt(x.numerator), isqrt(x.denominator)
-    return Fraction(u, v) if (u * u, v * v) == (x.numerator, x.denominator) else None
+    entries, den = over_one_denominator([x for row in values for x in row])
+    return den, tuple(tuple(entries[n : n + 4]) for n in range(0, len(entries), 4))

@@ -3,9 +3,10 @@
 from fractions import Fraction
 
 from hfield.certificates.orders.algebra import times
-from hfield.certificates.orders.lattice import Lattice, root
+from hfield.certificates.orders.lattice import Lattice
 from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.finite import PROVED_BELOW, is_prime
+from hfield.certificates.scalars.rationals import root
 from hfield.certificates.work import charge
 
 MAX_TRIAL = 10**6
@@ -39,7 +40,8 @@ def factored(n: int) -> dict[int, int]:
         reject("a discriminant is too large to be factored here")
     p = 2
     while n > 1:
-        if p > MAX_TRIAL or p * p > n or (p & 1023 == 1 and is_prime(n)):
+        proved = p & 1023 == 1 and n < PROVED_BELOW and is_prime(n)
+        if p > MAX_TRIAL or p * p > n or proved:
             if not is_prime(n):
                 reject(
                     "a discriminant is not factored here: it has two large primes, or too large a one"

@@ -21,7 +21,7 @@ SIDES = ("left", "right")
 
 def a_rational(text: str) -> Fraction:
     """Read a rational number. Raises :class:`Rejected`."""
-    m = re.fullmatch(r"\s*(-?[0-9]+)(?:/([0-9]+))?\s*", text)
+    m = re.fullmatch(r"\s*(-?[0-9]+)(?:/([0-9]+))?\s*", text, re.ASCII)
     if m is None or max(len(m[1]), len(m[2] or "")) > MAX_DIGITS:
         reject(f"{shown(text)!r} is no rational number that is read")
     denominator = int(m[2] or 1)

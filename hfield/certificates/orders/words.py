@@ -25,7 +25,7 @@ from hfield.certificates.language import Tree
 from hfield.certificates.orders.algebra import Algebra, times
 from hfield.certificates.orders.classes import need_class_set
 from hfield.certificates.orders.enumeration import short_vectors
-from hfield.certificates.orders.lattice import Element, Lattice, inverse, root
+from hfield.certificates.orders.lattice import Element, Lattice, inverse
 from hfield.certificates.orders.local_types import (
     discriminant,
     eichler_symbol,
@@ -51,7 +51,9 @@ from hfield.certificates.rejection import (
     reject,
     shown,
 )
+from hfield.certificates.scalars.rationals import root
 from hfield.certificates.statement import Setting
+from hfield.certificates.work import charge_products
 
 
 def establish_lattices(
@@ -62,14 +64,16 @@ def establish_lattices(
     check = CHECKS.get((word, verdict, kind))
     if check is None:
         reject(f"evidence of the kind {shown(kind)!r} does not show that {word} is {verdict}")
-    if len(parts) not in PARTS[word]:
-        reject(f"{word} has not {len(parts)} parts")
+    meaning_of_lattices(word, parts)
     return check(Algebra(setting), parts, evidence)
 
 
 def meaning_of_lattices(word: str, parts: tuple[str, ...]) -> Tree:
     """Return what such a statement says, however it is written; a basis is not changed."""
-    return word, tuple(rows_of(part) if "|" in part else part for part in parts)
+    readers = PARTS[word]
+    if len(parts) != len(readers) and (word, len(parts)) != ("order", 2):
+        reject(f"{word} has not {len(parts)} parts")
+    return word, tuple(read(part) for read, part in zip(readers, parts, strict=False))
 
 
 # --- orders and ideals ------------------------------------------------------------------------------
@@ -82,8 +86,6 @@ def _is_order(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Fin
     if n != a_whole_number(parts[1], "a discriminant"):
         reject("this order has another reduced discriminant")
     if len(parts) == 3:
-        if parts[2] != "maximal":
-            reject(f"an order is stated to be maximal, or nothing more; found {shown(parts[2])!r}")
         for p, e in factored(n).items():
             if e > 1 or eichler_symbol(order, p) != -1:
                 reject(f"it is not shown that this order is maximal at {p}")
@@ -200,7 +202,10 @@ def _is_optimal(order: Lattice, x: Element) -> bool:
     u, v = times([(x.den, 0, 0, 0), x.row], back)
     # coordinates are u·den/(det·x.den)
     u, v = (tuple(c * order.den // (det * x.den) for c in w) for w in (u, v))
-    return gcd(*(u[m] * v[n] - u[n] * v[m] for m in range(4) for n in range(m))) == 1
+    charge_products(u, v)
+    minors = [u[m] * v[n] - u[n] * v[m] for m in range(4) for n in range(m)]
+    charge_products(minors, minors[:1])
+    return gcd(*minors) == 1
 
 
 def _is_not_embedded(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
@@ -241,7 +246,20 @@ CHECKS: dict[tuple[str, str, str], Check] = {
     ("embedding", "refuted", "embedding"): _is_not_embedded,
     ("class-set", "proved", "class-set"): _is_class_set,
 }
-PARTS = {
-    "order": (2, 3), "ideal": (4,), "equivalent": (3,), "isomorphic-orders": (2,), "embedding": (2,),
-    "class-set": (2,),
-}  # fmt: skip
+
+
+def _maximal(text: str) -> str:
+    if text != "maximal":
+        reject(f"an order is stated to be maximal, or nothing more; found {shown(text)!r}")
+    return text
+
+
+# How the parts of each word are read; that an order is maximal may be left away.
+PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
+    "order": (rows_of, a_rational, _maximal),
+    "ideal": (rows_of, a_side, rows_of, a_rational),
+    "equivalent": (a_side, rows_of, rows_of),
+    "isomorphic-orders": (rows_of, rows_of),
+    "embedding": (rows_of, a_rational),
+    "class-set": (rows_of, a_rational),
+}

@@ -6,20 +6,19 @@ An ordering or a level of the global field is none of the completion, so nothing
 the one ordering of the completion at a real place.
 """
 
-import re
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.finite import Finite, is_prime
+from hfield.certificates.rejection import an_integer, an_object, keyed, reject, shown
+from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.scalars.functions import Functions
-from hfield.certificates.scalars.names import integer
+from hfield.certificates.scalars.names import plain
 from hfield.certificates.scalars.number_fields import NumberField
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.quadratic import Quadratic
 from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.scalars.residues import jacobi
-from hfield.certificates.scalars.ring import ReadRing, Ring
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
 
 
 class Completion(Ring):
@@ -27,8 +26,8 @@ class Completion(Ring):
 
     is_field = True
 
-    def __init__(self, name: str, base: Ring) -> None:
-        self.name, self.base = name, base
+    def __init__(self, base: Ring, at: str) -> None:
+        self.base, self.words = base, f"the completion of {base.name} at {at}"
         self.characteristic = base.characteristic
         self.zero, self.one = base.zero, base.one
 
@@ -64,14 +63,21 @@ class Completion(Ring):
 class AtPrime(Completion):
     """The completion at a finite place."""
 
-    def __init__(self, name: str, base: Ring, place: str) -> None:
-        super().__init__(name, base)
-        self.place_name, self.only = place, base.place(place)
+    def __init__(self, base: Ring, place: Place) -> None:
+        self.only, at = place, place.name
+        super().__init__(base, "infinity" if at == "inf" else f"the place {at}")
+        self.name = f"{base.name}_{at}"
+        if base is QQ:
+            self.name, self.words = f"Qp{at}", f"the {at[1:-1]}-adic numbers"
+        elif isinstance(base, Functions) and base.name == f"{base.base.name}{at}":
+            self.name = f"{base.base.name}({at})"
+            self.words = f"the completion of {base.name} at {base.variable} = 0, the Laurent series"
 
-    def place(self, text: str) -> Place:
+    def place(self, data: object) -> Place:
         """Return the one place."""
-        if "".join(text.split()) != self.place_name:
-            reject(f"{self.name} has one place, and {shown(text)} is not it")
+        found = self.base.place(data)
+        if found.name != self.only.name:
+            reject(f"{self.name} has one place, and {shown(found.name)} is not it")
         return self.only
 
     def is_square(self, x: Hashable) -> bool:
@@ -90,9 +96,9 @@ class AtPrime(Completion):
 class AtRealRoot(Completion):
     """The real numbers with a number field in them: signs are those of one of its orderings."""
 
-    def __init__(self, name: str, base: Ring, number: int) -> None:
-        super().__init__(name, base)
-        self.number_of_signs = number
+    def __init__(self, base: Ring, name: str, which: str, number: int) -> None:
+        super().__init__(base, f"the real place where {which}")
+        self.name, self.number_of_signs = f"{base.name}_{name}", number
 
     def sign(self, x: Hashable) -> int | None:
         """Return the sign at the place."""
@@ -103,43 +109,36 @@ class AtRealRoot(Completion):
         return self.is_zero(x) or self.sign(x) == 1
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``Qp(5)``, ``GF(9)((t))``, or any other completion at a finite or a real place."""
-    if m := re.fullmatch(r"Qp\(([0-9]+)\)", name):
-        return _checked(name, QQ, m[1])
-    if m := re.fullmatch(r"(.+)\(\(([a-zA-Z][a-zA-Z0-9_]*)\)\)", name):
-        return _checked(name, ring(f"{m[1]}({m[2]})"), m[2])
-    if m := re.fullmatch(r"(.+)_inf([0-9]+|-)", name):
-        return _real(name, ring(m[1]), m[2])
-    if m := re.fullmatch(r"(.+)_(inf|\(.+\))", name):
-        return _checked(name, ring(m[1]), m[2] if "," in m[2] else m[2].strip("()"))
-    return None
-
-
-def _checked(name: str, base: Ring, place: str) -> AtPrime:
-    """Return the completion, if the text names a single finite place of the field."""
-    if base is QQ or isinstance(base, Quadratic):
-        p = integer(re.sub(r"\(([0-9]+),.*", r"\1", place))
-        if not is_prime(p):
-            reject(f"{shown(name)}: {p} is no prime number")
-        d = base.d if isinstance(base, Quadratic) and "," not in place else 0
-        if d and (d % 8 == 1 if p == 2 else jacobi(d, p) == 1):
-            reject(f"{shown(name)}: two places lie above {p}")
-    elif not (isinstance(base, NumberField) or _is_over_finite(base)):
+def _completion(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    base, place = ring(plain(data, "of place")["of"]), keyed(data["place"], "a place")
+    if place.get("kind") == "real":
+        return _real(
+            base, an_integer(an_object(place, "kind number", "a place")["number"], "number", 0)
+        )
+    if not (base is QQ or isinstance(base, (Quadratic, NumberField, Functions))):
         reject(f"the completions of {shown(base.name)} are not known here")
-    return AtPrime(name, base, place)
+    if place.get("kind") == "other generator":
+        reject("a completion is at an ideal that is given in the generator of the field")
+    if base is QQ or isinstance(base, Quadratic):
+        p = an_integer(place.get("n"), "a prime number", 2)
+        if not is_prime(p):
+            reject(f"the completions are at prime numbers, and {p} is none")
+        d = base.d if isinstance(base, Quadratic) and place.get("kind") == "number" else 0
+        if d and (d % 8 == 1 if p == 2 else jacobi(d, p) == 1):
+            reject(f"two places of {base.name} lie above {p}")
+    return AtPrime(base, base.place(place))
 
 
-def _real(name: str, base: Ring, number: str) -> AtRealRoot:
-    """Return the completion at the real root of that number, ascending, or where a root is negative."""
-    if isinstance(base, Quadratic) and base.d > 0 and number == "-":
-        return AtRealRoot(name, base, 1)
-    if isinstance(base, NumberField) and number != "-":
-        n, signs = integer(number), base.signs(base.one)
-        if n < len(signs) and signs[n] == 1:
-            return AtRealRoot(name, base, n)
-    reject(f"{shown(name)}: no such real place is known here")
+def _real(base: Ring, number: int) -> AtRealRoot:
+    """Return the completion at the real root of that number, ascending; of ℚ(√d) where √d is negative."""
+    if isinstance(base, Quadratic) and base.d > 0 and number == 0:
+        return AtRealRoot(base, "inf-", f"{base.gen} is negative", 1)
+    if isinstance(base, NumberField):
+        signs = base.signs(base.one)
+        if number < len(signs) and signs[number] == 1:
+            which = f"{base.gen} is the real root number {number}, ascending from 0"
+            return AtRealRoot(base, f"inf{number}", which, number)
+    reject(f"{shown(base.name)}: the real place number {number} is not known here")
 
 
-def _is_over_finite(base: Ring) -> bool:
-    return isinstance(base, Functions) and isinstance(base.base, Finite)
+KINDS: dict[str, Kind] = {"completion": _completion}

@@ -1,8 +1,8 @@
-"""The names of rings, read: ``QQ``, ``ZZ/6``, ``GF(9, x^2+1)``, ``QQ(sqrt(-7))``, ``GF(4)(t)``."""
+"""Rings made of their data; each kind stands in the module that knows it."""
 
-from functools import lru_cache
+import json
 
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import a_text, keyed, reject, shown
 from hfield.certificates.scalars import (
     completions,
     finite,
@@ -15,33 +15,40 @@ from hfield.certificates.scalars import (
     rationals,
     surds,
 )
-from hfield.certificates.scalars.names import without_blanks
-from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.scalars.ring import Kind, Ring
+from hfield.certificates.work import Remembered
 
-MAX_NAME = 4_000
-# One module a kind: its ``read`` returns the ring of a name, or None; the first that knows it is asked.
-KINDS = (
-    completions,
-    rationals,
-    floats,
-    surds,
-    finite,
-    quadratic,
-    multiquadratic,
-    number_fields,
-    functions,
-    polynomials,
-)
+MAX_DATA = 20_000
+KINDS: dict[str, Kind] = {
+    **rationals.KINDS,
+    **finite.KINDS,
+    **floats.KINDS,
+    **surds.KINDS,
+    **quadratic.KINDS,
+    **multiquadratic.KINDS,
+    **number_fields.KINDS,
+    **functions.KINDS,
+    **polynomials.KINDS,
+    **completions.KINDS,
+}
 
 
-@lru_cache(maxsize=64)
-def read_field(text: str) -> Ring:
-    """Return the ring of that name."""
-    if len(text) > MAX_NAME:
-        reject(f"the name of a ring has {len(text)} characters; at most {MAX_NAME} are read")
-    name = without_blanks(text)
-    for kind in KINDS:
-        found: Ring | None = kind.read(name, read_field)
-        if found is not None:
-            return found
-    reject(f"there is no ring {shown(name)!r}")
+def read_ring(data: object) -> Ring:
+    """Return the ring of some data."""
+    try:
+        text = json.dumps(data, sort_keys=True)
+    except (TypeError, ValueError):
+        reject("the data of a ring are no JSON data, or a number in them is too long")
+    if len(text) > MAX_DATA:
+        reject(f"the data of a ring have {len(text)} characters; at most {MAX_DATA} are read")
+    return _read(text)
+
+
+@Remembered
+def _read(text: str) -> Ring:
+    data = keyed(json.loads(text), "the data of a ring")
+    kind = a_text(data.get("kind"), "the kind of a ring")
+    make = KINDS.get(kind)
+    if make is None:
+        reject(f"rings of the kind {shown(kind)!r} are not known here")
+    return make(data, read_ring)

@@ -1,19 +1,19 @@
 """ℤ/n and GF(pⁿ), written out in integers; moduli are proved irreducible by Rabin's test."""
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any
 
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import a_list, an_integer, reject, shown
 from hfield.certificates.scalars.conway import CONWAY
-from hfield.certificates.scalars.names import integer, polynomial
-from hfield.certificates.scalars.ring import ReadRing, Ring
-from hfield.certificates.work import charge
+from hfield.certificates.scalars.names import plain, polynomial_text
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
+from hfield.certificates.work import charge, charge_inverse, charge_products
 
 MAX_BITS = 512
 MAX_DEGREE = 64
+LONG = 256  # bits: what is no longer takes no time
 # Miller–Rabin with these bases is a proof below the bound (Sorenson and Webster 2015).
 _BASES, PROVED_BELOW = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044064679887385961981
 
@@ -25,6 +25,7 @@ def is_prime(n: int) -> bool:
     for p in _BASES:
         if n % p == 0:
             return n == p
+    charge(200)
     if n >= PROVED_BELOW:
         reject(f"the number {shown(n)} is too large to be proved prime here")
     odd, twos = n - 1, 0
@@ -84,10 +85,16 @@ class Residues(Finite):
     def __init__(self, n: int, is_field: bool, name: str) -> None:
         self.characteristic = self.order = n
         self.is_field, self.name = is_field, name
+        self.words = (
+            f"the field with {n} elements" if name[0] == "G" else f"the integers modulo {n}"
+        )
+        self.is_long = n.bit_length() > LONG
         self.zero, self.one = 0, 1 % n
 
     def number(self, n: int) -> int:
         """Return n·1."""
+        if self.is_long:
+            charge_products([n], [self.characteristic])
         return n % self.characteristic
 
     def add(self, x: int, y: int) -> int:
@@ -100,10 +107,13 @@ class Residues(Finite):
 
     def mul(self, x: int, y: int) -> int:
         """Return x·y."""
+        if self.is_long:
+            charge_products([x, self.characteristic], [y, self.characteristic])
         return x * y % self.characteristic
 
     def inverse(self, x: int) -> int | None:
         """Return 1/x, None for what is no unit."""
+        charge_inverse(self.characteristic)
         try:
             return pow(x, -1, self.characteristic)
         except ValueError:
@@ -122,27 +132,38 @@ Digits = tuple[int, ...]
 
 
 class Extension(Finite):
-    """GF(pⁿ) as polynomials in x modulo ``modulus`` (n + 1 numbers, low degree first).
+    """GF(pⁿ) as polynomials in x modulo ``modulus`` (n + 1 numbers from 0 to p − 1, low degree first, monic).
 
-    Without a modulus only the elements of GF(p) can be named.
+    The name leaves Conway's polynomial out. Above 4096, where that is not known here, a field without a
+    modulus has the plain name, and of it only the elements of GF(p) can be named.
     """
 
     is_field = True
 
-    def __init__(self, p: int, n: int, modulus: Sequence[int] | None, name: str) -> None:
+    def __init__(self, p: int, n: int, modulus: Sequence[int] | None) -> None:
         self.characteristic, self.degree, self.order = p, n, p**n
-        self.name = name
+        self.is_wide = n >= 8
+        self.words = f"the field with {self.order} elements"
+        if modulus is None:
+            self.name = f"GF({self.order})"
+            if self.order in CONWAY:
+                reject(f"{self.name} has to say its modulus")
+        elif len(modulus) != n + 1 or modulus[-1] != 1 or not all(0 <= c < p for c in modulus):
+            reject(
+                f"a modulus of GF({shown(self.order)}) is monic, of the degree {n}, reduced modulo {p}"
+            )
+        else:
+            shape = polynomial_text(modulus, "x")
+            conway = " ".join(map(str, modulus)) == CONWAY.get(self.order)
+            self.name = f"GF({self.order})" if conway else f"GF({self.order}, {shape})"
+            self.words += f", x a root of {shape}"
         self.zero: Digits = (0,) * n
         self.one: Digits = (1, *(0,) * (n - 1))
-        self.modulus: Digits | None = None
+        self.modulus: Digits | None = None if modulus is None else tuple(modulus)
         if modulus is not None:
-            if len(modulus) != n + 1 or modulus[-1] % p == 0:
-                reject(f"a modulus of {name} must have the degree {n}")
-            lead = pow(modulus[-1], -1, p)
-            self.modulus = tuple(c * lead % p for c in modulus)
-            self._tail = [-c % p for c in self.modulus[:-1]]
+            self._tail = [-c % p for c in modulus[:-1]]
             if not self._irreducible():
-                reject(f"the modulus of {name} is reducible")
+                reject(f"the modulus of {shown(self.name)} is reducible")
 
     def number(self, n: int) -> Digits:
         """Return n·1."""
@@ -151,15 +172,21 @@ class Extension(Finite):
     def add(self, x: Digits, y: Digits) -> Digits:
         """Return x + y."""
         p = self.characteristic
+        if self.is_wide:
+            charge(self.degree // 8)
         return tuple([(a + b) % p for a, b in zip(x, y, strict=True)])
 
     def neg(self, x: Digits) -> Digits:
         """Return −x."""
+        if self.is_wide:
+            charge(self.degree // 8)
         return tuple([-a % self.characteristic for a in x])
 
     def mul(self, x: Digits, y: Digits) -> Digits:
         """Return x·y."""
         n, p = self.degree, self.characteristic
+        if self.is_wide:
+            charge(n // 8)
         if not any(x[1:]):
             return tuple([x[0] * b % p for b in y])
         if not any(y[1:]):
@@ -223,6 +250,7 @@ def gcd_modulo(f: list[int], g: list[int], p: int) -> list[int]:
     while g and g[-1] == 0:
         g.pop()
     while g:
+        charge(len(f) * len(g))
         lead = pow(g[-1], -1, p)
         while len(f) >= len(g):
             c, shift = f[-1] * lead % p, len(f) - len(g)
@@ -234,46 +262,28 @@ def gcd_modulo(f: list[int], g: list[int], p: int) -> list[int]:
     return f
 
 
-def galois_field(q: int, modulus: Sequence[int] | None, name: str) -> Ring:
-    """Return the field of q elements; q = pⁿ is taken apart by roots."""
-    if q.bit_length() > MAX_BITS:
-        reject(f"GF(q) with q of {q.bit_length()} bits is too large; at most {MAX_BITS}")
-    for n in range(q.bit_length(), 0, -1):
-        p = _root(q, n)
-        if p**n == q and is_prime(p):
-            break
-    else:
-        reject(f"GF({shown(q)}): the number of elements is no power of a prime")
+def _residues(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    n = an_integer(plain(data, "modulus")["modulus"], "the modulus", 2)
+    return Residues(n, n < PROVED_BELOW and is_prime(n), f"ZZ/{n}")
+
+
+def _galois_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    """GF(p), or GF(pⁿ) with its modulus."""
+    plain(data, "characteristic degree modulus")
+    p = an_integer(data["characteristic"], "the characteristic", 2)
+    n = an_integer(data["degree"], "the degree", 1)
+    if n > MAX_DEGREE or n * (p.bit_length() - 1) >= MAX_BITS:
+        reject(f"a finite field of degree {shown(n)} over GF({shown(p)}) is too large")
+    if not is_prime(p):
+        reject(f"the characteristic {p} is no prime number")
+    modulus = data["modulus"]
     if n == 1:
         if modulus is not None:
             reject(f"GF({p}) takes no modulus")
         return Residues(p, True, f"GF({p})")
-    if n > MAX_DEGREE:
-        reject(f"GF({shown(q)}) has the degree {n}; at most {MAX_DEGREE} is taken")
-    if modulus is None and q in CONWAY:
-        modulus = [int(c) for c in CONWAY[q].split()]
-    return Extension(p, n, modulus, name)
+    if modulus is None:
+        return Extension(p, n, None)
+    return Extension(p, n, [an_integer(c, "a coefficient") for c in a_list(modulus, "a modulus")])
 
 
-def _root(q: int, n: int) -> int:
-    """Return the greatest p with pⁿ ≤ q."""
-    low, high = 1, 1 << (q.bit_length() // n + 1)
-    while low < high:
-        middle = (low + high + 1) // 2
-        low, high = (middle, high) if middle**n <= q else (low, middle - 1)
-    return low
-
-
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``ZZ/n`` or ``GF(q)``, perhaps with a modulus: ``GF(9,x^2+1)``."""
-    if m := re.fullmatch(r"ZZ/([0-9]+)", name):
-        n = integer(m[1])
-        if n < 2:
-            reject("ZZ/n needs n of at least 2")
-        return Residues(n, n < PROVED_BELOW and is_prime(n), f"ZZ/{n}")
-    m = re.fullmatch(r"GF\(([0-9]+)(?:,(.+))?\)", name)
-    if m is None or ")(" in (m[2] or ""):
-        return None
-    q = integer(m[1])
-    modulus = None if m[2] is None else polynomial(m[2], "x", q.bit_length() + 1)
-    return galois_field(q, modulus, name)
+KINDS: dict[str, Kind] = {"residues": _residues, "finite field": _galois_field}

@@ -1,10 +1,12 @@
 """Floats, on which nothing is proved: small integers, with which they compute exactly."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 
 from hfield.certificates.rejection import reject
+from hfield.certificates.scalars.names import plain
 from hfield.certificates.scalars.rationals import Rationals
-from hfield.certificates.scalars.ring import ReadRing, Ring
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
 
 
 class Floats(Rationals):
@@ -14,7 +16,8 @@ class Floats(Rationals):
 
     def __init__(self) -> None:
         super().__init__(False)
-        self.name, self.is_integral, self.fractions = "RDF", False, None
+        self.name, self.is_integral = "RDF", False
+        self.words = "floating-point numbers"
 
     def number(self, n: int) -> Fraction:
         """Return n."""
@@ -42,6 +45,9 @@ class Floats(Rationals):
         return x
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``RDF``."""
-    return Floats() if name == "RDF" else None
+def _floats(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return Floats()
+
+
+KINDS: dict[str, Kind] = {"floats": _floats}

@@ -3,32 +3,34 @@
 Over GF(q) its places are the prime polynomials, and infinity.
 """
 
-import re
-from collections.abc import Callable, Hashable
-from itertools import zip_longest
+from collections.abc import Callable, Hashable, Mapping
 
+from hfield.certificates.glossary import reads_like_a_constant
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import a_list, an_integer, an_object, keyed, reject, shown
 from hfield.certificates.scalars.finite import Finite
-from hfield.certificates.scalars.names import variable
+from hfield.certificates.scalars.names import blackboard, plain, polynomial_text, variables
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.polynomials import MAX_DEGREE, Poly, Polynomials, dense
 from hfield.certificates.scalars.quotients import Quotient
 from hfield.certificates.scalars.residues import OverFiniteField
-from hfield.certificates.scalars.ring import ReadRing, Ring
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
 from hfield.certificates.work import charge
 
 Fraction = tuple[Poly, Poly]
 
 
 class Functions(Ring):
-    """``base(name)``, the rational functions in one variable over a field."""
+    """``base(variable)``, the rational functions in one variable over a field."""
 
     is_field = True
 
-    def __init__(self, base: Ring, name: str, text: str) -> None:
-        self.name, self.base = text, base
-        self.polynomials = Polynomials(base, (name,), text)
+    def __init__(self, base: Ring, variable: str) -> None:
+        self.base, self.variable = base, variable
+        self.polynomials = Polynomials(base, (variable,))
+        strange = reads_like_a_constant(variable)
+        self.name = f"Frac({self.polynomials.name})" if strange else f"{base.name}({variable})"
+        self.words = f"the rational functions in {variable} over {blackboard(base.name)}"
         self.characteristic = base.characteristic
         self.zero: Fraction = ((), self.polynomials.one)
         self.one: Fraction = (self.polynomials.one, self.polynomials.one)
@@ -123,13 +125,22 @@ class Functions(Ring):
         """Ask the constants: one of them that is a sum of squares in F(t) is one in F."""
         return self.base.level_above(bound)
 
-    def place(self, text: str) -> Place:
-        """Read a place of GF(q)(t): ``t^2+1``, a prime polynomial, or ``inf``."""
-        if not isinstance(self.base, Finite):
-            return super().place(text)
-        if "".join(text.split()) == "inf":
+    def is_fraction_field_of(self, ring: Ring) -> bool:
+        """Tell whether these are the fractions of polynomials, over the same field or over ℤ."""
+        if not isinstance(ring, Polynomials) or ring.names != (self.variable,):
+            return False
+        return self.base.name == ring.base.name or self.base.is_fraction_field_of(ring.base)
+
+    def place(self, data: object) -> Place:
+        """Return a place of GF(q)(t), of the kind ``prime polynomial`` or ``infinity``."""
+        kind = keyed(data, "a place").get("kind")
+        if not isinstance(self.base, Finite) or kind not in ("prime polynomial", "infinity"):
+            return super().place(data)
+        if kind == "infinity":
+            an_object(data, "kind", "a place")
             return Infinity(self, self.base)
-        return PrimePolynomial(self.base, self.read(text))
+        found = an_object(data, "kind coefficients", "a place")["coefficients"]
+        return PrimePolynomial(self, self.base, a_list(found, "a prime polynomial", 2))
 
     def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Hashable]]:
         """Return F, and the value of a fraction at an element of F."""
@@ -176,14 +187,13 @@ class Functions(Ring):
         b, f = self.base, list(f)
         lead = b.inverse(g[-1])
         quotient = [b.zero] * max(len(f) - len(g) + 1, 0)
+        charge(len(f) + len(g))
         while len(f) >= len(g):
-            charge(10 * len(f))
+            charge(10 * len(g))
             shift, c = len(f) - len(g), b.mul(f[-1], lead)
             quotient[shift] = c
-            f = [
-                b.add(u, b.neg(b.mul(c, v))) if v is not None else u
-                for u, v in zip_longest(f, [None] * shift + g)
-            ]
+            for k, v in enumerate(g, shift):
+                f[k] = b.add(f[k], b.neg(b.mul(c, v)))
             while f and b.is_zero(f[-1]):
                 f.pop()
         return quotient, f
@@ -195,14 +205,20 @@ class Functions(Ring):
 
 
 class PrimePolynomial(OverFiniteField):
-    """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide."""
+    """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide.
 
-    def __init__(self, base: Finite, prime: Fraction) -> None:
-        self.base, self.odd = base, prime
-        top, below = (dense(part, base) for part in prime)
-        if len(below) != 1 or len(top) < 2:
-            reject("a place is a polynomial, of a degree of at least 1")
+    P is monic, its coefficients low degree first: integers, or lists of them over GF(pⁿ), reduced.
+    """
+
+    def __init__(self, field: Functions, base: Finite, coefficients: list[object]) -> None:
+        self.base = base
+        top, texts = zip(*(_coefficient(base, c) for c in coefficients), strict=True)
+        if not base.equal(top[-1], base.one):
+            reject("a prime polynomial is monic")
         self.residues: Quotient = Quotient(base, top)
+        self.name = f"({polynomial_text(texts, field.variable)})"
+        powers = tuple(((n,), c) for n, c in enumerate(top) if not base.is_zero(c))
+        self.odd: Fraction = (powers, field.polynomials.one)
 
     def residue(self, x: Fraction) -> Hashable | None:
         """Return numerator over denominator modulo P."""
@@ -216,8 +232,9 @@ class Infinity(OverFiniteField):
     """GF(q)(t) at infinity: integral are the fractions whose degree is not positive."""
 
     def __init__(self, field: Functions, base: Finite) -> None:
-        self.residues = self.base = base
-        self.odd = field.inverse(field.read(field.polynomials.names[0]))
+        self.residues, self.base, self.name = base, base, "inf"
+        one = field.polynomials.one
+        self.odd: Fraction = (one, (((1,), base.one),))
 
     def residue(self, x: Fraction) -> Hashable | None:
         """Return the quotient of the coefficients at the degree of the denominator."""
@@ -229,12 +246,24 @@ class Infinity(OverFiniteField):
         return residue if len(top) < len(below) else base.mul(top[-1], base.inverse(below[-1]))
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``QQ(x)`` or ``GF(4)(t)``."""
-    m = re.fullmatch(r"(.+)\(([a-zA-Z][a-zA-Z0-9_]*)\)", name)
-    if m is None:
-        return None
-    base = ring(m[1])
+def _coefficient(base: Finite, value: object) -> tuple[Hashable, str]:
+    """Read an element of a finite field, an integer or a list of coefficients; return its text as well."""
+    p, degree = base.characteristic, getattr(base, "degree", 1)
+    digits = [value] if degree == 1 else a_list(value, "a coefficient")
+    found = [an_integer(c, "a coefficient", 0) for c in digits]
+    if len(found) != degree or max(found) >= p:
+        reject(f"a coefficient in {base.name} has {degree} entries from 0 to {p - 1}")
+    return (found[0] if degree == 1 else tuple(found)), polynomial_text(found, "x")
+
+
+def _functions(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    base = ring(plain(data, "base variables")["base"])
     if not (base.name == "QQ" or base.order is not None) or not base.is_field:
-        reject(f"{shown(name)}: functions are over QQ or a finite field")
-    return Functions(base, variable(m[2], base), name)
+        reject(f"functions are over QQ or a finite field, not over {shown(base.name)}")
+    names = variables(data["variables"], base)
+    if len(names) > 1:
+        reject("functions in several variables are not known here")
+    return Functions(base, names[0])
+
+
+KINDS: dict[str, Kind] = {"rational functions": _functions}

@@ -28,7 +28,7 @@ def check_irreducible(f: list[int], name: str) -> None:
         )
     discs = root_discs(f)
     sums = [[_power(disc, k) for disc in discs] for k in range(1, n + 1)]
-    charge(2**n * n)
+    charge(5 * 2**n * n)
     for rest in product((False, True), repeat=n - 1):
         chosen = [0, *(k for k, taken in enumerate(rest, 1) if taken)]
         if len(chosen) < n and not any(_is_no_integer([row[k] for k in chosen]) for row in sums):

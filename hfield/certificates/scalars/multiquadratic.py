@@ -1,23 +1,23 @@
 """ℚ(√m, √n, …): sums of square roots; if all are real, there is an ordering for each choice of signs."""
 
-import re
+from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
 
-from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.names import integer
-from hfield.certificates.scalars.ring import ReadRing, Ring
-from hfield.certificates.scalars.surds import Radical, Surd, Surds, radical
+from hfield.certificates.rejection import a_list, an_integer, reject
+from hfield.certificates.scalars.names import plain
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
+from hfield.certificates.scalars.surds import Radical, Surd, Surds, radical, root_text
 
 MAX_ROOTS = 5
-_ROOT = r"(?:sqrt\(-?[0-9]+\)|I)"
 
 
 class Multiquadratic(Surds):
     """The field that several square roots of integers generate."""
 
-    def __init__(self, name: str, numbers: list[int]) -> None:
-        super().__init__(name)
+    def __init__(self, numbers: list[int]) -> None:
+        self.name = f"QQ({','.join(map(root_text, numbers))})"
+        self.words = f"the field of {', '.join(map(root_text, numbers))} over ℚ"
         self.is_real = all(n > 0 for n in numbers)
         self.roots: list[Radical] = []
         span: set[Radical] = {()}
@@ -59,18 +59,19 @@ def _product(a: Radical, b: Radical) -> Radical:
     return tuple(sorted({*a} ^ {*b}))
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``QQ(sqrt(2),sqrt(3))``, two or more roots, I among them."""
-    m = re.fullmatch(rf"QQ\(({_ROOT}(?:,{_ROOT})+)\)", name)
-    if m is None:
-        return None
-    texts = m[1].split(",")
-    if len(texts) > MAX_ROOTS:
-        reject(f"{shown(name)} has more than {MAX_ROOTS} roots")
-    return Multiquadratic(name, [-1 if text == "I" else integer_under(text) for text in texts])
+def _multiquadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    numbers = [
+        an_integer(n, "a number under a root") for n in a_list(plain(data, "d")["d"], "d", 2)
+    ]
+    if len(numbers) > MAX_ROOTS:
+        reject(f"there are {len(numbers)} square roots; at most {MAX_ROOTS} are taken")
+    if (
+        -1 in numbers[:-1]
+        or len({*numbers}) < len(numbers)
+        or not all(radical(n)[0] for n in numbers)
+    ):
+        reject("the numbers under roots are different, none is a square, and −1 is the last")
+    return Multiquadratic(numbers)
 
 
-def integer_under(text: str) -> int:
-    """Return n of ``sqrt(n)``."""
-    digits = text[5:-1]
-    return -integer(digits[1:]) if digits[0] == "-" else integer(digits)
+KINDS: dict[str, Kind] = {"multiquadratic field": _multiquadratic}

@@ -1,80 +1,82 @@
-"""What the names of rings are made of: numbers, variables, and polynomials with integer coefficients."""
+"""Canonical names, written from data; which names a variable may have, and how polynomials are written.
+
+The checker reads no names of rings. It makes a ring of data and writes the name, so that no two rings have
+one name; docs/certificates.md lists the kinds.
+"""
 
 import re
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
-from hfield.certificates.language import Tree, parse
-from hfield.certificates.rejection import MAX_DIGITS, Rejected, reject, shown
+from hfield.certificates.glossary import BASIS, WORDS
+from hfield.certificates.rejection import (
+    MAX_DIGITS,
+    a_list,
+    a_text,
+    an_integer,
+    an_object,
+    reject,
+    shown,
+)
 from hfield.certificates.scalars.ring import Ring
 
-RESERVED = {*"eijk", "I", "and", "or", "not", "exists"}
+MAX_VARIABLES = 64
 
 
-def without_blanks(text: str) -> str:
-    """Return a name without its blanks; rejects blanks that part a word or a number in two."""
-    if re.search(r"\w\s+\w", text) or not text.isascii():
-        reject(f"{shown(text)!r} cannot be read without its blanks, or has strange letters")
-    return "".join(text.split())
+def variables(value: object, base: Ring) -> tuple[str, ...]:
+    """Read the names of variables; none of them means anything else, or comes twice."""
+    found = [a_text(x, "a variable", 100) for x in a_list(value, "variables", 1)]
+    for name in found:
+        if not re.fullmatch("[a-zA-Z][a-zA-Z0-9_]*", name) or name in WORDS or name in BASIS:
+            reject(f"{shown(name)!r} cannot name a variable")
+        if base.constant(("name", name)) is not None:
+            reject(f"{shown(name)!r} already means an element of {base.name}")
+    if len(set(found)) < len(found) or len(found) > MAX_VARIABLES:
+        reject("a variable comes twice, or there are too many")
+    return tuple(found)
 
 
-def integer(digits: str) -> int:
-    """Read an integer."""
-    if not re.fullmatch("-?[0-9]+", digits):
-        reject(f"expected a number, found {shown(digits)!r}")
-    if len(digits) > MAX_DIGITS:
-        reject(f"a number of {len(digits)} digits is too large")
-    return int(digits)
+def a_rational(value: object, what: str) -> Fraction:
+    """Read a rational number: an integer, or a text such as ``-1/2`` in lowest terms."""
+    if not isinstance(value, str):
+        return Fraction(an_integer(value, what))
+    top, _, below = value.partition("/")
+    if re.fullmatch("-?[0-9]+/[0-9]+", value) and max(len(top), len(below)) <= MAX_DIGITS:
+        found = Fraction(int(top), int(below) or 1)
+        if found.denominator > 1 and str(found) == value:
+            return found
+    reject(
+        f"{what} must be an integer or a text such as '-1/2' in lowest terms, found {shown(value)!r}"
+    )
 
 
-def variable(name: str, base: Ring) -> str:
-    """Return the name of a variable, which must mean nothing else."""
-    if (
-        name in RESERVED
-        or re.fullmatch("zeta[0-9]+", name)
-        or base.constant(("name", name)) is not None
-    ):
-        reject(f"{shown(name)!r} cannot name a variable")
-    return name
+def blackboard(name: str) -> str:
+    """Write the name of a ring inside words."""
+    return {"QQ": "ℚ", "ZZ": "ℤ"}.get(name, name)
 
 
-def polynomial(text: str, name: str, bound: int) -> list[int]:
-    """Read a polynomial in one variable of at most that degree; integers, low degree first."""
+def plain(data: Mapping[str, object], keys: str) -> Mapping[str, object]:
+    """Return the data of a ring, which has exactly these keys beside its kind."""
+    return an_object(data, f"kind {keys}", "the data of a ring")
 
-    def read(tree: Tree) -> list[int]:
-        kind = tree[0]
-        if kind == "num" and isinstance(tree[1], int):
-            return [tree[1]]
-        if tree == ("name", name):
-            return [0, 1]
-        if kind == "neg":
-            return [-c for c in read(tree[1])]
-        if kind in ("+", "-"):
-            f, g = read(tree[1]), read(tree[2])
-            size = max(len(f), len(g))
-            f, g = f + [0] * (size - len(f)), g + [0] * (size - len(g))
-            return [a + b if kind == "+" else a - b for a, b in zip(f, g, strict=True)]
-        if kind == "*":
-            return times(read(tree[1]), read(tree[2]))
-        if kind == "pow" and 0 <= tree[2] <= bound:
-            out, base = [1], read(tree[1])
-            for _ in range(tree[2]):
-                out = times(out, base)
-            return out
-        raise Rejected(
-            f"the modulus {shown(text)!r} is no polynomial in {name} of a fitting degree"
-        )
 
-    def times(f: list[int], g: list[int]) -> list[int]:
-        if len(f) + len(g) - 2 > bound:
-            reject(f"the modulus {shown(text)!r} has too high a degree")
-        out = [0] * (len(f) + len(g) - 1)
-        for m, a in enumerate(f):
-            for n, b in enumerate(g):
-                out[m + n] += a * b
-        if any(c.bit_length() > 4 * MAX_DIGITS for c in out):
-            reject(f"the modulus {shown(text)!r} has too large coefficients")
-        return out
+def polynomial_text(coefficients: Sequence[object], name: str, falling: bool = True) -> str:
+    """Write Σ cₙ·nameⁿ, the highest power in front if ``falling``; the coefficients low degree first.
 
-    found = read(parse(text))
-    while found and found[-1] == 0:
-        found.pop()
-    return found
+    A coefficient is a number, or a text, which is put into parentheses where it is a sum.
+    """
+    terms = [_term(str(c), name, n) for n, c in enumerate(coefficients) if str(c) != "0"]
+    out = ""
+    for term in reversed(terms) if falling else terms:
+        out += term if not out or term.startswith("-") else f"+{term}"
+    return out or "0"
+
+
+def _term(coefficient: str, name: str, n: int) -> str:
+    if n == 0:
+        return coefficient
+    power = name if n == 1 else f"{name}^{n}"
+    if coefficient in ("1", "-1"):
+        return coefficient[:-1] + power
+    sign = "+" in coefficient or "-" in coefficient[1:]
+    return f"({coefficient})*{power}" if sign else f"{coefficient}*{power}"

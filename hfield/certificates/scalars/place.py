@@ -6,9 +6,13 @@ from typing import Any
 
 
 class Place(ABC):
-    """A valuation of a field, and ``odd``, an element whose valuation is an odd number."""
+    """A valuation of a field, and ``odd``, an element whose valuation is an odd number.
+
+    ``name`` is canonical, but for ideals that another generator describes: a field has one place of a name.
+    """
 
     odd: Any
+    name: str
 
     @abstractmethod
     def residue(self, x: Any) -> Hashable | None:

@@ -1,13 +1,13 @@
 """Polynomials over a domain, in one variable or several."""
 
 import re
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.names import variable
-from hfield.certificates.scalars.ring import ReadRing, Ring
+from hfield.certificates.scalars.names import blackboard, plain, variables
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
 from hfield.certificates.work import charge
 
 MAX_TERMS = 4_000
@@ -21,11 +21,11 @@ class Polynomials(Ring):
 
     is_integral = True
 
-    def __init__(self, base: Ring, names: tuple[str, ...], name: str) -> None:
-        self.base, self.names, self.name = base, names, name
+    def __init__(self, base: Ring, names: tuple[str, ...]) -> None:
+        self.base, self.names, self.name = base, names, f"{base.name}[{','.join(names)}]"
+        self.words = f"the polynomials in {', '.join(names)} over {blackboard(base.name)}"
         self.characteristic = base.characteristic
-        if len(names) == 1:
-            self.fractions = f"{base.fractions or base.name}({names[0]})"
+        self.wide = 1 + len(names) // 10  # what the exponents of a monomial cost
         self.zero: Poly = ()
         self.one: Poly = self._constant(base.one)
 
@@ -35,6 +35,7 @@ class Polynomials(Ring):
 
     def add(self, x: Poly, y: Poly) -> Poly:
         """Return x + y."""
+        charge(self.wide * (len(x) + 4 * len(y)))
         out = dict(x)
         for m, c in y:
             out[m] = self.base.add(out[m], c) if m in out else c
@@ -42,13 +43,14 @@ class Polynomials(Ring):
 
     def neg(self, x: Poly) -> Poly:
         """Return −x."""
+        charge(2 * len(x))
         return tuple((m, self.base.neg(c)) for m, c in x)
 
     def mul(self, x: Poly, y: Poly) -> Poly:
         """Return x·y."""
         if len(x) * len(y) > MAX_TERMS**2 // 16:
             reject(f"an element of {self.name} has grown too large")
-        charge(5 * len(x) * len(y))
+        charge((4 + self.wide) * len(x) * len(y))
         out: dict[tuple[int, ...], Any] = {}
         for m, c in x:
             for n, d in y:
@@ -66,6 +68,7 @@ class Polynomials(Ring):
 
     def constant(self, tree: Tree) -> Poly | None:
         """Return a variable, or a constant of the base."""
+        charge(self.wide)
         if tree[0] == "name" and tree[1] in self.names:
             place = self.names.index(tree[1])
             return ((tuple(int(n == place) for n in range(len(self.names))), self.base.one),)
@@ -76,6 +79,7 @@ class Polynomials(Ring):
         return () if self.base.is_zero(c) else (((0,) * len(self.names), c),)
 
     def _poly(self, values: dict[tuple[int, ...], Hashable]) -> Poly:
+        charge(len(values))
         out = tuple(sorted((m, c) for m, c in values.items() if not self.base.is_zero(c)))
         if len(out) > MAX_TERMS:
             reject(f"an element of {self.name} has more than {MAX_TERMS} terms")
@@ -88,21 +92,24 @@ def dense(f: Poly, base: Ring) -> list[Any]:
         return []
     if f[-1][0][0] > MAX_DEGREE:
         reject(f"a polynomial has a degree above {MAX_DEGREE}")
+    charge(1 + f[-1][0][0] // 4)
     out = [base.zero] * (f[-1][0][0] + 1)
     for (n,), c in f:
         out[n] = c
     return out
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``ZZ[a,b]``, ``QQ[x]`` or ``GF(5)[x]``."""
-    m = re.fullmatch(r"(.+)\[([a-zA-Z][a-zA-Z0-9_]*(?:,[a-zA-Z][a-zA-Z0-9_]*)*)\]", name)
-    if m is None:
-        return None
-    base = ring(m[1])
+def _polynomials(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    base = ring(plain(data, "base variables")["base"])
     if base.name not in ("ZZ", "QQ") and not (base.is_field and base.order == base.characteristic):
-        reject(f"{shown(name)}: polynomials are over ZZ, QQ or GF(p)")
-    names = tuple(variable(v, base) for v in m[2].split(","))
-    if len(set(names)) < len(names):
-        reject(f"{shown(name)}: a variable occurs twice")
-    return Polynomials(base, names, name)
+        reject(f"polynomials are over ZZ, QQ or GF(p), not over {shown(base.name)}")
+    names = variables(data["variables"], base)
+    number = next((name for name in names if re.fullmatch("zeta_?[0-9]+", name)), None)
+    if number:
+        reject(
+            f"{base.name}[{','.join(names)}] reads as the ring that the number {number} generates"
+        )
+    return Polynomials(base, names)
+
+
+KINDS: dict[str, Kind] = {"polynomials": _polynomials}

@@ -6,27 +6,26 @@ is prime to g modulo p. Then R is a discrete valuation ring there (Dedekind). An
 P and lies in all other maximal ideals makes elements with denominators p integral and keeps their residues.
 """
 
-import re
 from collections.abc import Sequence
 from fractions import Fraction
-from math import lcm
 from typing import Any, Protocol
 
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import a_list, an_integer, an_object, keyed, reject, shown
 from hfield.certificates.scalars.finite import Residues, gcd_modulo, is_prime
 from hfield.certificates.scalars.matrices import inverse_matrix
-from hfield.certificates.scalars.names import polynomial
+from hfield.certificates.scalars.names import a_rational, polynomial_text
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.quotients import Quotient
-from hfield.certificates.scalars.rationals import bounded
+from hfield.certificates.scalars.rationals import QQ, over_one_denominator
 from hfield.certificates.scalars.residues import OverFiniteField, modulo
-from hfield.certificates.work import charge
+from hfield.certificates.work import charge_products
 
 
 class Generated(Protocol):
     """A number field with a generator: the polynomial of this, monic, and what makes it integral."""
 
     name: str
+    gen: str
     degree: int
     scale: int
     modulus: list[Fraction]
@@ -34,9 +33,6 @@ class Generated(Protocol):
 
 class Field(Generated, Protocol):
     """What is used of a number field besides."""
-
-    def read(self, text: str) -> Any:
-        """Read an element."""
 
     def mul(self, x: Any, y: Any) -> Any:
         """Return x·y."""
@@ -48,7 +44,7 @@ class PrimeIdeal(OverFiniteField):
     def __init__(self, field: Generated, p: int, g: list[int]) -> None:
         if not is_prime(p) or field.scale % p == 0:
             reject(f"{p} is no prime at which the generator of {shown(field.name)} is integral")
-        self.field, self.p = field, p
+        self.field, self.p, self.name = field, p, f"({p})"
         f = [_modulo(c, p) for c in field.modulus]
         g = _monic(g, p)
         self.residues: Quotient = Quotient(Residues(p, True, f"GF({p})"), g)  # g is irreducible
@@ -73,8 +69,9 @@ class PrimeIdeal(OverFiniteField):
         whole = h
         for _ in range(e):
             whole = _times(whole, g, 0)
-        top = [a - b for a, b in zip(self.field.modulus, whole, strict=True)]
-        rest = [_modulo(c / self.p, self.p) for c in top]
+        below = Fraction(1, self.p)
+        top = [QQ.add(a, Fraction(-b)) for a, b in zip(self.field.modulus, whole, strict=True)]
+        rest = [_modulo(QQ.mul(c, below), self.p) for c in top]
         return any(rest) and len(gcd_modulo(list(g), rest, self.p)) == 1
 
     def _element(self, f: list[int]) -> tuple[Fraction, ...]:
@@ -87,35 +84,52 @@ class PrimeIdeal(OverFiniteField):
         ideals above p until it is integral at these.
         """
         p, power = self.p, 1
-        while any(c.denominator % (power * p) == 0 for c in x):
+        denominators = [c.denominator for c in x]
+        while any(d % (power * p) == 0 for d in denominators):
+            charge_products([power * p], denominators)
             power *= p
         modulus = power * p
         a = [_modulo(c * power, modulus) for c in x]
         f = [_modulo(c, modulus) for c in self.field.modulus]
         steps = 2 * len(x) * (power.bit_length() + 1) if len(self.cleared) > 1 else 1
         for _ in range(steps):
+            charge_products([power], a)
             if all(c % power == 0 for c in a):
                 return self.residues.reduce([c // power % p for c in a])
             a = _divide(_times(a, self.cleared, modulus), f, modulus)[1]
         return None
 
 
-def read_ideal(field: Field, text: str) -> Place:
-    """Read ``(p, g(s))``, ``p``, or ``(p, g(x); θ)`` where θ takes the place of s."""
-    name = "".join(text.split())
-    if m := re.fullmatch(r"\(([0-9]{1,40}),([^;]+);([^;]+)\)", name):
-        other = Regenerated(field, field.read(m[3]))
-        g = polynomial(m[2], "x", field.degree)
-        return Translated(other, PrimeIdeal(other, int(m[1]), [c % int(m[1]) for c in g]))
-    m = re.fullmatch(r"\(([0-9]{1,40}),(.+)\)|([0-9]{1,40})", name)
-    if m is None:
-        reject(f"{shown(text)!r} is no prime ideal of {shown(field.name)}")
-    p = int(m[1] or m[3])
-    if field.scale % p == 0 if p else True:
+def prime_ideal(field: Field, data: object) -> Place:
+    """Return the ideal of p and an ``element``, of p alone (null), or as another generator has it."""
+    keys = {"prime ideal": "p element", "other generator": "p polynomial generator"}
+    kind = keyed(data, "a place").get("kind")
+    if kind not in ("prime ideal", "other generator"):
+        reject(f"no place of the kind {shown(kind)!r} is known of {shown(field.name)}")
+    found = an_object(data, f"kind {keys[kind]}", "a place")
+    p = an_integer(found["p"], "a prime number", 2)
+    if kind == "other generator":
+        other = Regenerated(field, _element(field, found["generator"]))
+        g = [
+            an_integer(c, "a coefficient") % p for c in a_list(found["polynomial"], "a polynomial")
+        ]
+        return Translated(other, PrimeIdeal(other, p, g))
+    if field.scale % p == 0:
         reject(f"the generator of {shown(field.name)} is not integral at {p}")
-    if m[3]:
+    if found["element"] is None:
         return PrimeIdeal(field, p, [_modulo(c, p) for c in field.modulus])
-    return PrimeIdeal(field, p, [_modulo(c, p) for c in field.read(m[2])])
+    x = _element(field, found["element"])
+    ideal = PrimeIdeal(field, p, [_modulo(c, p) for c in x])
+    ideal.name = f"({p}, {polynomial_text(x, field.gen, falling=False)})"
+    return ideal
+
+
+def _element(field: Generated, value: object) -> tuple[Fraction, ...]:
+    """Read an element as the coefficients of the powers of the generator."""
+    found = [a_rational(c, "a coefficient") for c in a_list(value, "an element")]
+    if len(found) != field.degree:
+        reject(f"an element of {shown(field.name)} has {field.degree} coefficients")
+    return tuple(found)
 
 
 class Regenerated:
@@ -123,8 +137,7 @@ class Regenerated:
 
     def __init__(self, field: Field, theta: Any) -> None:
         self.degree = n = field.degree
-        self.name = f"{field.name} by another generator"
-        charge(20 * n**3)
+        self.name, self.gen = f"{field.name} by another generator", "θ"
         powers = [(Fraction(1), *[Fraction(0)] * (n - 1))]
         for _ in range(n):
             powers.append(field.mul(powers[-1], theta))
@@ -134,7 +147,7 @@ class Regenerated:
             reject(f"an element does not generate {shown(field.name)}")
         self.inverse = inverse
         self.modulus = [*(-c for c in self.inside(powers[n])), Fraction(1)]
-        self.scale = lcm(*(c.denominator for c in self.modulus))
+        self.scale = over_one_denominator(self.modulus)[1]
 
     def inside(self, x: Any) -> list[Fraction]:
         """Return the coordinates in powers of θ."""
@@ -150,6 +163,7 @@ class Translated(OverFiniteField):
 
     def __init__(self, field: Regenerated, ideal: PrimeIdeal) -> None:
         self.field, self.ideal, self.residues = field, ideal, ideal.residues
+        self.name = f"({ideal.p}, an element)"
         self.odd = field.outside(ideal.odd)
 
     def residue(self, x: Any) -> Any:
@@ -159,11 +173,10 @@ class Translated(OverFiniteField):
 
 def _combination(x: Any, rows: Any) -> list[Fraction]:
     """Return the sum of the rows, each times an entry of x."""
-    charge(2 * len(rows) ** 2)
-    return [
-        bounded(sum((a * row[k] for a, row in zip(x, rows, strict=True)), Fraction(0)))
-        for k in range(len(rows))
-    ]
+    out = [Fraction(0)] * len(rows)
+    for a, row in zip(x, rows, strict=True):
+        out = [QQ.add(c, QQ.mul(a, b)) for c, b in zip(out, row, strict=True)]
+    return out
 
 
 def _modulo(c: Fraction, p: int) -> int:
@@ -185,7 +198,7 @@ def _monic(f: Sequence[int], p: int) -> list[int]:
 
 def _times(f: list[int], g: list[int], p: int) -> list[int]:
     """Return f·g, modulo p unless p is 0."""
-    charge(5 * len(f) * len(g))
+    charge_products(f, g)
     out = [0] * (len(f) + len(g) - 1)
     for i, a in enumerate(f):
         for j, b in enumerate(g):
@@ -197,6 +210,7 @@ def _divide(f: list[int], g: list[int], p: int) -> tuple[list[int], list[int]]:
     """Return quotient and remainder by a monic polynomial modulo p; [] for a remainder 0."""
     rest, out = list(f), []
     while len(rest) >= len(g):
+        charge_products([rest[-1], p], g)
         top = rest[-1] % p
         out.append(top)
         for k, c in enumerate(g):

@@ -1,16 +1,15 @@
 """ℚ(√d): sums of two square roots, 1 and √d; its squares, its level, its prime ideals."""
 
-import re
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from fractions import Fraction
 from itertools import product
-from math import gcd, isqrt
+from math import gcd
 
-from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.names import integer
+from hfield.certificates.rejection import an_integer, an_object, keyed, reject, shown
+from hfield.certificates.scalars.names import plain
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.quotients import Quotient
-from hfield.certificates.scalars.rationals import QQ
+from hfield.certificates.scalars.rationals import QQ, root
 from hfield.certificates.scalars.residues import (
     GF2,
     ModuloNumber,
@@ -19,8 +18,8 @@ from hfield.certificates.scalars.residues import (
     modulo,
     two_or_odd,
 )
-from hfield.certificates.scalars.ring import ReadRing, Ring
-from hfield.certificates.scalars.surds import Radical, Surd, Surds, radical
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
+from hfield.certificates.scalars.surds import Radical, Surd, Surds, radical, root_text
 from hfield.certificates.work import charge
 
 MAX_POWER = 1_000  # of n in a denominator
@@ -29,12 +28,13 @@ MAX_POWER = 1_000  # of n in a denominator
 class Quadratic(Surds):
     """QQ(sqrt(d)) for a squarefree number d."""
 
-    def __init__(self, name: str, d: int) -> None:
-        super().__init__(name)
+    def __init__(self, d: int) -> None:
+        self.gen = root_text(d)
+        self.name, self.words = f"QQ({self.gen})", f"the field of {self.gen} over ℚ"
         self.d, self.is_real = d, d > 0
         self.root, scale = radical(d)
         if scale != 1 or self.root == ():
-            reject(f"{name}: expected the root of a squarefree number other than 1")
+            reject(f"{self.name}: expected the root of a squarefree number other than 1")
 
     def has_root(self, key: Radical) -> bool:
         """Tell whether the root is that of d."""
@@ -47,13 +47,12 @@ class Quadratic(Surds):
     def is_square(self, x: Surd) -> bool:
         """Tell it by the norm of u + v·√d: it is a square, and so is one of (u ± its root)/2."""
         u, v = _pair(x)
+        d, half = Fraction(self.d), Fraction(1, 2)
         if not v:
-            return QQ.is_square(u) or QQ.is_square(u / self.d)
-        norm = u * u - self.d * v * v
-        if not QQ.is_square(norm):
-            return False
-        root = Fraction(isqrt(norm.numerator), isqrt(norm.denominator))
-        return any(QQ.is_square((u + s * root) / 2) for s in (1, -1))
+            return QQ.is_square(u) or QQ.is_square(QQ.mul(u, 1 / d))
+        norm = QQ.add(QQ.mul(u, u), QQ.mul(-d, QQ.mul(v, v)))
+        r = root(norm) if norm >= 0 else None
+        return r is not None and any(QQ.is_square(QQ.mul(QQ.add(u, s), half)) for s in (r, -r))
 
     def level_above(self, bound: int) -> bool:
         """Prove that −1 is not a sum of ``bound`` squares; False says nothing.
@@ -67,13 +66,15 @@ class Quadratic(Surds):
             return self.d != -1
         return bound <= 3 and self.d % 8 == 1 and _odd_squares_modulo_8()
 
-    def place(self, text: str) -> Place:
-        """Read a place: ``7``, or ``(7, sqrt(2)-3)`` of ℚ(√2)."""
-        name, root = "".join(text.split()), "I" if self.d == -1 else f"sqrt({self.d})"
-        m = re.fullmatch(r"\(([0-9]+),(.+)-([0-9]+)\)", name)
-        if m is not None and m[2] == root:
-            return SplitIdeal(self, two_or_odd(m[1]), integer(m[3]))
-        n = two_or_odd(name)
+    def place(self, data: object) -> Place:
+        """Return a place of the kind ``number``, or ``split``, where √d is the ``root`` modulo n."""
+        kind = keyed(data, "a place").get("kind")
+        if kind == "split":
+            found = an_object(data, "kind n root", "a place")
+            return SplitIdeal(self, two_or_odd(found["n"]), an_integer(found["root"], "a root", 0))
+        if kind != "number":
+            return super().place(data)
+        n = two_or_odd(an_object(data, "kind n", "a place")["n"])
         if n > 2 and gcd(n, self.d) == 1:
             return InertNumber(self, n)
         return InertTwo(self) if n == 2 and self.d % 4 == 1 else RamifiedIdeal(self, n)
@@ -111,9 +112,8 @@ class RamifiedIdeal(ModuloNumber):
     def __init__(self, field: Quadratic, n: int) -> None:
         if n > 2 and field.d % n:
             reject(f"{n} neither divides {field.d} nor is prime to it")
-        self.n, self.root = n, field.d % n
-        omega = field.read("I" if field.d == -1 else f"sqrt({field.d})")
-        self.odd = field.add(omega, field.number(-self.root))
+        self.n, self.root, self.name = n, field.d % n, f"({n})"
+        self.odd = field.add(((field.root, Fraction(1)),), field.number(-self.root))
 
     def residue(self, x: Surd) -> int | None:
         """Return u + v·d modulo n."""
@@ -129,12 +129,13 @@ class SplitIdeal(ModuloNumber):
 
     def __init__(self, field: Quadratic, n: int, r: int) -> None:
         self.n, self.odd, d = n, field.number(n), field.d
+        self.name = f"({n}, {field.gen}-{r})"
         self.pair = _pair_of_integers if n == 2 else _pair
         # ω, its trace and its norm
         self.root, self.trace, self.norm = ((1 + r) // 2, 1, (1 - d) // 4) if n == 2 else (r, 0, -d)
         fits = d % 8 == 1 and r in (1, 3) if n == 2 else r < n and gcd(r, n) == 1
         if not fits or self._minimal(self.root) % n:
-            reject(f"√{d} is not {r} at an ideal above {n}")
+            reject(f"√{shown(d)} is not {shown(r)} at an ideal above {shown(n)}")
 
     def _minimal(self, r: int) -> int:
         return r * r - self.trace * r + self.norm
@@ -174,7 +175,7 @@ class InertNumber(Place):
     """
 
     def __init__(self, field: Quadratic, n: int) -> None:
-        self.n, self.d, self.odd = n, field.d, field.number(n)
+        self.n, self.d, self.odd, self.name = n, field.d, field.number(n), f"({n})"
 
     def residue(self, x: Surd) -> tuple[int, int] | None:
         """Return (u, v) modulo n."""
@@ -200,7 +201,7 @@ class InertTwo(OverFiniteField):
 
     def __init__(self, field: Quadratic) -> None:
         self.residues: Quotient = Quotient(GF2, [(1 - field.d) // 4 % 2, 1, 1])
-        self.odd = field.number(2)
+        self.odd, self.name = field.number(2), "(2)"
 
     def residue(self, x: Surd) -> Hashable | None:
         """Return u + v·ω modulo 2."""
@@ -208,14 +209,8 @@ class InertTwo(OverFiniteField):
         return None if u is None or v is None else self.residues.reduce([u, v])
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``QQ(sqrt(d))`` or ``QQ(I)``."""
-    m = re.fullmatch(r"QQ\((?:sqrt\((-?[0-9]+)\)|I)\)", name)
-    if m is None:
-        return None
-    if m[1] is None:
-        return Quadratic(name, -1)
-    d = integer(m[1])
-    if d == -1:
-        reject("QQ(sqrt(-1)) is called QQ(I)")
-    return Quadratic(name, d)
+def _quadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    return Quadratic(an_integer(plain(data, "d")["d"], "the number under the root"))
+
+
+KINDS: dict[str, Kind] = {"quadratic field": _quadratic}

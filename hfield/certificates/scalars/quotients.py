@@ -50,10 +50,12 @@ class Quotient(Finite):
 
     def add(self, x: Dense, y: Dense) -> Dense:
         """Return x + y."""
+        charge(self.degree)
         return tuple([self.base.add(u, v) for u, v in zip(x, y, strict=True)])
 
     def neg(self, x: Dense) -> Dense:
         """Return −x."""
+        charge(self.degree)
         return tuple([self.base.neg(u) for u in x])
 
     def mul(self, x: Dense, y: Dense) -> Dense:

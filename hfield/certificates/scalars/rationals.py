@@ -1,15 +1,17 @@
 """ℚ, and ℤ in it: fractions of integers; ℚ at a prime number."""
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import product
-from math import isqrt, prod
+from math import isqrt, lcm
 
-from hfield.certificates.rejection import reject
+from hfield.certificates.rejection import an_object, keyed, reject
 from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.names import plain
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.residues import ModuloNumber, modulo, two_or_odd
-from hfield.certificates.scalars.ring import ReadRing, Ring
-from hfield.certificates.work import charge
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
+from hfield.certificates.work import charge, charge_products
 
 MAX_BITS = 100_000
 
@@ -23,8 +25,8 @@ class Rationals(Ring):
 
     def __init__(self, is_field: bool) -> None:
         self.is_field, self.name = is_field, "QQ" if is_field else "ZZ"
+        self.words = "the rational numbers" if is_field else "the integers"
         self.zero, self.one = Fraction(0), Fraction(1)
-        self.fractions = None if is_field else "QQ"
 
     def number(self, n: int) -> Fraction:
         """Return n."""
@@ -32,6 +34,7 @@ class Rationals(Ring):
 
     def add(self, x: Fraction, y: Fraction) -> Fraction:
         """Return x + y."""
+        _charge_for(x, y)
         return bounded(x + y)
 
     def neg(self, x: Fraction) -> Fraction:
@@ -40,6 +43,7 @@ class Rationals(Ring):
 
     def mul(self, x: Fraction, y: Fraction) -> Fraction:
         """Return x·y."""
+        _charge_for(x, y)
         return bounded(x * y)
 
     def inverse(self, x: Fraction) -> Fraction | None:
@@ -56,36 +60,63 @@ class Rationals(Ring):
 
     def is_square(self, x: Fraction) -> bool:
         """Tell whether numerator and denominator are squares."""
-        return x >= 0 and all(isqrt(n) ** 2 == n for n in (x.numerator, x.denominator))
+        return x >= 0 and root(x) is not None
 
     def has_no_root(self, c: list[Fraction]) -> bool:
         """Prove it for the polynomial with integer coefficients."""
-        below = prod(x.denominator for x in c)
-        return has_no_rational_root([int(x * below) for x in c])
+        return has_no_rational_root(over_one_denominator(c)[0])
 
-    def place(self, text: str) -> Place:
-        """Read a place such as ``7``."""
-        return Number(two_or_odd("".join(text.split()))) if self.is_field else super().place(text)
+    def is_fraction_field_of(self, ring: Ring) -> bool:
+        """Tell whether this is ℚ, and the ring ℤ."""
+        return self is QQ and ring is ZZ
+
+    def place(self, data: object) -> Place:
+        """Return a place of the kind ``number``."""
+        if not self.is_field or keyed(data, "a place").get("kind") != "number":
+            return super().place(data)
+        return Number(two_or_odd(an_object(data, "kind n", "a place")["n"]))
 
 
 class Number(ModuloNumber):
     """ℚ at n: integral are the fractions whose denominator is prime to n."""
 
     def __init__(self, n: int) -> None:
-        self.n, self.odd = n, Fraction(n)
+        self.n, self.odd, self.name = n, Fraction(n), f"({n})"
 
     def residue(self, x: Fraction) -> int | None:
         """Return the class modulo n."""
         return modulo(x, self.n)
 
 
+def _charge_for(x: Fraction, y: Fraction) -> None:
+    """Charge for a sum or a product."""
+    bits = x.numerator.bit_length() + x.denominator.bit_length()
+    more = y.numerator.bit_length() + y.denominator.bit_length()
+    charge(5 + (bits + more) // 1_000 + bits * more // 500_000)
+
+
 def bounded(x: Fraction) -> Fraction:
     """Return a number; rejects one that has grown too large."""
-    bits = x.numerator.bit_length() + x.denominator.bit_length()
-    charge(5 + bits * bits // 500_000)
-    if bits > MAX_BITS:
+    if x.numerator.bit_length() + x.denominator.bit_length() > MAX_BITS:
         reject("a number has grown too large")
     return x
+
+
+def root(x: Fraction) -> Fraction | None:
+    """Return the square root of a number that is not negative, if it is rational."""
+    parts = x.numerator, x.denominator
+    charge_products(parts, parts)
+    u, v = map(isqrt, parts)
+    return Fraction(u, v) if (u * u, v * v) == parts else None
+
+
+def over_one_denominator(values: Sequence[Fraction]) -> tuple[list[int], int]:
+    """Return numbers as integers over their least denominator, and that."""
+    denominators = [x.denominator for x in values]
+    charge_products(denominators, denominators)
+    least = lcm(*denominators)
+    charge_products([*denominators, *(x.numerator for x in values)], [least])
+    return [x.numerator * (least // x.denominator) for x in values], least
 
 
 def has_no_rational_root(c: list[int]) -> bool:
@@ -94,13 +125,17 @@ def has_no_rational_root(c: list[int]) -> bool:
     if last == 0 or lead == 0:
         return False
     for p in (n for n in range(2, 200) if is_prime(n)):
+        charge_products([p], c)
         charge(p * len(c))
-        if lead % p and all(_value(c, x, p) for x in range(p)):
+        classes = [a % p for a in c]
+        if classes[-1] and all(_value(classes, x, p) for x in range(p)):
             return True
     tops, belows = _divisors(abs(last)), _divisors(abs(lead))
     if len(tops) * len(belows) > 20_000:
         reject("a polynomial has too many candidates for rational roots")
-    charge(20 * len(tops) * len(belows) * len(c))
+    longest = max(tops[-1], belows[-1]).bit_length() * len(c)
+    cost = 20 * len(c) + sum(map(int.bit_length, c)) * longest // 250_000
+    charge(cost * len(tops) * len(belows))
     for u, v in product(tops, belows):
         for top in (u, -u):
             if sum(a * top**n * v ** (len(c) - 1 - n) for n, a in enumerate(c)) == 0:
@@ -116,9 +151,9 @@ def _value(c: list[int], x: int, p: int) -> int:
 
 
 def _divisors(n: int) -> list[int]:
-    charge(isqrt(n))
     if n > 10**10:
         reject("a polynomial's coefficients are too large to list their divisors")
+    charge(isqrt(n))
     small = [d for d in range(1, isqrt(n) + 1) if n % d == 0]
     return sorted({*small, *(n // d for d in small)})
 
@@ -126,6 +161,14 @@ def _divisors(n: int) -> list[int]:
 QQ, ZZ = Rationals(True), Rationals(False)
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``QQ`` or ``ZZ``."""
-    return {"QQ": QQ, "ZZ": ZZ}.get(name)
+def _rationals(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return QQ
+
+
+def _integers(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return ZZ
+
+
+KINDS: dict[str, Kind] = {"rationals": _rationals, "integers": _integers}

@@ -3,10 +3,11 @@
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import ceil, gcd, lcm
+from math import ceil, gcd
 
 from hfield.certificates.rejection import reject
-from hfield.certificates.work import charge
+from hfield.certificates.scalars.rationals import over_one_denominator
+from hfield.certificates.work import charge, charge_products
 
 MAX_HALVINGS = 4_000
 
@@ -22,21 +23,20 @@ class RealRoot:
         """Return the sign of a polynomial at the root; f is irreducible and no divisor of x ≠ 0."""
         if not any(x):
             return 0
+        low, high = self.low, self.high
         for _ in range(MAX_HALVINGS):
-            bits = len(x) * max(c.denominator.bit_length() for c in (self.low, self.high, *x))
+            numbers = [n for c in (low, high, *x) for n in (c.numerator, c.denominator)]
+            bits = 2 * len(x) * max(map(int.bit_length, numbers))
             charge(len(x) * (20 + bits * bits // 200_000))
-            low, high = _bounds(x, self.low, self.high)
-            if low > 0 or high < 0:
-                return 1 if low > 0 else -1
-            self._halve()
+            least, most = _bounds(x, low, high)
+            if least > 0 or most < 0:
+                return 1 if least > 0 else -1
+            middle = (low + high) / 2
+            if (_value(self.f, middle) < 0) == self.rising:
+                low = middle
+            else:
+                high = middle
         reject("a sign at a real root takes too many halvings")
-
-    def _halve(self) -> None:
-        middle = (self.low + self.high) / 2
-        if (_value(self.f, middle) < 0) == self.rising:
-            self.low = middle
-        else:
-            self.high = middle
 
 
 def real_roots(f: Sequence[Fraction]) -> list[RealRoot]:
@@ -45,9 +45,8 @@ def real_roots(f: Sequence[Fraction]) -> list[RealRoot]:
     Sturm's sequence counts them, and intervals are halved until each has one.
     """
     bound = Fraction(2 + ceil(max(abs(c) for c in f)))
-    scale = lcm(*(c.denominator for c in f))
-    whole = _primitive([int(c * scale) for c in f])
-    chain = [whole, _primitive([n * c for n, c in enumerate(whole)][1:])]
+    own = _primitive(over_one_denominator(f)[0])
+    chain = [own, _primitive([n * c for n, c in enumerate(own)][1:])]
     while len(chain[-1]) > 1:
         rest = [-c for c in _remainder(chain[-2], chain[-1])]
         if not rest:
@@ -59,7 +58,7 @@ def real_roots(f: Sequence[Fraction]) -> list[RealRoot]:
         low, high = waiting.pop()
         count = _changes(chain, low) - _changes(chain, high)
         if count == 1:
-            out.append(RealRoot(whole, low, high))
+            out.append(RealRoot(own, low, high))
         elif count > 1:
             middle = (low + high) / 2
             waiting += [(middle, high), (low, middle)]
@@ -73,8 +72,9 @@ def _changes(chain: list[list[int]], x: Fraction) -> int:
 
 def _value(f: Sequence[int], x: Fraction) -> int:
     """Return f(x) times a power of the denominator of x: what has its sign."""
-    bits = max(c.bit_length() for c in f) + len(f) * x.denominator.bit_length()
-    charge(len(f) * (1 + bits // 1_000))
+    step = max(x.numerator.bit_length(), x.denominator.bit_length())
+    bits = max(c.bit_length() for c in f) + len(f) * step
+    charge(len(f) * (1 + bits // 1_000 + bits * step // 500_000))
     total, power = 0, 1
     for c in reversed(f):
         total = total * x.numerator + c * power
@@ -103,6 +103,7 @@ def _remainder(f: list[int], g: list[int]) -> list[int]:
     """Return the remainder of f by g, times a positive number."""
     f, sign, lead = list(f), 1 if g[-1] > 0 else -1, abs(g[-1])
     while len(f) >= len(g):
+        charge_products([lead, f[-1]], [*f, *g])
         top, shift = sign * f[-1], len(f) - len(g)
         f = [lead * c for c in f]
         for k, d in enumerate(g):

@@ -9,22 +9,20 @@ from fractions import Fraction
 from math import gcd
 from typing import Any
 
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import an_integer, reject, shown
 from hfield.certificates.scalars.finite import Finite, Residues
 from hfield.certificates.scalars.place import Place
-from hfield.certificates.work import charge
+from hfield.certificates.work import charge, charge_inverse, charge_products
 
-MAX_DIGITS = 1_000
+MAX_BITS = 3_300
 GF2 = Residues(2, True, "GF(2)")
 
 
-def two_or_odd(text: str) -> int:
+def two_or_odd(value: object) -> int:
     """Read 2 or an odd number above it."""
-    if not (text.isascii() and text.isdigit() and len(text) <= MAX_DIGITS):
-        reject(f"{shown(text)!r} is no place, or too large a number")
-    n = int(text)
-    if n != 2 and (n < 3 or n % 2 == 0):
-        reject(f"{n} is no place: expected 2 or an odd number")
+    n = an_integer(value, "a place", 2)
+    if n.bit_length() > MAX_BITS or (n != 2 and n % 2 == 0):
+        reject(f"{shown(n)} is no place, or too large: expected 2 or an odd number")
     return n
 
 
@@ -45,8 +43,10 @@ def jacobi(a: int, n: int) -> int:
 
 def modulo(x: Fraction, n: int) -> int | None:
     """Return the class of a rational number; None where the denominator is not prime to n."""
+    charge_products([n], [x.numerator, x.denominator])
     if gcd(x.denominator, n) > 1:
         return None
+    charge_inverse(n)
     return x.numerator * pow(x.denominator, -1, n) % n
 
 

@@ -1,16 +1,16 @@
 """What the checker asks of a ring: operations on plain, hashable values; and what it may know of a field.
 
-A kind of field is one module beside this one, with a class of this protocol and a function that reads its
-names; ``fields`` lists them. What a kind does not say of itself is not known, and so never used.
+A kind of field is one module beside this one, with a class of this protocol and ``KINDS``, which makes rings
+of their data; ``fields`` lists them. What a kind does not say of itself is not known, and so never used.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any, TypeVar
 
 from hfield.certificates.language import Tree, parse
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import keyed, reject, shown
 from hfield.certificates.scalars.place import Place
 
 MAX_EXPONENT = 10_000
@@ -32,15 +32,18 @@ def power(one: T, x: T, n: int, times: Callable[[T, T], T]) -> T:
 
 
 class Ring(ABC):
-    """A commutative ring. ``order`` is None if it is infinite."""
+    """A commutative ring. ``order`` is None if it is infinite.
+
+    ``name`` is canonical: rings of one name are one ring. ``words`` say what the ring is.
+    """
 
     name: str
+    words: str
     characteristic: int
     order: int | None = None
     is_field: bool = False
     is_integral: bool = False  # known to have no zero divisors, though it may be no field
     is_exact: bool = True  # whether its arithmetic proves anything
-    fractions: str | None = None  # the name of the field of fractions, where that is another
     roots_by = "squares"  # what tells polynomials without roots: discriminants, or linear factors
     zero: Any
     one: Any
@@ -110,9 +113,14 @@ class Ring(ABC):
         """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing."""
         return bound < 1 or self.is_ordered
 
-    def place(self, text: str) -> Place:
-        """Read a place of the field."""
-        reject(f"no places of {self.name} are known here")
+    def place(self, data: object) -> Place:
+        """Return the place of the field that the data say."""
+        kind = keyed(data, "a place").get("kind")
+        reject(f"no place of the kind {shown(kind)!r} is known of {self.name}")
+
+    def is_fraction_field_of(self, ring: "Ring") -> bool:
+        """Tell whether this is the field of fractions of another ring."""
+        return False
 
     def at(self, point: str) -> "tuple[Ring, Callable[[Any], Any]]":
         """Return the field in which functions have values at a point, and what tells the values."""
@@ -168,5 +176,6 @@ class Ring(ABC):
         return result
 
 
-# Reads the name of a ring, without blanks; given to each kind for the names inside its own.
-ReadRing = Callable[[str], Ring]
+# Makes a ring of its data; given to each kind for the rings inside its own.
+ReadRing = Callable[[object], Ring]
+Kind = Callable[[Mapping[str, object], ReadRing], Ring]

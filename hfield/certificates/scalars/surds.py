@@ -5,15 +5,16 @@ distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940
 proof), so an element is 0 only if all its coefficients are.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
-from functools import lru_cache
 from math import isqrt, prod
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import reject, shown
-from hfield.certificates.scalars.rationals import QQ, bounded
-from hfield.certificates.scalars.ring import ReadRing, Ring
-from hfield.certificates.work import charge
+from hfield.certificates.scalars.names import plain
+from hfield.certificates.scalars.rationals import QQ
+from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
+from hfield.certificates.work import Remembered, charge
 
 MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart
 MAX_SUMMANDS = 32
@@ -29,10 +30,8 @@ class Surds(Ring):
     is_field = True
     is_real: bool  # whether it is part of ℝ
 
-    def __init__(self, name: str) -> None:
-        self.name = name
-        self.zero: Surd = ()
-        self.one: Surd = (((), Fraction(1)),)
+    zero: Surd = ()
+    one: Surd = (((), Fraction(1)),)
 
     def has_root(self, key: Radical) -> bool:
         """Tell whether the square root of the product of these primes lies in the field."""
@@ -46,11 +45,12 @@ class Surds(Ring):
         """Return x + y."""
         out = dict(x)
         for key, c in y:
-            out[key] = out.get(key, 0) + c
+            out[key] = QQ.add(out[key], c) if key in out else c
         return self._surd(out)
 
     def neg(self, x: Surd) -> Surd:
         """Return −x."""
+        charge(len(x))
         return tuple((key, -c) for key, c in x)
 
     def mul(self, x: Surd, y: Surd) -> Surd:
@@ -58,10 +58,12 @@ class Surds(Ring):
         out: dict[Radical, Fraction] = {}
         for m, c in x:
             for n, d in y:
-                key, factor = tuple(sorted(set(m) ^ set(n))), c * d
-                for p in set(m) & set(n):
-                    factor *= p
-                out[key] = out.get(key, Fraction(0)) + factor
+                charge(5 + len(m) + len(n))
+                key, common = tuple(sorted(set(m) ^ set(n))), set(m) & set(n)
+                term = QQ.mul(c, d)
+                if common:
+                    term = QQ.mul(term, Fraction(prod(common)))
+                out[key] = QQ.add(out[key], term) if key in out else term
         return self._surd(out)
 
     def inverse(self, x: Surd) -> Surd | None:
@@ -109,11 +111,14 @@ class Surds(Ring):
     def _surd(self, values: dict[Radical, Fraction]) -> Surd:
         if len(values) > MAX_SUMMANDS:
             reject("too many square roots in one number")
-        return tuple(sorted((key, bounded(c)) for key, c in values.items() if c))
+        charge(1 + sum(map(len, values)))
+        return tuple(sorted((key, c) for key, c in values.items() if c))
 
 
 class Reals(Surds):
     """RR, as far as square roots go."""
+
+    name, words = "RR", "the real algebraic numbers"
 
     is_real = True
 
@@ -129,6 +134,8 @@ class Reals(Surds):
 class Complexes(Surds):
     """CC, as far as square roots go."""
 
+    name, words = "CC", "the complex algebraic numbers"
+
     is_real = False
 
     def is_square(self, x: Surd) -> bool:
@@ -139,13 +146,14 @@ class Complexes(Surds):
 def _floor(key: Radical, c: Fraction, bits: int) -> int:
     """Return the greatest integer below or at c·√n·2^bits, n being the product of the primes."""
     n = prod(key)
-    charge(5 + bits * bits // 10_000)
+    long = 2 * bits + n.bit_length() + 2 * (c.numerator.bit_length() + c.denominator.bit_length())
+    charge(5 + len(key) + long * long // 500_000)
     square = c.numerator**2 * n << 2 * bits
     root = isqrt(square // c.denominator**2)
     return root if c > 0 else -root - 1
 
 
-@lru_cache(maxsize=1024)
+@Remembered
 def radical(n: int) -> tuple[Radical, int]:
     """Return (primes, m) with √n = m·√(their product)."""
     if n == 0:
@@ -167,7 +175,19 @@ def radical(n: int) -> tuple[Radical, int]:
     return tuple(key if rest == 1 else [*key, rest]), scale
 
 
-def read(name: str, ring: ReadRing) -> Ring | None:
-    """Return ``RR`` or ``CC``."""
-    kind = {"RR": Reals, "CC": Complexes}.get(name)
-    return None if kind is None else kind(name)
+def root_text(n: int) -> str:
+    """Write the square root of an integer."""
+    return "I" if n == -1 else f"sqrt({n})"
+
+
+def _reals(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return Reals()
+
+
+def _complexes(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return Complexes()
+
+
+KINDS: dict[str, Kind] = {"reals": _reals, "complexes": _complexes}

@@ -1,6 +1,5 @@
 """Evidence for statements of linear algebra: bases, the centre, Lemma 1 on multilinear maps."""
 
-import re
 from itertools import permutations, product
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
@@ -16,14 +15,13 @@ from hfield.certificates.glossary import (
     LINEAR_ALGEBRA,
     SMITH_FORM,
 )
-from hfield.certificates.polynomials import Names, Poly, add, constant, multiply
+from hfield.certificates.polynomials import Names, Poly, accumulate, add, constant, multiply
 from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of, reject, shown
-from hfield.certificates.scalars.fields import read_field
 from hfield.certificates.scalars.finite import is_prime
+from hfield.certificates.scalars.rationals import ZZ
 from hfield.certificates.statement import HAMILTON, Setting
+from hfield.certificates.work import charge
 
-MAX_SIZE = 6
-MAX_ARITY = 4
 N = 4
 
 Matrix = list[list[int]]
@@ -31,16 +29,14 @@ Tuple = tuple[int, ...]
 
 
 def _integers(text: str) -> Tuple:
-    parts = [x.strip() for x in text.split(",")]
-    if len(parts) > MAX_SIZE or not all(re.fullmatch("-?[0-9]{1,8}", x) for x in parts):
-        reject(f"{shown(text)!r} is no short list of small integers")
-    return tuple(int(x) for x in parts)
+    return tuple(map(int, text.split(",")))
 
 
 def _determinant(m: Matrix) -> int:
     """Return the determinant by Leibniz's sum; the matrices are small."""
     size, total = len(m), 0
     for order in permutations(range(size)):
+        charge(20)
         term = -1 if sum(a > b for n, a in enumerate(order) for b in order[n + 1 :]) % 2 else 1
         for row, column in enumerate(order):
             term *= m[row][column]
@@ -57,8 +53,6 @@ def _plain(evidence: object, *kinds: str) -> str:
 
 def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """The vectors are a basis of the free module of the dimension that comes first."""
-    if not 2 <= len(parts) <= MAX_SIZE + 1 or len(_integers(parts[0])) != 1:
-        reject("basis takes a dimension and some vectors")
     (dimension,), *vectors = (_integers(part) for part in parts)
     fits = len(vectors) == dimension and all(len(v) == dimension for v in vectors)
     kind = _plain(evidence, "count", "determinant")
@@ -78,8 +72,6 @@ def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obje
 
 def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """The centre is everything in the characteristic given, and F·e in every other."""
-    if len(parts) != 1 or not re.fullmatch("[0-9]{1,8}", parts[0].strip()):
-        reject("centre takes a characteristic")
     special = int(parts[0])
     data = an_object(evidence, "kind rows columns", "the evidence")
     if verdict != "proved" or data["kind"] != "minor" or not is_prime(special):
@@ -104,7 +96,9 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obj
         right = whole if p == special else bool(minor % p if p else minor)
         if not right:
             reject(f"over {field.name} the centre is not as stated, or the minor is 0")
-        return Finding(FIELD, LINEAR_ALGEBRA)
+        other = (f"not {special}", "F·e") if p == special else (str(special), "H(F)")
+        left_out = "in characteristic {} the centre is {}".format(*other)
+        return Finding(FIELD, LINEAR_ALGEBRA).without(left_out)
     while minor and minor % special == 0:
         minor //= special
     if not whole or abs(minor) != 1:
@@ -114,8 +108,7 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obj
 
 def _commutators() -> Matrix:
     """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, eight rows of four."""
-    ring = read_field("ZZ")
-    evaluator = Evaluator(RingScalars(ring), HAMILTON, {})
+    evaluator = Evaluator(RingScalars(ZZ), HAMILTON, {})
     units = [evaluator.value(("name", u)) for u in "eijk"]
     rows = []
     for g in units[1:3]:
@@ -129,6 +122,7 @@ CHOICES = ("all", "constant", "short", "all-but-one")
 
 def _choice(word: str, k: int) -> set[Tuple]:
     """Return the tuples of basis vectors that a word stands for."""
+    charge(N**k)
     if word == "constant":
         return {(n,) * k for n in range(N)}
     if word == "short":
@@ -139,7 +133,7 @@ def _choice(word: str, k: int) -> set[Tuple]:
 
 def _arities(text: str) -> Tuple:
     found = _integers(text)
-    if not found or len(set(found)) < len(found) or not all(1 <= k <= MAX_ARITY for k in found):
+    if len(set(found)) < len(found):
         reject("expected different numbers of arguments, such as 1,2,3")
     return found
 
@@ -152,9 +146,7 @@ def determined_by(
     f − g is Σ h_t·a₁[t₁]⋯aₖ[tₖ], where h_t is its value at the tuple t: agreeing on all tuples is
     enough, and where one is left out, f may be 1 there and g = 0.
     """
-    if len(parts) != 2 or parts[0].strip() not in CHOICES:
-        reject("determined-by takes a choice of tuples and numbers of arguments")
-    choice, arities = parts[0].strip(), _arities(parts[1])
+    choice, arities = parts[0], _arities(parts[1])
     kind = kind_of(evidence)
     if verdict == "refuted" and kind == "left out":
         data = an_object(evidence, "kind tuple", "the evidence")
@@ -198,7 +190,7 @@ class _Form:
             term = self.unknown("h" + "".join(map(str, t)))
             for a, n in zip(arguments, t, strict=True):
                 term = multiply(term, a[n])
-            total = add(total, term)
+            accumulate(total, term)
         return total
 
 
@@ -225,8 +217,6 @@ def curried_linear(
 
     Shown for maps of two and three arguments: f(…, s·a + y·b, …) = s^power·f(…, a, …) + y·f(…, b, …).
     """
-    if parts != ("1",):
-        reject("curried-linear takes the power 1")
     _plain(evidence, "identity")
     if verdict != "proved":
         reject("this holds")
@@ -255,8 +245,6 @@ def last_argument(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """Σ_{i≤n} αᵢ·f(…, eᵢ) = f(…, Σ_{i≤upper} αᵢ·eᵢ) with n = 4, where e₅ is any vector at all."""
-    if len(parts) != 2 or parts[0].strip() not in ("3", "4", "5"):
-        reject("last-argument takes an upper bound of 3, 4 or 5 and numbers of arguments")
     upper, shows = int(parts[0]), []
     _plain(evidence, "identity")
     for k in _arities(parts[1]):
@@ -282,4 +270,14 @@ CHECKS = {
     "determined-by": determined_by,
     "curried-linear": curried_linear,
     "last-argument": last_argument,
+}
+ARGUMENTS = "[1-4](?:,[1-4]){0,3}"
+NUMBERS = "-?[0-9]{1,8}(?:,-?[0-9]{1,8}){0,5}"
+# What stands between the braces of each word.
+FORMS = {
+    "basis": f"[0-9]{{1,8}}(?:;{NUMBERS}){{1,6}}",
+    "centre": "[0-9]{1,8}",
+    "determined-by": f"(?:{'|'.join(CHOICES)});{ARGUMENTS}",
+    "curried-linear": "1",
+    "last-argument": f"[345];{ARGUMENTS}",
 }

@@ -16,21 +16,31 @@ from typing import Any
 
 from hfield.certificates.evidence.unsatisfiable import need_hypotheses
 from hfield.certificates.finding import Finding, together
-from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, FIELD, FIELDS, INDUCTION, WITNESS
+from hfield.certificates.glossary import (
+    CIRCLE,
+    CITED_BY_NAME,
+    COMMUTATIVE_RINGS,
+    FIELD,
+    FIELDS,
+    INDUCTION,
+    WITNESS,
+)
 from hfield.certificates.kinds import establish
-from hfield.certificates.language import Tree, parse, walk
+from hfield.certificates.language import Tree, parse, split, walk
+from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
 from hfield.certificates.rejection import (
     a_list,
-    a_text,
     an_integer,
     an_object,
     kind_of,
     reject,
     shown,
 )
-from hfield.certificates.scalars.fields import read_field
+from hfield.certificates.scalars.fields import read_ring
+from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.scalars.surds import Reals
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.lemmas import LEMMAS
@@ -56,6 +66,7 @@ class Proposition:
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
 SPECIAL: dict[str, Check] = {**of_fields.CHECKS, **linear_algebra.CHECKS}
+FORMS = {**of_fields.FORMS, **linear_algebra.FORMS}
 
 
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
@@ -65,27 +76,46 @@ def read_proposition(text: str, depth: int = 0) -> Proposition | None:
         return None
     if depth > MAX_DEPTH:
         reject("the statement nests too deeply")
-    parts = () if m[2] is None else tuple(_split(m[2]))
+    parts = () if m[2] is None else tuple(split(m[2], ";"))
     if m[1] in LOGIC and not LOGIC[m[1]][0] <= len(parts) <= LOGIC[m[1]][1]:
         reject(f"{m[1]} has {len(parts)} parts")
-    if len(parts) > MAX_PARTS or not all(part.strip() for part in parts):
+    parts = tuple(part.strip() for part in parts)
+    if len(parts) > MAX_PARTS or not all(parts):
         reject(f"{m[1]} has an empty part, or too many")
-    return Proposition(m[1], tuple(part.strip() for part in parts))
+    if m[1] in SPECIAL:
+        parts = tuple(re.sub(r"\s*,\s*", ",", part) for part in parts)
+        if not re.fullmatch(FORMS[m[1]], ";".join(parts)):
+            reject(f"{shown(text)!r} is not how {m[1]} is written")
+    return Proposition(m[1], parts)
 
 
-def _split(text: str) -> list[str]:
-    parts, depth = [""], 0
-    for char in text:
-        depth += (char == "{") - (char == "}")
-        if depth < 0:
-            reject("the braces of the statement do not match")
-        if char == ";" and not depth:
-            parts.append("")
-        else:
-            parts[-1] += char
-    if depth:
-        reject("the braces of the statement do not match")
-    return parts
+def statements_inside(p: Proposition, setting: Setting) -> list[tuple[str, Setting]]:
+    """Return the parts that are statements, each with the ring or the rings that it is about."""
+    settings = [setting] * len(p.parts)
+    if p.word == "over":
+        settings[1] = replace(setting, field=_named(p.parts[0], setting), moved=False)
+    elif p.word == "not-everywhere":
+        settings[0] = replace(setting, field=None)
+    elif p.word == "angles" and len(settings) > 1:
+        settings[1] = replace(setting, field=Reals(), moved=False)
+    elif p.word == "citing" and p.parts[0] not in CITED_BY_NAME:
+        reject(f"there is no theorem {shown(p.parts[0])!r} to cite")
+    found = list(zip(p.parts, settings, strict=True))
+    return found[1:] if p.word in NAMED else found
+
+
+def need_meaning(p: Proposition, setting: Setting, depth: int = 0) -> None:
+    """Reject a statement with a part that says nothing, whether or not the evidence is about that part."""
+    for text, there in statements_inside(p, setting):
+        inner = read_proposition(text, depth + 1)
+        if inner is None:
+            if read_presentation(text) is None:
+                read_statement(text, there)
+        elif inner.word in LOGIC:
+            need_meaning(inner, there, depth + 1)
+        elif inner.word in LATTICES:
+            meaning_of_lattices(inner.word, inner.parts)
+            Algebra(there)
 
 
 def proposition_tree(p: Proposition, depth: int = 0) -> Tree:
@@ -93,11 +123,11 @@ def proposition_tree(p: Proposition, depth: int = 0) -> Tree:
     if p.word in LATTICES:
         return meaning_of_lattices(p.word, p.parts)
     if p.word in SPECIAL:
-        return (p.word, tuple(re.sub(r"\s*([,;])\s*", r"\1", part.strip()) for part in p.parts))
+        return (p.word, p.parts)
     out: list[Any] = []
     for part in p.parts:
         if p.word in NAMED and not out:  # the name in front
-            out.append(read_field(part.strip()).name if p.word == "over" else part.strip())
+            out.append(part)
             continue
         inner = read_proposition(part, depth + 1)
         presentation = None if inner else read_presentation(part)
@@ -126,6 +156,10 @@ def establish_any(
         if verdict == "proved":
             need_hypotheses(statement, setting)
         return found
+    if p.word in LOGIC and not depth:
+        if rings_named(p):
+            setting, evidence = _with_rings(p, setting, evidence)
+        need_meaning(p, setting)
     if p.word in LATTICES:
         return establish_lattices(p.word, p.parts, setting, verdict, evidence)
     if setting.constants != HAMILTON:
@@ -134,13 +168,47 @@ def establish_any(
         if setting.field is None and kind_of(evidence) == "over":
             return _over(text, setting, verdict, evidence, depth)
         return SPECIAL[p.word](p.parts, setting, verdict, evidence)
-    return _Logic(p, text, setting, depth).establish(verdict, evidence)
+    return replace(
+        _Logic(p, text, setting, depth).establish(verdict, evidence), rings=setting.named
+    )
+
+
+def names_of_rings(statement: str) -> list[str]:
+    """Return the names of rings that the words of a statement name, in order."""
+    p = read_proposition(statement)
+    return sorted(rings_named(p)) if p else []
+
+
+def rings_named(p: Proposition, depth: int = 0) -> set[str]:
+    """Return the names of rings in a statement of the vocabulary."""
+    found = {p.parts[0]} if p.word == "over" else set()
+    if p.word in LOGIC:
+        for part in p.parts[p.word in NAMED :]:
+            inner = read_proposition(part, depth + 1)
+            found |= rings_named(inner, depth + 1) if inner else set()
+    return found
+
+
+def _with_rings(p: Proposition, setting: Setting, evidence: object) -> tuple[Setting, object]:
+    """Read the rings that the statement names, each of them and no other, and the evidence beside them."""
+    data = an_object(evidence, "kind rings evidence", "the evidence")
+    rings = [read_ring(x) for x in a_list(data["rings"], "rings")]
+    if data["kind"] != "rings" or sorted(x.name for x in rings) != sorted(rings_named(p)):
+        reject("the evidence does not say which rings the statement names")
+    return replace(setting, named=tuple(rings)), data["evidence"]
+
+
+def _named(name: str, setting: Setting) -> Ring:
+    found = next((x for x in setting.named if x.name == name), None)
+    if found is None:
+        reject(f"the evidence does not say which ring {shown(name)!r} is")
+    return found
 
 
 def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: int) -> Finding:
     """Refute for all fields by one field."""
-    data = an_object(evidence, "kind field evidence", "the evidence")
-    ring = read_field(a_text(data["field"], "the field of the evidence"))
+    data = an_object(evidence, "kind ring evidence", "the evidence")
+    ring = read_ring(data["ring"])
     if verdict != "refuted" or not ring.is_field:
         reject("one field refutes what is said of all, and proves nothing")
     here = replace(setting, field=ring, moved=True)
@@ -163,38 +231,34 @@ class _Logic:
 
     def __init__(self, p: Proposition, text: str, setting: Setting, depth: int) -> None:
         self.p, self.text, self.setting, self.depth = p, text, setting, depth
+        self.inside = statements_inside(p, setting)
 
     def part(self, n: int, verdict: str, evidence: object) -> Finding:
-        """Check a part."""
-        return establish_any(self.p.parts[n], self.setting, verdict, evidence, self.depth + 1)
+        """Check a part that is a statement, where the word speaks of it."""
+        text, setting = self.inside[n]
+        found = establish_any(text, setting, verdict, evidence, self.depth + 1)
+        if self.p.word == "angles" and n:  # said of RR alone, it is shown wherever it is said
+            return replace(found, scope=COMMUTATIVE_RINGS)
+        return found
 
     def establish(self, verdict: str, evidence: object) -> Finding:
         """Check the evidence."""
         kind, word = kind_of(evidence), self.p.word
         if word == "over":
-            ring = read_field(self.p.parts[0].strip())
-            here = replace(self.setting, field=ring, moved=False)
-            inside = establish_any(self.p.parts[1], here, verdict, evidence, self.depth + 1)
-            return inside.within(FIELD)
+            return self.part(0, verdict, evidence).within(FIELD)
         everywhere = self.setting.field is None
         if everywhere and kind == "over" and word not in ("not-everywhere", "every"):
             return _over(self.text, self.setting, verdict, evidence, self.depth)
         if word == "citing":
-            theorem = CITED_BY_NAME.get(self.p.parts[0].strip())
-            if theorem is None:
-                reject(f"there is no theorem {shown(self.p.parts[0].strip())!r} to cite")
-            inside = self.part(1, verdict, evidence)
+            theorem = CITED_BY_NAME[self.p.parts[0]]
+            inside = self.part(0, verdict, evidence)
             if theorem == INDUCTION:  # what fails for some number of arguments fails without it
                 return inside.citing(theorem) if verdict == "proved" else inside
             if not self._is_real():
                 reject("theorems about real polynomials are cited over RR alone")
             return inside.citing(theorem)
-        if word == "angles":  # points of the circle c² + s² = 1; they are angles over RR
-            if not self._is_real():
-                return self.part(0, verdict, evidence)
-            if len(self.p.parts) == 1:
-                return self.part(0, verdict, evidence).citing(CIRCLE)
-            return self._every(verdict, kind, evidence).citing(CIRCLE)
+        if word == "angles":
+            return self._angles(verdict, kind, evidence)
         if word == "every":
             return self._every(verdict, kind, evidence)
         if word == "not-everywhere":
@@ -208,18 +272,33 @@ class _Logic:
     def _is_real(self) -> bool:
         return self.setting.field is not None and self.setting.field.name == "RR"
 
+    def _angles(self, verdict: str, kind: str, evidence: object) -> Finding:
+        """P, about points with c² + s² = 1; over RR, where these are angles, Q as well."""
+        field, second = self.setting.field, self.p.parts[1:]
+        with_real = second and (field is None or self._is_real())
+        found = (
+            self._every(verdict, kind, evidence) if with_real else self.part(0, verdict, evidence)
+        )
+        if self._is_real():
+            return found.citing(CIRCLE)
+        if verdict == "refuted":
+            return found
+        where = "everywhere but over RR" if field is None else "which is said of RR alone"
+        found = found.without(*(f"{q} ({where})" for q in second))
+        return found.citing(CIRCLE) if field is None else found
+
     def _every(self, verdict: str, kind: str, evidence: object) -> Finding:
         if verdict == "refuted" and kind == "part":
             data = an_object(evidence, "kind part evidence", "the evidence")
             n = an_integer(data["part"], "the number of a part", 0)
-            if n >= len(self.p.parts):
+            if n >= len(self.inside):
                 reject("there is no part of that number")
             return self.part(n, "refuted", data["evidence"]).within(FIELD)
         if verdict not in ("proved", "vacuous") or kind != "parts":
             reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
         data = an_object(evidence, "kind parts", "the evidence")
         parts = a_list(data["parts"], "parts")
-        if len(parts) != len(self.p.parts):
+        if len(parts) != len(self.inside):
             reject("there is not evidence for every part")
         found: list[Finding] = []
         verdicts: set[str] = set()
@@ -236,19 +315,19 @@ class _Logic:
         return together(found)
 
     def _not_everywhere(self, verdict: str, evidence: object) -> Finding:
-        data = an_object(evidence, "kind field evidence", "the evidence")
+        data = an_object(evidence, "kind ring evidence", "the evidence")
         if verdict != "proved" or data["kind"] != "over":
             reject("that something fails somewhere is shown by a field where it fails")
-        field = self.setting.field
-        if field is not None and read_field(a_text(data["field"], "field")).name != field.name:
+        (part, anywhere), field = self.inside[0], self.setting.field
+        if field is not None and read_ring(data["ring"]).name != field.name:
             reject("the field of the evidence is not that of the certificate")
-        anywhere = replace(self.setting, field=None)
-        return _over(self.p.parts[0], anywhere, "refuted", data, self.depth).by(WITNESS)
+        return _over(part, anywhere, "refuted", data, self.depth).by(WITNESS)
 
     def _implies(self, verdict: str, kind: str, evidence: object) -> Finding:
         if verdict == "proved" and kind == "conclusion":
             data = an_object(evidence, "kind evidence", "the evidence")
-            return self.part(1, "proved", data["evidence"])
+            found = self.part(1, "proved", data["evidence"])
+            return found.without(f"{self.p.parts[0]} (whether it holds)")
         if verdict == "vacuous" and kind == "hypothesis":
             data = an_object(evidence, "kind evidence", "the evidence")
             return self.part(0, "refuted", data["evidence"])

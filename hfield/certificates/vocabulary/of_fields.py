@@ -1,6 +1,5 @@
 """Evidence for statements about the field: division, level, orderings, moduli."""
 
-import re
 from collections.abc import Mapping
 from itertools import product
 from typing import Any, NoReturn
@@ -54,11 +53,6 @@ def _field(setting: Setting) -> Ring:
     return field
 
 
-def _nothing(parts: tuple[str, ...]) -> None:
-    if parts:
-        reject("this word of the vocabulary takes no parts")
-
-
 def _evaluator(field: Ring) -> Evaluator[Any, bool]:
     return Evaluator(RingScalars(field), HAMILTON, {})
 
@@ -76,7 +70,6 @@ def _unfit(kind: str, verdict: str) -> NoReturn:
 
 def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """Every nonzero element of H(F) has an inverse: its norm is 0 only at 0."""
-    _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)
@@ -94,8 +87,6 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: o
 
 def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """−1 is not a sum of so many squares."""
-    if len(parts) != 1 or not re.fullmatch("[0-9]{1,5}", parts[0].strip()):
-        reject("level-above takes a number")
     return _level(int(parts[0]), setting, verdict, evidence)
 
 
@@ -103,7 +94,6 @@ def formally_real(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """−1 is not a sum of squares."""
-    _nothing(parts)
     return _level(None, setting, verdict, evidence)
 
 
@@ -130,8 +120,6 @@ def norm_criterion(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """q has an inverse exactly when N(q) > 0 (or < 0) in the orderings of the field."""
-    if parts not in ((">",), ("<",)):
-        reject("norm-criterion takes > or <")
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "ordering" and parts == (">",):
         an_object(evidence, "kind", "the evidence")
@@ -156,7 +144,6 @@ def modulus_exists(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """Every norm is a square in the field."""
-    _nothing(parts)
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "closed" and field.name in CLOSED:
         an_object(evidence, "kind", "the evidence")
@@ -184,8 +171,6 @@ def modulus_law(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> Finding:
     """Some choice of a root √n for each square n makes √N(pq) = √N(p)·√N(q) (or the sum) hold."""
-    if parts not in (("*",), ("+",)):
-        reject("modulus-law takes * or +")
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "refuted" and kind == "all choices":
         _no_choice(field, parts[0], an_object(evidence, "kind elements roots", "the evidence"))
@@ -263,4 +248,13 @@ CHECKS = {
     "norm-criterion": norm_criterion,
     "modulus-exists": modulus_exists,
     "modulus-law": modulus_law,
+}
+# What stands between the braces of each word.
+FORMS = {
+    "division": "",
+    "level-above": "[0-9]{1,5}",
+    "formally-real": "",
+    "norm-criterion": "[<>]",
+    "modulus-exists": "",
+    "modulus-law": "[*+]",
 }

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import ALGEBRA, COMMUTATIVE_RINGS, FIELD, PRESENTATION
@@ -19,9 +19,10 @@ from hfield.certificates.rejection import (
 )
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.scalars.ring import Ring
-from hfield.certificates.work import charge
+from hfield.certificates.work import charge, charge_products
 
 Words = dict[str, int]
+ONE: Words = {"": 1}
 MAX_WORDS = 5_000
 MAX_WORD = 200
 
@@ -88,16 +89,18 @@ def _words(tree: Tree, identity: bool) -> Words:
 
 
 def _add(f: Words, g: Words, scale: int) -> Words:
+    charge(len(f) // 8)
     out = dict(f)
     for word, c in g.items():
-        _collect(out, word, scale * c)
+        _collect(out, word, scale, c)
     return out
 
 
-def _collect(f: Words, word: str, c: int) -> None:
-    """Add c·word to f."""
-    charge(1)
-    total = f.pop(word, 0) + c
+def _collect(f: Words, word: str, c: int, d: int) -> None:
+    """Add c·d·word to f."""
+    charge(4)
+    charge_products([c], [d])
+    total = f.pop(word, 0) + c * d
     if total.bit_length() > 4 * MAX_DIGITS:
         reject("a coefficient has grown too large")
     if total:
@@ -112,7 +115,7 @@ def _times(f: Words, g: Words) -> Words:
         for w, d in g.items():
             if len(v + w) > MAX_WORD:
                 reject("a word is too long")
-            _collect(out, v + w, c * d)
+            _collect(out, v + w, c, d)
     return out
 
 
@@ -142,7 +145,30 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
 def establish_presentation(
     target: Presentation, ring: Ring | None, verdict: str, evidence: object
 ) -> Finding:
-    """Check the evidence for or against a statement about associative algebras."""
+    """Check the evidence about a statement on associative algebras.
+
+    It is vacuous where the relations give 1 = 0: no algebra other than 0 satisfies them.
+    """
+    if verdict == "vacuous" and kind_of(evidence) == "unsatisfiable" and target.identity:
+        data = an_object(evidence, "kind proof", "the evidence")
+        return _established(replace(target, goals=(ONE,)), ring, "proved", data["proof"])
+    found = _established(target, ring, verdict, evidence)
+    if verdict == "proved" and _is_vacuous(target, ring):
+        reject("the relations never hold together: the statement is vacuous and not proved")
+    return found
+
+
+def _is_vacuous(target: Presentation, ring: Ring | None) -> bool:
+    """Tell whether a relation says that a number is 0 which is a unit."""
+    numbers = [f[""] for f in target.relations if set(f) == {""}]
+    if ring is None:
+        return 1 in map(abs, numbers)
+    return any(n % ring.characteristic if ring.characteristic else n for n in numbers)
+
+
+def _established(
+    target: Presentation, ring: Ring | None, verdict: str, evidence: object
+) -> Finding:
     kind = kind_of(evidence)
     own = {"presentation": "proofs", "algebra": "table goal value"}.get(kind)
     wanted = {"presentation": "proved", "algebra": "refuted"}.get(kind)
@@ -189,7 +215,7 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Mapping[str, 
             if n >= len(target.relations):
                 reject("there is no relation of that number")
             for word, d in target.relations[n].items():
-                _collect(total, left + word + right, factor * d)
+                _collect(total, left + word + right, factor, d)
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
     return Finding(COMMUTATIVE_RINGS if ring is None else FIELD, PRESENTATION)
@@ -233,6 +259,7 @@ def _table(target: Presentation, p: int, data: Mapping[str, object]) -> None:
             v = unit[word[0]] if word else unit["e"]
             for letter in word[1:]:
                 v = times(v, unit[letter])
+            charge_products([c], v)
             total = [u + c * w for u, w in zip(total, v, strict=True)]
         return reduced(total)
 

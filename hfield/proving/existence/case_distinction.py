@@ -43,7 +43,8 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Decision | Non
     cases = [*_isolated_cases(problem.statement), *cases]
     if not cases and not exact:
         return None, None
-    found = by_terms(problem, [tuple(text for _, text in case.terms) for case in cases])
+    names = problem.statement.exists  # which may be in another order than where they are used
+    found = by_terms(problem, [tuple(map(dict(case.terms).__getitem__, names)) for case in cases])
     if found is not None:
         return found, None
     try:

@@ -100,7 +100,7 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
         witness=witness,
         steps=(f"true for {shown(witness)}",),
         scope=FIELD,
-        evidence={"kind": "witness", "field": problem.ring.name, "values": witness},
+        evidence={"kind": "witness", "ring": problem.ring.data, "values": witness},
     )
 
 

@@ -134,5 +134,5 @@ def fields_tried(problem: Problem) -> Iterator[Problem]:
 
 def elsewhere(decision: Decision, name: str) -> Decision:
     """Return a refutation over one field as one over all fields."""
-    evidence = {**(decision.evidence or {}), "field": name}
+    evidence = {**(decision.evidence or {}), "ring": ring(name).data}
     return replace(decision, witness={**(decision.witness or {}), "F": [name]}, evidence=evidence)

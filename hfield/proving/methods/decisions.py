@@ -140,7 +140,7 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
         witness=witness,
         steps=tuple(steps),
         scope=scope,
-        evidence={"kind": "witness", "field": field.name, "values": witness},
+        evidence={"kind": "witness", "ring": field.data, "values": witness},
     )
 
 

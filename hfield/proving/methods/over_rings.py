@@ -126,7 +126,7 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
     if above is not None:
         decision = one_field.decide(problem.over(above))
         if decision.verdict == PROVED:
-            evidence = {"kind": "fractions", "field": above.name, "proof": decision.evidence}
+            evidence = {"kind": "fractions", "ring": above.data, "proof": decision.evidence}
             step = f"{field.name} lies in {above.name}, where this holds"
             return replace(decision, steps=(*decision.steps, step), evidence=evidence)
     return _modulo(problem, x) if not p else None
@@ -153,7 +153,7 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
     decision = one_field.decide(problem.stating(there).over(above))
     if decision.verdict != PROVED:
         return None
-    evidence = {"kind": "fractions", "field": above.name, "proof": decision.evidence}
+    evidence = {"kind": "fractions", "ring": above.data, "proof": decision.evidence}
     step = f"what it divides by are units of {field.name}, or the comparison is false"
     return replace(decision, steps=(*decision.steps, step), evidence=evidence if same else None)
 

@@ -5,6 +5,7 @@ others, as Theorem 1 of the thesis prints it, and the statement may fail.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from math import lcm
 from typing import Any
@@ -17,6 +18,7 @@ from hfield.proving.decision import (
     PROVED,
     REFUTED,
     UNDECIDED,
+    VACUOUS,
     Decision,
     characteristics,
 )
@@ -29,6 +31,7 @@ from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
 
 Words = dict[str, int]
+ONE: Words = {"": 1}
 MAX_WEIGHT = 60
 MAX_TERMS = 2_000
 
@@ -45,7 +48,8 @@ def decide_presentation(
     Relations and goals are equations or polynomials in the letters e, i, j, k, as text such as
     ``i*j*k == -e`` or as a map from words to coefficients (the empty word is the identity).
     ``field`` restricts to algebras over fields of its characteristic. Proofs are cofactors,
-    refutations an algebra with basis e, i, j, k given by its multiplication table.
+    refutations an algebra with basis e, i, j, k given by its multiplication table. What follows from
+    relations that give 1 = 0 is vacuous.
     """
     clock = Clock.of(timeout)
     p = 0 if field is None else ring(field).characteristic
@@ -64,6 +68,9 @@ def decide_presentation(
             continue
         divided_by = lcm(*(d for _, d in proof))
         if divided_by == 1 or (field is not None and q == p):
+            never = _prove(read_relations, [ONE], letters, q, clock) if identity else None
+            if never and (never[0][1] == 1 or (field is not None and q == p)):
+                return _vacuous(never, target, q)
             return _proved(proof, target, q)
         if field is None:
             characteristics_tried += prime_factors(divided_by) or []
@@ -139,6 +146,13 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
     integral = all(scale == 1 for _, scale in proof)
     scope = characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
     return Decision(PROVED, "presentation", None, tuple(steps), scope, evidence=evidence)
+
+
+def _vacuous(proof: Proof, target: dict[str, Any], p: int) -> Decision:
+    shown = _proved(proof, {**target, "goals": [_listed(ONE)]}, p)
+    steps = (*shown.steps, "1 = 0: the relations hold in no algebra other than 0.")
+    evidence = {"kind": "unsatisfiable", "proof": shown.evidence}
+    return replace(shown, verdict=VACUOUS, steps=steps, evidence=evidence)
 
 
 def _refuted(

@@ -75,7 +75,7 @@ def _evidence(K: Ring, near: flint.fmpq, decision: Decision) -> Evidence | None:
     if decision.evidence is None or decision.evidence.get("kind") != "witness":
         return None
     root = QQ.text(near)
-    return {"kind": "subfield", "field": K.name, "root": root, "witness": decision.evidence}
+    return {"kind": "subfield", "ring": K.data, "root": root, "witness": decision.evidence}
 
 
 def _read_back(K: Ring, root: LocalElement, text: str) -> str:

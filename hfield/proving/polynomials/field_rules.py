@@ -140,7 +140,7 @@ def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
     if answer.element is not None:
         return None
     data = norm_evidence(setting.algebra, field, c, answer)
-    if data is None and not is_readable(setting.algebra, field.name):
+    if data is None and not is_readable(setting.algebra, field.data):
         data = {"by": answer.method}  # the answer stands, and says that it has no certificate
     if data is None:
         raise UndecidedError(

@@ -113,7 +113,6 @@ class FractionArrays(WordArrays):
         rows = self.checked_block(values, 5)
         if not rows[4].all():
             raise CoercionError("a denominator is 0: the last of the five rows must not contain 0")
-        rows = rows_of(np.array(rows))
         if not lowest(rows):
             raise CoercionError("−2^63 has no negative in 64 bits; expected numbers above it")
         return rows

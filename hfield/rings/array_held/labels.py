@@ -213,8 +213,9 @@ def labels(F: FiniteField, values: Any, dtype: str) -> Row:
                 f"an array of {values.dtype} is not an array over {F.name}: expected integers, "
                 "elements of the ring, or an array of galois over it"
             )
+        values = values.copy()  # which nobody changes after it has been checked
         if values.dtype.kind == "u" and values.size and int(values.max()) < F.characteristic:
-            return np.array(values, dtype)
+            return np.asarray(values.astype(dtype, copy=False))
         wide = values if values.dtype == np.uint64 else values.astype(np.int64)
         return np.asarray(wide % wide.dtype.type(F.characteristic)).astype(dtype)
     elements = objects(values, F)

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hfield.errors import CoercionError
+from hfield.kernels import memory
 from hfield.kernels.calling import Rows, address, rows_of
 from hfield.product import Constants, Coordinates
-from hfield.rings.arrays import one_shape
+from hfield.rings.arrays import one_shape, owned, read_only
 from hfield.rings.holding import Batch, Holding
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ class RowArrays(Batch[Rows]):
 
     def read(self, values: tuple[object, ...]) -> Rows:
         """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
-        return tuple(one_shape([self.row(v) for v in values]))
+        return tuple(one_shape([owned(self.row(v), v) for v in values]))
 
     def lift(self, coordinates: Coordinates) -> Rows:
         """Hold one element as an array of no dimensions."""
@@ -107,9 +108,7 @@ class RowArrays(Batch[Rows]):
     def to_array(self, p: Rows) -> Row:
         """Return the rows as one array of shape (4, …), read-only; without a copy if they are one already."""
         block = _block(p)
-        out = np.stack(p) if block is None else block.view()
-        out.flags.writeable = False
-        return out
+        return read_only(np.stack(p) if block is None else block)
 
     def from_array(self, values: object) -> Rows:
         """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
@@ -117,17 +116,19 @@ class RowArrays(Batch[Rows]):
 
     def checked_block(self, values: object, count: int) -> Rows:
         """Return the rows of an array of integers. Raises :class:`CoercionError`."""
-        block = np.asarray(values)
-        if block.ndim == 0 or block.shape[0] != count or block.dtype.kind not in "iu":
+        given = np.asarray(values)
+        if given.ndim == 0 or given.shape[0] != count or given.dtype.kind not in "iu":
             raise CoercionError(
-                f"an array of {block.dtype} of shape {block.shape} does not hold quaternions over "
+                f"an array of {given.dtype} of shape {given.shape} does not hold quaternions over "
                 f"{self.ring}: expected integers of shape ({count}, …), as to_array() returns them"
             )
+        block, _ = memory.block(given.shape, given.dtype.str)
+        block[...] = given  # a copy: nobody changes it after it has been checked
         self.check_numbers(block)
         return rows_of(self.block(block))
 
     def block(self, values: Row) -> Row:
-        """Return an array of integers as an array of the type that is held."""
+        """Return an array of integers as an array in one piece, of the type that is held."""
         return values.astype(self.dtype, copy=False)
 
     def check_numbers(self, block: Row) -> None:

@@ -20,7 +20,7 @@ from hfield.kernels.machine_integers import CheckedWholeNumbers, TooWideError, h
 from hfield.native import compiling
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.rows import Row, RowArrays
-from hfield.rings.arrays import objects
+from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
@@ -158,9 +158,7 @@ class WordArrays(RowArrays):
                 f"the array over {self.ring} holds numbers of more than 64 bits, which no array of int64 "
                 "holds: pickle it"
             )
-        out = super().to_array(p).astype(WORD, copy=False)
-        out.flags.writeable = False
-        return out
+        return read_only(super().to_array(p).astype(WORD, copy=False))
 
     def prepare(self) -> None:
         """Compile every loop, or read it from the disk."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Hashable, Iterator
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hfield.product import Scalar
 from hfield.rings.base import E, Ring, shared
@@ -31,6 +31,16 @@ class Completion(Overfield[E]):
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (self.global_field.completion, "".join(str(self.place).split()))
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by the one that is completed, and the place."""
+        at = self.place_data(self.place)
+        return {"kind": "completion", "of": self.global_field.data, "place": at}
+
+    def place_data(self, place: Any) -> dict[str, Any]:
+        """Return the place of the global field as JSON data."""
+        return self.global_field.place_data(place)
 
     def in_words(self) -> str:
         """Say what the field is."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from hfield.certificates.glossary import reads_like_a_constant
 from hfield.errors import RingError
 from hfield.rings.function_places import place_of_functions
 from hfield.rings.local.field import LocalField
@@ -26,7 +27,7 @@ def completion_of_functions(field: FunctionField, place: object) -> LocalField:
         words = f"Laurent series in 1/{field.gen_name} over {k}"
         return LocalField(f"{field}_inf", words, field, v, AtInfinity(field))
     residues = ResidueField(field, v.poly)
-    if v.poly == field.gen.num:
+    if v.poly == field.gen.num and not reads_like_a_constant(str(v)):
         name, words = f"{field.base}(({v}))", f"Laurent series in {v} over {k}"
     else:
         name = f"{field}_({v})"

@@ -17,7 +17,7 @@ def norm_evidence(algebra: str, ring: Ring, c: Constants, answer: ZeroNorm) -> E
     """Return the evidence for an answer without element, or None where there is none that is checked."""
     by = ({"by": answer.method},) if answer.method in ("ordering", "level") else ()
     candidates: Iterable[Evidence] = chain(by, evidence_at(ring, c, answer.places))
-    return next((data for data in candidates if is_certified(algebra, ring.name, data)), None)
+    return next((data for data in candidates if is_certified(algebra, ring.data, data)), None)
 
 
 def evidence_at(ring: Ring, c: Constants, places: Iterable[object]) -> Iterator[Evidence]:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
-from hfield.factorisation import Factors
-from hfield.primality import primes
+from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.primality import WORD, primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
@@ -15,19 +16,20 @@ from hfield.rings.number_primes import PrimeIdeal, by_other_generators
 from hfield.rings.residues.number_ideals import LocalPlace, local_place
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
-from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
 from hfield.structure.number_fields.hilbert_number_fields import (
     finite_ramified,
     hilbert_symbol_number_field,
+    norms,
     ramified_places_number_field,
 )
 from hfield.structure.number_fields.slots_number_fields import (
-    common_slot,
     from_ramification_number_field,
     is_local_square,
+    partner,
 )
+from hfield.structure.number_fields.unimodular_lattice import embed_number_field
 
 SMALL_PRIMES = 50
 GENERATORS = 30
@@ -83,26 +85,28 @@ class NumberFieldArithmetic(GlobalField):
             for data in super().evidence(c, [place]):
                 yield data
                 if isinstance(place, PrimeIdeal) and not place.order.plain:
-                    for name in by_other_generators(place, GENERATORS):
-                        yield {**data, "place": name}
+                    for other in by_other_generators(place, GENERATORS):
+                        yield {**data, "place": other}
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Share the primes of norms that are longer than a word."""
+        numbers = [n for form in forms for x in form.constants for n in norms(self.ring, x)]
+        if all(-WORD < n < WORD for n in numbers):
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by a common slot and three conics."""
-        e = common_slot([outer.a, inner.a], ramified_places_number_field(outer.a, outer.b))
-        return through_slot(self.ring, outer, inner, e, self._point)
+        """Return I and J by an isometry of the quaternions of trace 0."""
+        return embed_number_field(self.ring, outer, inner)
 
     def traceless_root(self, form: NormalForm, s: FieldElement) -> Coordinates | None:
-        """Return x by a common slot, unless s is a square at a ramified place."""
+        """Return x in an algebra (s, e) that is isomorphic, unless s is a square at a ramified place."""
         ramified = self.ramified(form)
         if any(is_local_square(v, s) for v in ramified):
             return None
         c = Constants(form.a, self.ring.zero, form.b)
-        return generator_by_slot(self.ring, s, c, common_slot([c.a, s], ramified), self._point)[0]
-
-    def _point(self, c: Constants) -> tuple[FieldElement, FieldElement, FieldElement]:
-        """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``."""
-        x, y, w = solve_conic_number_field(self.ring, c.a, c.b)
-        return w, x, y
+        outer = Constants(s, self.ring.zero, partner(s, ramified))
+        return embed_number_field(self.ring, outer, c)[0]
 
 
 def _finite_orders(degree: int) -> Mapping[int, int]:

@@ -26,7 +26,7 @@ def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list
         return [local_place(prime) for prime in primes_above(field, p)]
 
     rows = good_generators(field, form, primes, above, _unit)
-    return _basis(field, [[w * x for x in v] for w in field.integral_basis() for v in rows])
+    return module_basis(field, rows)
 
 
 def _unit(place: LocalPlace, n: int) -> FieldElement:
@@ -36,14 +36,16 @@ def _unit(place: LocalPlace, n: int) -> FieldElement:
     return prime.order.truncated(prime.field.power(prime.idempotent, power), p ** (n + 1))
 
 
-def _basis(field: NumberField, generators: list[Vector]) -> list[Vector]:
-    """Return a basis over ℤ, of rank 3n, of what vectors of K³ generate, scaled to be integral."""
+def module_basis(field: NumberField, generators: list[Vector]) -> list[Vector]:
+    """Return a basis over ℤ of what vectors of Kᵐ generate over the integers, scaled to be integral."""
     n = field.degree
-    rows = [[c for x in v for c in coefficients(x)] for v in generators]
+    width = n * len(generators[0])
+    wide = [[w * x for x in v] for w in field.integral_basis() for v in generators]
+    rows = [[c for x in v for c in coefficients(x)] for v in wide]
     scale = math.lcm(*(int(c.q) for row in rows for c in row))
     entries = [(c * scale).p for row in rows for c in row]
-    matrix = flint.fmpz_mat(len(rows), 3 * n, entries).hnf()
+    matrix = flint.fmpz_mat(len(rows), width, entries).hnf()
     return [
-        [FieldElement(field, flint.fmpq_poly(row[k : k + n])) for k in range(0, 3 * n, n)]
-        for row in matrix.tolist()[: 3 * n]
+        [FieldElement(field, flint.fmpq_poly(row[k : k + n])) for k in range(0, width, n)]
+        for row in matrix.tolist()[:width]
     ]

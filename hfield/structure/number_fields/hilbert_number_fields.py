@@ -71,12 +71,16 @@ def candidates(field: NumberField, x: FieldElement) -> set[int]:
 
     Raises :class:`UnfactoredError`.
     """
+    return {p for n in norms(field, x) for p in factorise(n, sieved=NORM_BITS)}
+
+
+def norms(field: NumberField, x: FieldElement) -> tuple[int, int, int]:
+    """Return integers whose primes are the candidates: a norm, what x is divided by, and what divides it."""
     scale, _ = integral_generator(field)
     terms = [c / flint.fmpq(scale) ** k for k, c in enumerate(x.poly.coeffs())]
     below = math.lcm(*(int(c.q) for c in terms))
     above = math.gcd(*(int((c * below).p) for c in terms))
-    norm = (x * flint.fmpq(below, above)).norm()
-    return {p for n in (int(norm.p), below, above) for p in factorise(n, sieved=NORM_BITS)}
+    return int((x * flint.fmpq(below, above)).norm().p), below, above
 
 
 def finite_ramified(a: FieldElement, b: FieldElement, primes: set[int]) -> Iterator[PrimeIdeal]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -9,6 +10,7 @@ import flint
 
 from hfield.rings.number_elements import FieldElement
 from hfield.rings.number_field import NumberField
+from hfield.rings.number_orders import integral_generator
 
 
 @lru_cache(maxsize=64)
@@ -37,3 +39,9 @@ def element_of(field: NumberField, row: list[flint.fmpq]) -> FieldElement:
     """Return the element with the given coordinates in the integral basis."""
     powers = flint.fmpq_mat(1, field.degree, row) * _integral(field)[0]
     return FieldElement(field, flint.fmpq_poly(powers.entries()))
+
+
+def integral_multiple(x: FieldElement) -> int:
+    """Return a positive integer m for which m·x is an algebraic integer."""
+    scale, _ = integral_generator(x.field)
+    return math.lcm(*(int((c / flint.fmpq(scale) ** k).q) for k, c in enumerate(x.poly.coeffs())))

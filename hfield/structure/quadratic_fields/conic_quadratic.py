@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import UndecidedError
+from hfield.rings.balls import precision
 from hfield.rings.quadratic import QuadraticField
 from hfield.rings.residues.prime_ideals import coordinates
 from hfield.structure.lattice_reduction import (
@@ -138,7 +139,7 @@ def _embedded(field: QuadraticField, form: Vector, basis: list[Vector]) -> Integ
     numbers = [x for v in (form, *basis) for x in v]
     bits = 64 + 2 * max(abs(int(u.p)).bit_length() for x in numbers for u in x.terms.values())
     scale = flint.arb(2) ** bits
-    with flint.ctx.workprec(2 * bits + 64):
+    with precision(2 * bits + 64):
         root = flint.acb(field.d).sqrt()
         places = [root, -root] if field.d > 0 else [root]
 

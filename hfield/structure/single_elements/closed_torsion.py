@@ -17,6 +17,7 @@ import flint
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import factorise
+from hfield.rings.balls import precision
 from hfield.rings.base import Ring
 from hfield.rings.surds import Surd
 
@@ -96,7 +97,7 @@ def _degree(numbers: list[Surd | Closed]) -> int | None:
 
 def _root_ball(t: Surd | Closed, n: Surd | Closed, sign: int, bits: int) -> flint.acb | None:
     """Enclose ``(T ± √(T² − 4N))/2``; None where the enclosure of the discriminant contains 0."""
-    with flint.ctx.workprec(bits):
+    with precision(bits):
         trace = t.ball(bits)
         d = trace * trace - n.ball(bits) * 4
         if d.contains(0):
@@ -114,7 +115,7 @@ def _angle(enclosure: Enclosure, greatest: int) -> tuple[bool, Fraction | None]:
     bits = 128
     while bits <= BITS:
         z = enclosure(bits)
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             if z is not None and not z.abs_lower() <= 1 <= z.abs_upper():
                 return False, None
             if z is not None and not z.contains(0):

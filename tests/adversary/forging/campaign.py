@@ -22,7 +22,8 @@ from tests.adversary.forging.validity import same_target, why_valid
 from tests.adversary.forging.wholes import forged as forged_whole
 from tests.adversary.grammar import NotRead
 from tests.adversary.judgement import judge
-from tests.adversary.words import SOME_FIELDS, is_word, truth_over
+from tests.adversary.ring_names import name_of
+from tests.adversary.words import is_word, truth_everywhere, truth_over
 
 FAMILIES = ("evidence", "evidence", "evidence", "spelling", "wholes", "mutants", "pins")
 
@@ -40,13 +41,18 @@ def false_claim(data: Certificate, established: Established, seed: int = 0) -> s
     statement, where, verdict = data["statement"], data["field"], data["verdict"]
     if any("".join(str(where).split()) == "".join(n.split()) for n in NO_FIELDS):
         return f"there is no ring {where!r}"
+    try:
+        if where is not None and name_of(data["ring"]) != where:
+            return f"the data are not those of {where!r}"
+    except NotRead as error:
+        return str(error)
     if is_word(statement):
         return _false_whole(statement, where, verdict)
     if statement.lstrip().startswith("associative"):
         return ""
-    shown = witness(data["evidence"], where)
-    found = {"verdict": verdict, "scope": established.scope, "witness": shown}
     try:
+        shown = witness(data["evidence"])
+        found = {"verdict": verdict, "scope": established.scope, "witness": shown}
         wrong = judge(statement, where, data["algebra"], found, seed)
         return "; ".join(wrong) or seen_false(data)
     except NotRead as error:
@@ -54,20 +60,10 @@ def false_claim(data: Certificate, established: Established, seed: int = 0) -> s
 
 
 def _false_whole(statement: str, where: str | None, verdict: str) -> str:
-    if where is None:
-        truths = [truth_over(statement, f) for f in SOME_FIELDS]
-        truth = False if False in truths else (None if None in truths else True)
-        # True over these fields is not true over all; only a false one settles it.
-        return (
-            f"false over {SOME_FIELDS[truths.index(False)]}"
-            if verdict == "proved" and truth is False
-            else ""
-        )
-    truth = truth_over(statement, "".join(where.split()))
-    wrong = (
-        truth is not None and verdict in ("proved", "refuted") and truth != (verdict == "proved")
-    )
-    return f"that is {truth}" if wrong else ""
+    """Say what a statement of the vocabulary is; over all fields only a false one settles it."""
+    field = "".join((where or "").split())
+    truth = truth_over(statement, field) if field else truth_everywhere(statement)
+    return f"that is {truth}" if truth is not None and truth != (verdict != "refuted") else ""
 
 
 @dataclass(frozen=True)

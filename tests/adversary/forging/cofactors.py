@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from tests.adversary.forging.targets import Target
+from tests.certificates.ring_data import INFINITY, number, prime, split
 
 Item = dict[str, Any]
 DIGITS = (8, 10, 12, 15, 16, 20, 24, 31, 32)  # where an exponent might be cut off
@@ -320,23 +321,30 @@ FACTS: tuple[Any, ...] = (
     {"form": "norm", "by": "level"},
     *(
         {"form": "norm", "by": "place", "place": p, "u": UNIT_I, "j": UNIT_J}
-        for p in ("3", "15", "t", "inf")
+        for p in (number(3), number(15), prime(0, 1), INFINITY)
     ),
     *(
         {"form": "norm", "by": "place", "place": p, "u": HALF, "j": ["1", "1", "0", "0"]}
-        for p in "24٣"
+        for p in (number(2), number(4), number("3"))
     ),
     {
         "form": "norm",
         "by": "place",
-        "place": "(2, sqrt(-7)-1)",
+        "place": split(2, 1),
         "u": HALF,
         "j": ["1", "1", "0", "0"],
     },
-    {"form": "norm", "by": "place", "place": "2", "u": ZERO, "j": ZERO},
-    {"form": "norm", "by": "place", "place": "9", "u": UNIT_I, "j": ["3", "0", "0", "0"]},
+    {"form": "norm", "by": "place", "place": number(2), "u": ZERO, "j": ZERO},
+    {"form": "norm", "by": "place", "place": number(9), "u": UNIT_I, "j": ["3", "0", "0", "0"]},
     {"form": "norm", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
-    {"form": "norm", "by": "place", "place": "2", "u": HALF, "j": UNIT_I, "algebra": "(-1,-1|QQ)"},
+    {
+        "form": "norm",
+        "by": "place",
+        "place": number(2),
+        "u": HALF,
+        "j": UNIT_I,
+        "algebra": "(-1,-1|QQ)",
+    },
     {"form": "norm", "by": "ordering", "algebra": "(-1,-1|RR)"},
     {"form": "squares", "by": "level", "most": 2, "positive": False},
     {"form": "squares", "by": "level", "most": 5, "positive": False},

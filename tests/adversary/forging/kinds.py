@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from tests.adversary.forging.cofactors import implication
-from tests.adversary.forging.targets import Certificate, Target
+from tests.adversary.forging.targets import Certificate, Target, any_data
 
 Pool = Sequence[Certificate]
 ODD_NUMBERS = (
@@ -104,7 +104,7 @@ def witness(target: Target, rng: random.Random, pool: Pool) -> Any:
         field = rng.choice(
             ("QQ", "GF(2)", "GF(3)", "GF(4)", "ZZ/6", "ZZ/4", "QQ(x)", "RDF", "CC", "GF(6)")
         )
-    return {"kind": "witness", "field": field, "values": _values(target, rng, True)}
+    return {"kind": "witness", "ring": any_data(field), "values": _values(target, rng, True)}
 
 
 def terms(target: Target, rng: random.Random, pool: Pool) -> Any:
@@ -162,7 +162,7 @@ def none_exists(target: Target, rng: random.Random, pool: Pool) -> Any:
             values.pop(name, None)
         inner = {"kind": "place", "values": values, "proof": inner}
     if target.field is None or rng.random() < 0.1:
-        inner["field"] = rng.choice(fields)
+        inner["ring"] = any_data(rng.choice(fields))
     return inner
 
 
@@ -220,8 +220,8 @@ def wrapped(target: Target, rng: random.Random, pool: Pool) -> Any:
             {"kind": "both", "left": part, "right": part},
             {"kind": "conclusion", "evidence": inner},
             {"kind": "hypothesis", "evidence": inner},
-            {"kind": "over", "field": "QQ(x)", "evidence": inner},
-            {"kind": "over", "field": "GF(2)", "evidence": inner},
+            {"kind": "over", "ring": any_data("QQ(x)"), "evidence": inner},
+            {"kind": "over", "ring": any_data("GF(2)"), "evidence": inner},
             {"kind": "part", "part": 0, "evidence": inner},
             {"kind": "lemmas", "proofs": [inner]},
             {"kind": "cases", "cases": [], "cover": inner},

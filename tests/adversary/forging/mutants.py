@@ -76,8 +76,9 @@ def mutated(data: Certificate, others: Sequence[Certificate], rng: random.Random
     out = copy.deepcopy(data)
     for _ in range(rng.choice((1, 1, 1, 2, 3))):
         if rng.random() < 0.1:  # swap a key with another certificate's
-            key = rng.choice(list(data))
-            out[key] = copy.deepcopy(rng.choice(others)[key])
+            key, other = rng.choice(list(data)), rng.choice(others)
+            for own in ("field", "ring") if key == "field" else (key,):
+                out[own] = copy.deepcopy(other[own])
             continue
         if not isinstance(out.get("evidence"), dict):
             return out

@@ -4,7 +4,6 @@ Random samples miss the zeros of q[0]² + q[1]² over ℚ(i); these are among th
 """
 
 import random
-import re
 from collections.abc import Iterator
 from itertools import islice, product
 from typing import Any
@@ -15,6 +14,7 @@ from tests.adversary.falsify import Widths, assigned, one_place, true_at, width
 from tests.adversary.forging.targets import Certificate
 from tests.adversary.grammar import read
 from tests.adversary.meaning import Claim, read_claim
+from tests.adversary.ring_names import name_of
 from tests.adversary.scalars import Exact, Integers, Numbers, Quotients, named, value_of
 from tests.adversary.small_rings import Table
 
@@ -59,22 +59,14 @@ def every_place(table: Table, unknowns: Widths) -> Iterator[dict[str, Any]]:
         yield assigned(unknowns, row)
 
 
-def witness(evidence: Any, where: str | None) -> dict[str, Any] | None:
+def witness(evidence: Any) -> dict[str, Any] | None:
     """Return what evidence gives to show its claim over a field by, as the judge reads it."""
     kind = evidence.get("kind") if isinstance(evidence, dict) else None
     if kind == "witness":
-        field = _plain(evidence["field"])
-        if where is not None and field == _plain(where):
-            field = where
-        return {"F": [field], **evidence["values"]}
+        return {"F": [name_of(evidence["ring"])], **evidence["values"]}
     if kind == "terms":
         return {name: [text] for name, text in evidence["terms"].items()}
     return None
-
-
-def _plain(field: str) -> str:
-    """Return the name of a field as it is usually spelled: ``GF( 03)`` is GF(3)."""
-    return re.sub(r"\b0+(?=[0-9])", "", "".join(field.split()))
 
 
 def seen_false(data: Certificate) -> str:
@@ -106,10 +98,10 @@ def _something_exists(claim: Claim, here: Any, evidence: Any, anywhere: bool) ->
     """Return what exists all the same, where the evidence says that nothing does."""
     evidence = evidence if isinstance(evidence, dict) else {}
     if anywhere:
-        here = named(str(evidence.get("field")))
+        here = named(name_of(evidence.get("ring")))
     scalars = _constants(here)
     if scalars is None:
-        return f"nothing is known of the field {evidence.get('field')}" if anywhere else ""
+        return f"nothing is known of the field {evidence.get('ring')}" if anywhere else ""
     if any(scalars.constant(("name", name)) is not None for name, _ in claim.bound):
         return "what 'exists' binds has a value in that field"
     given: dict[str, Any] = {}

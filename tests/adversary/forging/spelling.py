@@ -4,7 +4,14 @@ import json
 import random
 from collections.abc import Callable, Sequence
 
-from tests.adversary.forging.targets import NO_FIELDS, TRUE_THERE, Certificate, Target
+from tests.adversary.forging.targets import (
+    NO_FIELDS,
+    NO_RINGS,
+    TRUE_THERE,
+    Certificate,
+    Target,
+    any_data,
+)
 
 LOOK_ALIKES = {
     "p": "ｐр", "q": "ｑ𝐪", "s": "ｓѕ", "e": "ｅеℯ", "i": "ｉі𝒊", "j": "ｊј", "0": "０٠𝟎", "1": "１١𝟏",
@@ -30,7 +37,7 @@ def look_alike(target: Target, true: Certificate, rng: random.Random) -> str:
 
 def same_key_twice(target: Target, true: Certificate, rng: random.Random) -> str:
     """The true statement once, the false one as well under the same key."""
-    key = rng.choice(("statement", "field", "verdict", "algebra", "evidence"))
+    key = rng.choice(("statement", "field", "ring", "verdict", "algebra", "evidence"))
     false = json.dumps(target.certificate(true["evidence"], true["method"])[key])
     text = _dumped(true)
     if rng.random() < 0.5:
@@ -41,7 +48,8 @@ def same_key_twice(target: Target, true: Certificate, rng: random.Random) -> str
 
 def other_target(target: Target, true: Certificate, rng: random.Random) -> str:
     """A true certificate with the false statement, field, algebra or verdict put in."""
-    keys = rng.sample(("statement", "field", "algebra", "verdict"), rng.randint(1, 4))
+    groups = (("statement",), ("field", "ring"), ("ring",), ("algebra",), ("verdict",))
+    keys = [key for group in rng.sample(groups, rng.randint(1, 5)) for key in group]
     wanted = target.certificate(None)
     data = {**true, **{key: wanted[key] for key in keys}}
     return _dumped({**data, "statement": target.statement})
@@ -92,10 +100,12 @@ def broken(target: Target, true: Certificate, rng: random.Random) -> str:
 
 def no_ring(target: Target, true: Certificate, rng: random.Random) -> str:
     """A true statement over what is no ring at all."""
-    name = rng.choice(NO_FIELDS)
+    name, ring = rng.choice(NO_RINGS)
+    if rng.random() < 0.3:
+        name, ring = rng.choice(NO_FIELDS), any_data(rng.choice(("QQ", "GF(3)", "ZZ/6", "QQ(x)")))
     statement, kind = rng.choice(TRUE_THERE), rng.choice(("identity", "exhaustion"))
     evidence = {"kind": kind} | ({"cases": 1} if kind == "exhaustion" else {})
-    data = Target(statement, name, algebra=f"(-1,-1|{name})").certificate(evidence, kind)
+    data = Target(statement, name, algebra=f"(-1,-1|{name})").certificate(evidence, kind, ring=ring)
     return _dumped(data)
 
 
@@ -146,7 +156,7 @@ def no_algebra(target: Target, true: Certificate, rng: random.Random) -> str:
     made = Target(statement, field, algebra=f"{opening}{constants}|{field or 'F'})")
     verdict = rng.choice(("proved", "proved", "vacuous", "refuted"))
     kind = rng.choice(("identity", "exhaustion", "witness", "implication"))
-    more = {"exhaustion": {"cases": 1}, "witness": {"field": field or "QQ", "values": {}},
+    more = {"exhaustion": {"cases": 1}, "witness": {"ring": any_data(field or "QQ"), "values": {}},
             "implication": {"facts": [], "items": []}}.get(kind, {})  # fmt: skip
     return _dumped(made.certificate({"kind": kind, **more}, "identity", verdict=verdict))
 

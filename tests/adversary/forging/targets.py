@@ -3,6 +3,23 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.certificates.rejection import Rejected
+from hfield.errors import RingError
+from tests.certificates.cases import with_rings
+from tests.certificates.ring_data import (
+    QQ,
+    Data,
+    completion,
+    data_of,
+    finite,
+    functions,
+    generated,
+    number,
+    polynomials,
+    quadratic,
+    residues,
+)
+
 Certificate = dict[str, Any]
 
 
@@ -30,21 +47,38 @@ class Target:
     def certificate(
         self, evidence: Any, method: str = "implication", **changes: Any
     ) -> Certificate:
-        """Return a certificate of the claim."""
+        """Return a certificate of the claim, which says the rings that its words name."""
+        statement = changes.get("statement", self.statement)
         return {
-            "schema": "hfield-cert/1",
-            "statement": self.statement,
+            "schema": "hfield-cert/2",
+            "statement": statement,
             "algebra": self.algebra_text,
             "field": self.field,
+            "ring": None if self.field is None else any_data(self.field),
             "verdict": self.verdict,
             "method": method,
             "assumes": [],
-            "evidence": evidence,
+            "evidence": _with_rings(statement, evidence),
         } | changes
 
     def over(self, field: str | None) -> "Target":
         """Return the same over another field."""
         return replace(self, field=field)
+
+
+def any_data(name: str) -> Data:
+    """Return the data of a ring of that name, or some if there is none."""
+    try:
+        return data_of(name)
+    except RingError:
+        return {"kind": name}
+
+
+def _with_rings(statement: str, evidence: Any) -> Any:
+    try:
+        return with_rings(statement, evidence)
+    except Rejected:  # the statement nests too deeply
+        return evidence
 
 
 Q = tuple(f"q[{n}]" for n in range(4))
@@ -200,6 +234,47 @@ NO_FIELDS = (
         "GF(+3)",
     ),
     *("GF(1_1)", "GF(１１)", "ZZ/٦", "F", "", " ", "GF()", "QQ(sqrt(2)", "QQ(sqrt(2.0))", "GF(-3)"),
+)
+# And what the data of none are, each with a name that it might have.
+X, QQX = "x", functions(QQ, "x")
+NO_RINGS: tuple[tuple[str, Data], ...] = (
+    *(
+        (f"GF({p})", finite(p))
+        for p in (6, 1, 0, 15, 561, 1729, 3215031751, 4, 9, 318665857834031151167461)
+    ),
+    *((f"ZZ/{n}", residues(n)) for n in (1, 0, -3)),
+    *(
+        ("GF(4)", finite(2, 2, f))
+        for f in ([1, 0, 1], [0, 0, 1], [1, 1, 0, 1], [1, 1, 2], [3, 1, 1], None)
+    ),
+    *(
+        ("GF(9)", finite(3, 2, f))
+        for f in ([2, 0, 1], [1, 2, 1], [2, 2, 4], [2, 2, -2], [2, 2], [5, 2, 1])
+    ),
+    *(("GF(16)", finite(2, 4, f)) for f in ([1, 0, 1, 0, 1], [1, 1, 0, 0, 0, 1], [1, 0, 0, 0, 1])),
+    ("GF(8, x^3+1)", finite(2, 3, [1, 0, 0, 1])),
+    ("GF(25, x^2+1)", finite(5, 2, [1, 0, 1])),
+    ("GF(49, x^2-1)", finite(7, 2, [6, 0, 1])),
+    ("GF(7)", finite(7, 1, [1, 1])),
+    ("GF(3)", finite(3, 1, [1, 0, 1])),
+    ("GF(6)", finite(6, 2, [1, 1, 1])),
+    *((f"QQ(sqrt({d}))", quadratic(d)) for d in (8, 1, 0, 4, 12, -4, "2", 2.0, True)),
+    ("QQ(I)", quadratic(-9)),
+    *((f"QQ({name})", functions(QQ, name)) for name in ("e", "i", "I", "not", "x,y", "x)(", "")),
+    ("QQ(I)(x)", functions(quadratic(-1), X)),
+    ("RR(x)", functions({"kind": "reals"}, X)),
+    ("QQ(x)(x)", functions(QQX, X)),
+    ("ZZ(x)", functions({"kind": "integers"}, X)),
+    ("ZZ/4(x)", functions(residues(4), X)),
+    ("GF(4)(x)", functions(finite(2, 2, [1, 1, 1]), X)),
+    ("GF(9)[x]", polynomials(finite(3, 2, [2, 2, 1]), X)),
+    ("QQ[x,x]", polynomials(QQ, X, X)),
+    ("QQ", {**QQ, "modulus": 1}),
+    ("QQ", {"kind": "QQ"}),
+    ("Qp(4)", completion(QQ, number(4))),
+    ("Qp(2)", completion(QQ, {"kind": "infinity"})),
+    ("QQ[s]/(s^2-4)", generated([-4, 0, 1])),
+    ("QQ[s]/(s^4+4)", generated([4, 0, 0, 0, 1])),
 )
 TRUE_THERE = ("s == s", "p*(q + r) == p*q + p*r", "s**2 == 0 => s**3 == 0")
 

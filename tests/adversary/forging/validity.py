@@ -22,6 +22,8 @@ from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.rings import ring
 from tests.adversary.forging.validity_of_items import implication
+from tests.adversary.grammar import NotRead
+from tests.adversary.ring_names import name_of
 
 Certificate = dict[str, Any]
 
@@ -35,13 +37,15 @@ def why_valid(mutant: Certificate, original: Certificate) -> str:
     """Return why a mutant with the target of the original is valid, '' if no reason is found."""
     try:
         return _evidence(mutant["evidence"], original["evidence"], mutant)
-    except (HFieldError, KeyError, ValueError, IndexError, TypeError):
+    except (HFieldError, NotRead, KeyError, ValueError, IndexError, TypeError):
         return ""
 
 
 def _where(data: Certificate) -> Any:
     """Return the field and the structure constants, by their values where no letters are in them."""
-    field = None if data["field"] is None else data["field"].replace(" ", "")
+    field = data["field"]
+    if field is not None and name_of(data["ring"]) != field:
+        raise NotRead(f"the data are not those of {field}")
     setting = read_setting(field, data["algebra"])
     if setting.letters:
         return setting, data["verdict"]
@@ -98,10 +102,10 @@ def _evidence(new: Any, old: Any, data: Certificate) -> str:
 
 def _inside(kind: Any, evidence: Any, data: Certificate) -> Certificate:
     """Return what evidence inside of evidence is about."""
-    if kind in ("over", "none exists") and "field" in evidence:
+    if kind in ("over", "none exists") and "ring" in evidence:
         over = data["statement"].startswith("not-everywhere")
         inner = {"statement": _texts(data)[0]} if over else {}
-        field = evidence["field"]
+        field = name_of(evidence["ring"])
         return {"field": field, "algebra": f"(-1,-1|{field})", "verdict": "refuted", **inner}
     places = {"part": evidence.get("part", 0), "hypothesis": 0, "conclusion": 1}
     if kind not in places:
@@ -130,7 +134,7 @@ def _spelt(value: Any, data: Certificate) -> Any:
     """Replace texts by the elements of the field, and numbers by themselves, as far as they are read."""
     if isinstance(value, dict):
         return {
-            k: _spelt(v, {**data, "field": value.get("field", data["field"])})
+            k: _spelt(v, {**data, "field": name_of(value["ring"])} if "ring" in value else data)
             for k, v in value.items()
         }
     if isinstance(value, list):
@@ -171,7 +175,7 @@ def _witness(evidence: Any, data: Certificate) -> bool:
         sign = 1 if ">" in data["statement"] else -1
         return F.equal(_norm(evidence, data), F(evidence["norm"])) and evidence["norm"] * sign < 0
     setting = read_setting(data["field"], data["algebra"])
-    F = ring(evidence["field"])
+    F = ring(name_of(evidence["ring"]))
     statement = read_statement(data["statement"], setting.field, (), setting.letters)
     values: dict[str, Any] = {text: F(text) for text in statement.constants}
     for name, _ in statement.unknowns:
@@ -186,7 +190,7 @@ def _witness(evidence: Any, data: Certificate) -> bool:
 
 def _place(evidence: Any, data: Certificate) -> bool:
     """At these values nothing exists: the prover is asked about the statement in which they stand."""
-    field = evidence.get("field", data["field"])
+    field = name_of(evidence["ring"]) if "ring" in evidence else data["field"]
     values = {name: _written(texts) for name, texts in evidence["values"].items()}
     algebra = _put_in(data["algebra"], values).replace("F)", f"{field})")
     return prove(_put_in(data["statement"], values), field, (), algebra).verdict == "refuted"

@@ -4,7 +4,8 @@ import random
 from typing import Any
 
 from tests.adversary.forging.cofactors import HALF, UNIT_I, UNIT_J, ZERO
-from tests.adversary.forging.targets import Certificate, Target
+from tests.adversary.forging.targets import Certificate, Target, any_data
+from tests.certificates.ring_data import INFINITY, number, prime, split
 
 FIELDS = (
     *(
@@ -89,6 +90,7 @@ PLAIN = (
     *("identity", "level", "ordering", "closed", "count", "determinant", "unique roots"),
     *("square roots", "pure subgroup"),
 )
+PLACES = (number(2), number(3), prime(0, 1), INFINITY, split(2, 1))
 PAIRS = [a + b for a in "eijk" for b in "eijk"]
 
 
@@ -133,7 +135,7 @@ def evidence(rng: random.Random, depth: int = 0) -> Any:
     plain = [
         *({"kind": kind} for kind in PLAIN),
         {"kind": "anisotropic", "by": rng.choice(("ordering", "level"))},
-        {"kind": "anisotropic", "by": "place", "place": rng.choice(("2", "3", "t", "inf", "(2, sqrt(-7)-1)")),
+        {"kind": "anisotropic", "by": "place", "place": rng.choice(PLACES),
          "u": rng.choice((UNIT_I, HALF, ZERO)), "j": rng.choice((UNIT_J, ["1", "1", "0", "0"], ZERO))},
         {"kind": "anisotropic", "by": "specialisation", "at": "0", "proof": {"by": "ordering"}},
         {"kind": "zero norm", "value": four()}, {"kind": "squares", "values": four()[: rng.randint(1, 4)]},
@@ -146,7 +148,7 @@ def evidence(rng: random.Random, depth: int = 0) -> Any:
         {"kind": "left out", "tuple": "".join(rng.choices("eijk", k=rng.randint(1, 3)))},
         {"kind": "basis tuples", "tuples": [list("eijk"), PAIRS][: rng.randint(0, 2)]},
         {"kind": "exhaustion", "cases": rng.choice((1, 2, 3, 4, 5, 9, 16, 81))},
-        {"kind": "witness", "field": field, "values": values},
+        {"kind": "witness", "ring": any_data(field), "values": values},
         {"kind": "implication", "facts": [], "items": []},
         {"kind": "unsatisfiable", "proof": {"kind": rng.choice(("identity", "exhaustion")), "cases": 2}},
         {"kind": "unsatisfiable", "proof": {"kind": "identity"}},
@@ -159,7 +161,7 @@ def evidence(rng: random.Random, depth: int = 0) -> Any:
                 {"kind": "both", "left": judged(), "right": judged()},
                 {"kind": "conclusion", "evidence": inner()},
                 {"kind": "hypothesis", "evidence": inner()},
-                {"kind": "over", "field": field, "evidence": inner()},
+                {"kind": "over", "ring": any_data(field), "evidence": inner()},
                 {"kind": "lemmas", "proofs": [inner() for _ in range(rng.randint(0, 7))]},
                 {"kind": "none exists", "proof": inner()},
             )
@@ -194,4 +196,8 @@ def forged(rng: random.Random) -> Certificate:
     field = rng.choice((None, *FIELDS))
     made = Target(statement(rng), field)
     verdict = rng.choice(("proved", "proved", "refuted", "vacuous"))
-    return made.certificate(evidence(rng), rng.choice(METHODS), verdict=verdict)
+    data = made.certificate(evidence(rng), rng.choice(METHODS), verdict=verdict)
+    if rng.random() < 0.1:  # rings that are not those that the statement names
+        said = [any_data(rng.choice(FIELDS)) for _ in range(rng.randint(0, 2))]
+        data["evidence"] = {"kind": "rings", "rings": said, "evidence": data["evidence"]}
+    return data

@@ -1,0 +1,52 @@
+"""What stands outside all brackets of a text: where it is parted, and whether it is a sum."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from hfield.errors import NotationError, shorten
+
+CLOSING = {"(": ")", "[": "]", "{": "}"}
+
+
+def outside(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the characters outside all brackets, each with its place; a bracket is not outside itself.
+
+    Raises :class:`NotationError` where the brackets do not match.
+
+    >>> "".join(char for _, char in outside("f(x,y), [z]"))
+    'f, '
+    """
+    closing: list[str] = []
+    for place, char in enumerate(text):
+        if char in CLOSING:
+            closing.append(CLOSING[char])
+        elif char in CLOSING.values():
+            if not closing or closing.pop() != char:
+                raise NotationError(f"the brackets of {shorten(text)!r} do not match")
+        elif not closing:
+            yield place, char
+    if closing:
+        raise NotationError(f"{shorten(text)!r} lacks a closing {closing[-1]!r}")
+
+
+def split(text: str, separator: str) -> list[str]:
+    """Part a text at the separators outside all brackets. Raises :class:`NotationError`.
+
+    >>> split("root(2,3), I", ",")
+    ['root(2,3)', ' I']
+    """
+    parts, start = [], 0
+    for place, char in outside(text):
+        if char == separator:
+            parts.append(text[start:place])
+            start = place + 1
+    return [*parts, text[start:]]
+
+
+def is_balanced(text: str) -> bool:
+    """Tell whether the brackets of a text match."""
+    try:
+        return all(True for _ in outside(text))
+    except NotationError:
+        return False

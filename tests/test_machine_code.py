@@ -1,0 +1,289 @@
+"""Machine code: linked once whoever asks, never freed, kept on disk for this user alone."""
+
+import ctypes
+import gc
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from hfield.native import compiling, keeping
+
+pytestmark = pytest.mark.skipif(
+    not compiling.available(), reason="there is nothing to compile with"
+)
+ADD = "define i64 @entry(i64 %a, i64 %b) {\n  %c = add i64 %a, %b\n  ret i64 %c\n}\n"
+PATIENCE = 60.0  # seconds until a test that waits for a thread is given up
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(compiling, "_addresses", {})
+    return tmp_path / keeping.FOLDER
+
+
+def files(place: Path) -> list[Path]:
+    return [path for path in place.iterdir() if path.name != keeping.SECRET]
+
+
+# --- on disk -----------------------------------------------------------------------------------------
+
+
+def test_what_is_kept_is_whole_or_not_used(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert keeping.kept("key") is None
+    keeping.keep("key", b"machine code")
+    assert keeping.kept("key") == b"machine code"
+    (file,) = files(place)
+    file.write_bytes(file.read_bytes()[:-1])
+    assert keeping.kept("key") is None
+    file.unlink()
+    file.mkdir()  # something else stands in the place
+    keeping.keep("key", b"machine code")
+    assert keeping.kept("key") is None
+    assert files(place) == [file]
+    file.rmdir()
+    file.write_text("no folder")
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(file))
+    keeping.keep("key", b"nowhere to write")
+    assert keeping.kept("key") is None
+
+
+def test_a_file_says_which_one_it_is_and_who_wrote_it(place: Path) -> None:
+    keeping.keep("key", b"machine code")
+    os.link(place / "key", place / "other")
+    assert keeping.kept("other") is None
+    secret = place / keeping.SECRET
+    secret.write_bytes(bytes(keeping.SIZE))
+    assert keeping.kept("key") is None
+    secret.write_bytes(b"")  # and is made anew where it is none
+    keeping.keep("key", b"machine code")
+    assert keeping.kept("key") == b"machine code"
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+@pytest.mark.parametrize("name", ["key", keeping.SECRET])
+def test_what_others_may_have_written_is_not_read(
+    place: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mask = os.umask(0)
+    try:
+        keeping.keep("key", b"machine code")
+    finally:
+        os.umask(mask)
+    assert keeping.kept("key") == b"machine code"
+    file = place / name
+    assert file.stat().st_mode & 0o777 == 0o600
+    for mode, found in ((0o620, None), (0o602, None), (0o644, b"machine code")):
+        file.chmod(mode)
+        assert keeping.kept("key") == found
+    me = os.geteuid()
+    monkeypatch.setattr(os, "geteuid", lambda: me + 1)
+    assert keeping.kept("key") is None
+    monkeypatch.undo()
+    file.unlink()
+    os.mkfifo(file)  # nobody writes there: who reads it as a file waits for ever
+    assert keeping.kept("key") is None
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        b"",
+        b"no machine code",
+        b"\x7fELF" + bytes(200),
+        "the first half",
+        "of another function",
+        "that calls what is not there",
+    ],
+)
+def test_what_cannot_be_linked_is_compiled_again(place: Path, code: bytes | str) -> None:
+    """With a stamp that fits: LLVM's older engine ended the process."""
+    run = f"""
+from hfield.native import compiling, keeping
+import llvmlite.binding as llvm
+ADD = {ADD!r}
+def add():
+    return compiling.function(compiling.compiled(ADD, "entry"))(40, 2)
+def made(text):
+    return compiling.machine().emit_object(llvm.parse_assembly(text))
+assert add() == 42
+(key,) = compiling._addresses
+code = {{
+    "the first half": lambda: made(ADD)[:len(made(ADD)) // 2],
+    "of another function": lambda: made(ADD.replace("entry", "other")),
+    "that calls what is not there": lambda: made("declare i64 @missing(i64, i64)\\n"
+        + ADD.replace("add i64 %a, %b", "call i64 @missing(i64 %a, i64 %b)")),
+}}.get({code!r}, lambda: {code!r})()
+keeping.keep(key, code)
+compiling._addresses.clear()
+assert add() == 42
+assert keeping.kept(key) != code
+print("alive")
+"""
+    done = subprocess.run([sys.executable, "-c", run], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "alive\n"), done.stderr
+
+
+# --- one lock, and no end ----------------------------------------------------------------------------
+
+
+def test_threads_that_ask_at_once_get_one_function(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    linked = list[int]()
+    link = compiling._linked
+
+    def counted(code: bytes, name: str) -> int:
+        linked.append(link(code, name))
+        return linked[-1]
+
+    monkeypatch.setattr(compiling, "_linked", counted)
+    count = 8
+    together, found = threading.Barrier(count, timeout=PATIENCE), list[int]()
+
+    def ask() -> None:
+        together.wait()
+        found.append(compiling.compiled(ADD, "entry"))
+
+    threads = [threading.Thread(target=ask) for _ in range(count)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(PATIENCE)
+    assert found == linked * count
+    assert len(linked) == 1
+
+
+def test_machine_code_outlives_all_that_speaks_of_it(place: Path) -> None:
+    """In a process of its own: what is freed may be in use by others."""
+    run = f"""
+import gc, importlib
+from hfield.native import compiling
+add = compiling.function(compiling.compiled({ADD!r}, "entry"))
+compiling._addresses.clear()
+compiling._linker.cache_clear()
+importlib.reload(compiling)
+gc.collect()
+other = compiling.function(compiling.compiled({ADD!r}.replace("add i64", "sub i64"), "entry"))
+print(add(40, 2), other(40, 2))
+"""
+    done = subprocess.run([sys.executable, "-c", run], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "42 38\n"), done.stderr
+
+
+def test_a_function_of_python_keeps_what_it_is_made_of() -> None:
+    from rotation.quaternions import _PRODUCT
+
+    function = _PRODUCT._compiled()
+    assert function is not None
+    method = function.__self__  # type: ignore[attr-defined]
+    assert isinstance(method, ctypes.Structure)
+    gc.unfreeze()  # what is frozen refers to nothing, for the collector
+    assert any(referrer is function for referrer in gc.get_referrers(method))
+
+
+FORK = """
+import os, threading
+from hfield.native import compiling
+from hfield.rings.balls import precision
+
+def compiled(number):
+    text = ADD.replace("add i64 %a, %b", f"add i64 %a, {number}")
+    return compiling.function(compiling.compiled(text, "entry"))(0, 0)
+
+begun, busy = threading.Event(), True
+def work():
+    for number in range(10_000):
+        with precision(100):
+            compiled(number)
+        begun.set()
+        if not busy:
+            return
+
+thread = threading.Thread(target=work)
+thread.start()
+begun.wait()
+for turn in range(20):
+    child = os.fork()
+    if not child:
+        with precision(200):
+            os._exit(compiled(turn + 100_000) != turn + 100_000)
+    assert os.waitpid(child, 0)[1] == 0
+busy = False
+thread.join()
+print("done")
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_child_compiles_that_was_forked_while_another_thread_did(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", f"ADD = {ADD!r}\n{FORK}"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+        env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
+    )
+    assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+def test_numba_keeps_its_files_where_nobody_else_may_write(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from anim.compiling import kernel
+
+    def answer(n: int) -> int:
+        return n + 1
+
+    assert kernel(answer)(41) == 42
+    assert list(place.rglob("*.nbi"))
+    assert place.stat().st_mode & 0o777 == 0o700
+    place.chmod(0o770)
+    assert type(kernel(answer)._cache).__name__ == "NullCache"  # type: ignore[attr-defined]
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(next(place.rglob("*.nbi"))))
+    assert kernel(answer)(41) == 42
+
+
+PROPERTY = """
+import os, threading
+from hfield import H
+from hfield.native import compiling
+
+held = threading.Event()
+def make(constants):
+    held.set()
+    threading.Event().wait(60)
+A = H("GF(7)")
+A.ring.array_holding = make
+threading.Thread(target=lambda: A.array_holding, daemon=True).start()
+held.wait()
+child = os.fork()
+if not child:
+    H("GF(5)").array_holding
+    os._exit(0)
+for _ in range(600):
+    if os.waitpid(child, os.WNOHANG)[0]:
+        break
+    threading.Event().wait(0.1)
+else:
+    os.kill(child, 9)
+    print("the child waits")
+os._exit(0)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_child_does_not_wait_for_a_property_that_another_thread_was_making() -> None:
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", PROPERTY],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (0, ""), done.stderr

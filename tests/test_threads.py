@@ -1,0 +1,60 @@
+"""What threads call at once for the first time: 40 fresh processes of `scripts/stress_threads.py`."""
+
+import importlib.util
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import rotation
+from hfield import Quaternion
+from hfield.batches import BatchMethods
+
+SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
+NO_CALLS = {"DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError", "Screw"}
+COMPILES_ALL = {"warm_up"}
+
+
+@pytest.fixture(scope="module")
+def stress() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("stress_threads", SCRIPT)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def methods(kind: Any) -> set[str]:
+    return {
+        name
+        for name in dir(kind)
+        if not name.startswith("_") and name not in {"elsewhere", *getattr(kind, "elsewhere", ())}
+    }
+
+
+def test_every_public_function_of_rotation_is_called(stress: ModuleType) -> None:
+    public = set(rotation.__all__) - NO_CALLS - COMPILES_ALL
+    for kind in (rotation.Rotation, rotation.RigidTransform, rotation.RotationSpline):
+        public |= methods(kind)
+    assert public <= stress.named()
+
+
+def test_every_operation_on_arrays_is_called(stress: ModuleType) -> None:
+    arrays = {name for name in vars(BatchMethods) if not name.startswith("_")}
+    arithmetic = {"conjugate", "inverse", "norm", "trace", "is_zero", "coordinates"}
+    assert arithmetic <= vars(Quaternion).keys()
+    assert arrays | arithmetic <= stress.named() | {"shape"}
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_threads_that_call_for_the_first_time_get_what_one_gets() -> None:
+    done = subprocess.run(
+        [sys.executable, SCRIPT, "--processes", "40"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.startswith("40 processes (10 cold, 10 warm, 10 fork, 10 spawn) of 8 threads")
