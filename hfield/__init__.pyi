@@ -13,6 +13,8 @@ from .errors import NotInvertibleError as NotInvertibleError
 from .errors import RingError as RingError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
+from .fields.names import ring as ring
+from .fields.number_fields.ring import NumberField as NumberField
 from .functions import conj as conj
 from .functions import inv as inv
 from .functions import norm as norm
@@ -31,8 +33,6 @@ from .rings import RDF as RDF
 from .rings import RR as RR
 from .rings import ZZ as ZZ
 from .rings import Zmod as Zmod
-from .rings import ring as ring
-from .rings.number_field import NumberField as NumberField
 from .structure import four_squares as four_squares
 from .structure import hilbert_symbol as hilbert_symbol
 from .structure import places as places

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any
 
-from hfield import notation, structure, syntax
+from hfield import notation, syntax
 from hfield.array_makers import ArrayMakers
 from hfield.embedding import embedding
 from hfield.errors import (
@@ -16,12 +16,13 @@ from hfield.errors import (
     RingError,
     shorten,
 )
+from hfield.fields.names import ring as read_ring
+from hfield.fields.rationals.symbols import from_ramification_q
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
 from hfield.order_makers import OrderMakers
 from hfield.product import Constants
 from hfield.quaternion import Quaternion, held_by, is_many
-from hfield.rings import ring as read_ring
 from hfield.rings.base import Ring
 from hfield.rings.holding import Batch, Holding
 
@@ -80,9 +81,7 @@ class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
                     "QQ, or a number field and its places, infinite ones too"
                 )
             return cls(F, *field.with_ramification(named))
-        a, b = structure.from_ramification_q(
-            named, len(named) % 2 == 1 if infinite is None else infinite
-        )
+        a, b = from_ramification_q(named, len(named) % 2 == 1 if infinite is None else infinite)
         return cls(F, a, b)
 
     @cached_property

@@ -11,14 +11,14 @@ from hfield import structure
 from hfield.algebra import QuaternionAlgebra
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.ring import NumberField
 from hfield.lattices.order import Order
 from hfield.lattices.over_integers import IntegersOrder
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text
 from hfield.quaternion import Quaternion
 from hfield.rings.base import INFINITY
-from hfield.rings.number_field import NumberField
-from hfield.rings.quadratic import QuadraticField
 
 SCHEMA = "hfield-info/1"
 ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of a second

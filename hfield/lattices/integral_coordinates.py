@@ -7,22 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.lattices.dedekind_modules import pseudo_basis
-from hfield.product import Constants, Scalar
-from hfield.rings.number_field import NumberField
-from hfield.rings.quadratic import QuadraticField
-from hfield.rings.quadratic_as_number_field import (
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
+from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
     from_number_field,
     into_number_field,
 )
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.ring import NumberField
+from hfield.lattices.dedekind_modules import pseudo_basis
+from hfield.product import Constants, Scalar
 from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.number_fields.integral_basis import coordinate_rows, element_of
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.dedekind_modules import PseudoBasis
     from hfield.quaternion import Quaternion
-    from hfield.rings.number_elements import FieldElement
 
 
 class Frame:

@@ -24,7 +24,7 @@ from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
 from hfield.lattices.small_ideals import by_norm, longer
 from hfield.primality import is_probable_prime
 from hfield.quaternion import Quaternion
-from hfield.structure.rationals.whole_numbers import sqrt_mod
+from hfield.rings.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

@@ -16,7 +16,7 @@ from hfield.lattices.checked_arguments import checked_side, element_row, listed
 from hfield.lattices.normed_lattice import NormedLattice
 from hfield.lattices.regular_representation import regular
 from hfield.quaternion import Parent
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import flint
 
-from hfield.structure.rationals.whole_numbers import sqrt_mod
+from hfield.rings.whole_numbers import sqrt_mod
 
 Row = list[int]
 

@@ -15,7 +15,7 @@ from hfield.lattices import enumeration, hermite
 from hfield.lattices.checked_arguments import natural
 from hfield.lattices.regular_representation import Regular, regular
 from hfield.quaternion import Parent, Quaternion
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 MANY = 10**6
 """More vectors than this are not listed."""

@@ -18,17 +18,17 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fields.number_fields.integers import left_kernel
+from hfield.fields.number_fields.integral_basis import coordinate_rows
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.residues import local_place
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.lattices.dedekind_modules import hermite
 from hfield.lattices.integral_coordinates import Frame
 from hfield.primality import WORD
-from hfield.rings.number_field import NumberField
-from hfield.rings.number_orders import left_kernel
-from hfield.rings.number_primes import PrimeIdeal, primes_above
-from hfield.rings.quadratic import QuadraticField
 from hfield.rings.residue_polynomials import coefficients
-from hfield.rings.residues.number_ideals import local_place
-from hfield.structure.number_fields.hilbert_number_fields import candidates, finite_ramified
-from hfield.structure.number_fields.integral_basis import coordinate_rows
 
 if TYPE_CHECKING:
     from hfield.lattices.dedekind_modules import PseudoBasis

@@ -20,7 +20,7 @@ from hfield.lattices import certificates, enumeration, hermite
 from hfield.lattices.certificates import Certified, Claim
 from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
-from hfield.structure.rationals.whole_numbers import sqrt_mod
+from hfield.rings.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL
-from hfield.rings import ring
 from hfield.syntax.brackets import split
 
 

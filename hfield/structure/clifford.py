@@ -11,11 +11,11 @@ from typing import Any
 import flint
 
 from hfield.factorisation import factorise
+from hfield.fields.rationals.residues import PrimePlace
 from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.rational import fmpq
-from hfield.rings.residues.prime_numbers import PrimePlace
+from hfield.rings.whole_numbers import fraction
 from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise
-from hfield.structure.rationals.whole_numbers import fraction
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:
