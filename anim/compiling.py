@@ -6,8 +6,8 @@ from typing import Any
 from numba import njit
 from numba.core import config
 
-from hfield.native import keeping
-from hfield.native.compiling import lock
+from hfield.compiling import keeping
+from hfield.compiling.machine_code import lock
 
 # FMA is allowed. Reassociation would change results, and assuming finite numbers would lose NaN, so
 # `fastmath=True` is out of the question. "numpy": a division by zero gives inf, no exception.
@@ -23,7 +23,7 @@ PART = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return ``function`` compiled at its first call for each set of argument types.
 
-    The machine code is kept where `hfield.native.keeping` keeps its own, if that folder is this user's
+    The machine code is kept where `hfield.compiling.keeping` keeps its own, if that folder is this user's
     alone: numba reads pickles, whoever wrote them. Else it is compiled anew in each process.
     """
     place = keeping.private_directory()

@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 
 from hfield import H, Quaternion
-from hfield.native.pool import threads
+from hfield.compiling.threads import threads
 
 FIELDS = [
     "GF(2)", "GF(3)", "GF(7)", "GF(251)", "GF(65521)", "GF(65537)", "GF(2147483647)", "GF(4294967291)",

@@ -1,7 +1,7 @@
-"""How many threads a call may use; they are those of :mod:`hfield.native.pool`."""
+"""How many threads a call may use; they are those of :mod:`hfield.compiling.threads`."""
 
-from hfield.native import pool
-from hfield.native.pool import share, taken
+from hfield.compiling import threads as pool
+from hfield.compiling.threads import share, taken
 from rotation.errors import RotationError
 
 __all__ = ["share", "taken", "threads"]

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from hfield.native import compiling
+from hfield.compiling import machine_code
 from rotation.namespaces import Array, quiet
 from rotation.native import assembling
 from rotation.pool import share, taken, threads
@@ -88,7 +88,7 @@ class Formula:
         """Return the machine code, or None where there can be none."""
         if not assembling.available():
             return None
-        with compiling.lock:
+        with machine_code.lock:
             if self._function is None:
                 function, self._row = assembling.assembled(
                     self._formula, self._shapes, self._parameters, self._single

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from hfield.native import compiling, keeping
+from hfield.compiling import keeping, machine_code
 
 pytestmark = pytest.mark.skipif(
-    not compiling.available(), reason="there is nothing to compile with"
+    not machine_code.available(), reason="there is nothing to compile with"
 )
 ADD = "define i64 @entry(i64 %a, i64 %b) {\n  %c = add i64 %a, %b\n  ret i64 %c\n}\n"
 PATIENCE = 60.0  # seconds until a test that waits for a thread is given up
@@ -22,7 +22,7 @@ PATIENCE = 60.0  # seconds until a test that waits for a thread is given up
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(compiling, "_addresses", {})
+    monkeypatch.setattr(machine_code, "_addresses", {})
     return tmp_path / keeping.FOLDER
 
 
@@ -103,15 +103,15 @@ def test_what_others_may_have_written_is_not_read(
 def test_what_cannot_be_linked_is_compiled_again(place: Path, code: bytes | str) -> None:
     """With a stamp that fits: LLVM's older engine ended the process."""
     run = f"""
-from hfield.native import compiling, keeping
+from hfield.compiling import keeping, machine_code
 import llvmlite.binding as llvm
 ADD = {ADD!r}
 def add():
-    return compiling.function(compiling.compiled(ADD, "entry"))(40, 2)
+    return machine_code.function(machine_code.compiled(ADD, "entry"))(40, 2)
 def made(text):
-    return compiling.machine().emit_object(llvm.parse_assembly(text))
+    return machine_code.machine().emit_object(llvm.parse_assembly(text))
 assert add() == 42
-(key,) = compiling._addresses
+(key,) = machine_code._addresses
 code = {{
     "the first half": lambda: made(ADD)[:len(made(ADD)) // 2],
     "of another function": lambda: made(ADD.replace("entry", "other")),
@@ -119,7 +119,7 @@ code = {{
         + ADD.replace("add i64 %a, %b", "call i64 @missing(i64 %a, i64 %b)")),
 }}.get({code!r}, lambda: {code!r})()
 keeping.keep(key, code)
-compiling._addresses.clear()
+machine_code._addresses.clear()
 assert add() == 42
 assert keeping.kept(key) != code
 print("alive")
@@ -135,19 +135,19 @@ def test_threads_that_ask_at_once_get_one_function(
     place: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     linked = list[int]()
-    link = compiling._linked
+    link = machine_code._linked
 
     def counted(code: bytes, name: str) -> int:
         linked.append(link(code, name))
         return linked[-1]
 
-    monkeypatch.setattr(compiling, "_linked", counted)
+    monkeypatch.setattr(machine_code, "_linked", counted)
     count = 8
     together, found = threading.Barrier(count, timeout=PATIENCE), list[int]()
 
     def ask() -> None:
         together.wait()
-        found.append(compiling.compiled(ADD, "entry"))
+        found.append(machine_code.compiled(ADD, "entry"))
 
     threads = [threading.Thread(target=ask) for _ in range(count)]
     for thread in threads:
@@ -162,13 +162,13 @@ def test_machine_code_outlives_all_that_speaks_of_it(place: Path) -> None:
     """In a process of its own: what is freed may be in use by others."""
     run = f"""
 import gc, importlib
-from hfield.native import compiling
-add = compiling.function(compiling.compiled({ADD!r}, "entry"))
-compiling._addresses.clear()
-compiling._linker.cache_clear()
-importlib.reload(compiling)
+from hfield.compiling import machine_code
+add = machine_code.function(machine_code.compiled({ADD!r}, "entry"))
+machine_code._addresses.clear()
+machine_code._linker.cache_clear()
+importlib.reload(machine_code)
 gc.collect()
-other = compiling.function(compiling.compiled({ADD!r}.replace("add i64", "sub i64"), "entry"))
+other = machine_code.function(machine_code.compiled({ADD!r}.replace("add i64", "sub i64"), "entry"))
 print(add(40, 2), other(40, 2))
 """
     done = subprocess.run([sys.executable, "-c", run], capture_output=True, text=True, check=False)
@@ -188,12 +188,12 @@ def test_a_function_of_python_keeps_what_it_is_made_of() -> None:
 
 FORK = """
 import os, threading
-from hfield.native import compiling
+from hfield.compiling import machine_code
 from hfield.rings.balls import precision
 
 def compiled(number):
     text = ADD.replace("add i64 %a, %b", f"add i64 %a, {number}")
-    return compiling.function(compiling.compiled(text, "entry"))(0, 0)
+    return machine_code.function(machine_code.compiled(text, "entry"))(0, 0)
 
 begun, busy = threading.Event(), True
 def work():
@@ -253,7 +253,7 @@ def test_numba_keeps_its_files_where_nobody_else_may_write(
 PROPERTY = """
 import os, threading
 from hfield import H
-from hfield.native import compiling
+from hfield.compiling import machine_code
 
 held = threading.Event()
 def make(constants):

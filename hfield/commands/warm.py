@@ -41,7 +41,7 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Compile, ring after ring, and tell how long each took."""
     from hfield.algebra import H, QuaternionAlgebra
-    from hfield.native.compiling import available
+    from hfield.compiling.machine_code import available
 
     named = [
         QuaternionAlgebra.from_text(text) if text[:1] in ("(", "[", "H") else H(text)

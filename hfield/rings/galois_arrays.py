@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import galois
 import numpy as np
 
+from hfield.compiling.machine_code import lock
 from hfield.errors import CoercionError
-from hfield.native.compiling import lock
 from hfield.rings.array_held.finite import primitive
 from hfield.rings.array_held.labels import check_galois, labels
 from hfield.rings.arrays import Objects, objects

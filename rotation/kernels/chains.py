@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from hfield.native import compiling
+from hfield.compiling import machine_code
 from rotation.arrays import Array
 from rotation.compensated import Pair, two_product, two_sum
 from rotation.coordinates import middling
@@ -33,12 +33,12 @@ def cumulative(q: Array) -> Array:
 
 
 @cache
-def _loop() -> compiling.Function | None:
-    if not compiling.available():
+def _loop() -> machine_code.Function | None:
+    if not machine_code.available():
         return None
-    with compiling.lock:
+    with machine_code.lock:
         assembling.introduce()
-        return compiling.function(compiling.compiled(_module(), "entry"))
+        return machine_code.function(machine_code.compiled(_module(), "entry"))
 
 
 def _module() -> str:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from hfield.native import compiling
+from hfield.compiling import machine_code
 from rotation.native import elementary_functions, tracing
 from rotation.native.looping import DATA, FLAGS, FRAME, LENGTHS, NDIM, USABLE, loop
 from rotation.native.symbols import WIDTH, Lanes, Program, Rows
@@ -41,7 +41,7 @@ def available() -> bool:
     """Tell whether this interpreter and its numpy are such as the machine code expects."""
     if sys.implementation.name != "cpython" or sys.maxsize < 2**62:
         return False
-    if not compiling.available():
+    if not machine_code.available():
         return False
     probe = np.zeros((3, 5))
 
@@ -63,10 +63,10 @@ def introduce() -> None:
     """Make the functions of the system and of Python known to programs; the caller holds the lock."""
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in elementary_functions.LIBRARY:
-        compiling.introduce(f"rotation_{name}", _address(getattr(system, name)))
+        machine_code.introduce(f"rotation_{name}", _address(getattr(system, name)))
     for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
-        compiling.introduce(name, _address(getattr(ctypes.pythonapi, name)))
-    if not compiling.processor_has("fma") and "fma" in vars(tracing):
+        machine_code.introduce(name, _address(getattr(ctypes.pythonapi, name)))
+    if not machine_code.processor_has("fma") and "fma" in vars(tracing):
         del tracing.fma
 
 
@@ -91,10 +91,10 @@ def assembled(
     single : tuple of int
         Which of the arrays have but one row, the same for all rows of the others.
     """
-    with compiling.lock:
+    with machine_code.lock:
         introduce()
         text, row = _module(formula, shapes, parameters, single)
-        address = compiling.compiled(text, "entry")
+        address = machine_code.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object

@@ -13,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hfield import H, QuaternionAlgebra, ring
+from hfield.compiling import calling, machine_code
+from hfield.compiling.arithmetics import register_tables
+from hfield.compiling.arithmetics.extension_fields import ExtensionField
+from hfield.compiling.arithmetics.logarithms import LogarithmicField
+from hfield.compiling.arithmetics.register_tables import RegisterField
+from hfield.compiling.threads import threads
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.kernels import calling, register_tables
-from hfield.kernels.extension_fields import ExtensionField
-from hfield.kernels.logarithms import LogarithmicField
-from hfield.kernels.register_tables import RegisterField
-from hfield.native import compiling
-from hfield.native.pool import threads
 from hfield.product import conjugate, multiply, norm, trace
 from hfield.rings.array_held.labels import LabelArrays
 from hfield.rings.array_held.rows import RowArrays
@@ -129,8 +129,8 @@ BYTES = [
 @pytest.mark.parametrize("instruction", [True, False])
 def test_fields_whose_labels_are_bytes(name, instruction, monkeypatch):
     if not instruction:
-        monkeypatch.setattr(compiling, "processor_has", lambda feature: False)
-    elif not (compiling.available() and compiling.processor_has(register_tables.PROCESSOR)):
+        monkeypatch.setattr(machine_code, "processor_has", lambda feature: False)
+    elif not (machine_code.available() and machine_code.processor_has(register_tables.PROCESSOR)):
         pytest.skip("this processor has no instruction that looks bytes up in a table of 128")
     F, rng = ring(name), Random(name)
     for c in (*constants(F, name), (1, 1, 1), (F.random(rng), 0, -1), (0, 0, 0)):
@@ -455,12 +455,12 @@ def test_logarithms_and_polynomials_say_the_same_as_galois(p, n):
 def test_without_machine_code_the_values_are_the_same():
     code = (
         "from hfield import H\n"
-        "from hfield.native import compiling\n"
+        "from hfield.compiling import machine_code\n"
         "found = []\n"
         "for name in ('GF(9)', 'ZZ/6', 'ZZ', 'QQ'):\n"
         "    A = H(name); p = A([1, 2, 3], [4, 5, 1], 2, [1, 0, 2]); q = A(1, [2, 5, 1], 0, 3)\n"
         "    found += [p * q, p + q, p - q, -p, p.conjugate(), p ** 3, p * 2, (p * q).sum()]\n"
-        "print(compiling.available(), [str(x[n]) if hasattr(x, 'shape') and x.shape else str(x)\n"
+        "print(machine_code.available(), [str(x[n]) if hasattr(x, 'shape') and x.shape else str(x)\n"
         "    for x in found for n in range(3)])"
     )
     compiled, plain = (
@@ -490,7 +490,7 @@ def test_products_over_finite_fields_import_neither_galois_nor_numba():
 
 
 def test_a_word_is_said_on_terminals_only(capsys, monkeypatch):
-    announcer = compiling.Announcer("compiling")
+    announcer = machine_code.Announcer("compiling")
     announcer()
     assert capsys.readouterr().err == ""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from hfield import H, Quaternion, QuaternionAlgebra, ring
+from hfield.compiling import memory
 from hfield.errors import CoercionError, HFieldError
-from hfield.kernels import memory
 from hfield.product import Constants
 from hfield.rings.arrays import check_shapes, objects, one_shape
 from hfield.rings.holding import Batch, Holding

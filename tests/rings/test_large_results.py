@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 
 from hfield import H, Quaternion
-from hfield.kernels import memory, streaming
-from hfield.native import compiling
+from hfield.compiling import machine_code, memory, streaming
 
 pytestmark = pytest.mark.skipif(
-    not compiling.available(), reason="there is nothing to compile with"
+    not machine_code.available(), reason="there is nothing to compile with"
 )
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hfield.native import keeping
+from hfield.compiling import keeping
 from rotation import Rotation, threads
 from rotation.namespaces import quiet
 from rotation.quaternions import _PRODUCT, _product, normalise

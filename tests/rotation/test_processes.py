@@ -13,7 +13,7 @@ import pytest
 
 import hfield
 import rotation
-from hfield.native import compiling, keeping
+from hfield.compiling import keeping, machine_code
 from rotation import kernels
 from rotation.fused import rotate, rotate_quat
 
@@ -167,12 +167,12 @@ def test_the_range_reduction_needs_no_fma(tmp_path: Path) -> None:
 import math
 import numpy as np
 import llvmlite.binding as llvm
-from hfield.native import compiling
+from hfield.compiling import machine_code
 from rotation.fused import rotate
 found = []
 if PLAIN:
     llvm.get_host_cpu_name = lambda: "generic"
-    compiling._features = lambda: llvm.FeatureMap()
+    machine_code._features = lambda: llvm.FeatureMap()
 emit = llvm.TargetMachine.emit_object
 def emitted(target, module):
     found.append(target.emit_assembly(module))
@@ -185,7 +185,7 @@ print(worst <= 5 * 2.0**-52, any("fmadd" in text for text in found))
 """
     cache = str(tmp_path / "cache")
     assert run(code.replace("PLAIN", "True"), NUMBA_CACHE_DIR=cache) == "True False"
-    if compiling.processor_has("fma"):
+    if machine_code.processor_has("fma"):
         assert run(code.replace("PLAIN", "False"), NUMBA_CACHE_DIR=cache) == "True True"
 
 

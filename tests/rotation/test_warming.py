@@ -61,11 +61,11 @@ def test_warm_up_asks_for_every_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_after_warm_up_nothing_is_compiled() -> None:
     code = """
 import numpy as np
-from hfield.native import compiling
+from hfield.compiling import machine_code
 from rotation import RigidTransform, Rotation, left_jacobian, rotate, rotate_euler, rotate_quat, warm_up
 from rotation import inverse_left_jacobian, swing_twist
 warm_up("XYZ")
-compiling.compiled = lambda text, *_, **__: print("compiled", flush=True)
+machine_code.compiled = lambda text, *_, **__: print("compiled", flush=True)
 rng = np.random.default_rng(1)
 for n in (1, 50, 60_000):
     q, a, b = rng.normal(size=(n, 4)), rng.normal(size=(n, 3)), rng.normal(size=n)

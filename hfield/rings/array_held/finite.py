@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from hfield.compiling import machine_code
+from hfield.compiling.arithmetic import Arithmetic
+from hfield.compiling.arithmetics.binary_fields import binary_field
+from hfield.compiling.arithmetics.extension_fields import ExtensionField
+from hfield.compiling.arithmetics.logarithms import LogarithmicField
+from hfield.compiling.arithmetics.register_tables import (
+    ORDER,
+    PROCESSOR,
+    BinaryRegisterField,
+    RegisterField,
+)
+from hfield.compiling.arithmetics.residues import Residues
 from hfield.factorisation import factorise
-from hfield.kernels.arithmetic import Arithmetic
-from hfield.kernels.binary_fields import binary_field
-from hfield.kernels.extension_fields import ExtensionField
-from hfield.kernels.logarithms import LogarithmicField
-from hfield.kernels.register_tables import ORDER, PROCESSOR, BinaryRegisterField, RegisterField
-from hfield.kernels.residues import Residues
-from hfield.native import compiling
 from hfield.product import Constants
 from hfield.rings.array_held.labels import LabelArrays
 from hfield.rings.holding import Batch
@@ -41,12 +46,12 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     if n == 1:
         return Residues.modulo(q) if q <= WORD else None
     coefficients = tuple(ring.coefficients)
-    if q <= ORDER and compiling.available() and compiling.processor_has(PROCESSOR):
+    if q <= ORDER and machine_code.available() and machine_code.processor_has(PROCESSOR):
         kind = BinaryRegisterField if p == 2 else RegisterField
         return kind(p, coefficients, primitive(ring))
     if p == 2:
         bits = sum(c << m for m, c in enumerate(ring.coefficients))
-        instruction = compiling.available() and compiling.processor_has("pclmul")
+        instruction = machine_code.available() and machine_code.processor_has("pclmul")
         return binary_field(bits, instruction) if n <= BITS else None
     if n >= LOGARITHMS_FROM and q <= LOGARITHMS_UP_TO:
         return LogarithmicField(p, coefficients, primitive(ring))

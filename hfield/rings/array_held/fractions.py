@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 import flint
 import numpy as np
 
+from hfield.compiling.calling import Rows, rows_of
+from hfield.compiling.lowest_terms import lowest
 from hfield.errors import CoercionError
-from hfield.kernels import programs
-from hfield.kernels.calling import Rows, rows_of
-from hfield.kernels.fractions import lowest
 from hfield.product import Constants, Coordinates
+from hfield.rings.array_held import programs
 from hfield.rings.array_held.words import WORD, Sides, WordArrays, is_words, object_parts
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.rational import is_plain_array

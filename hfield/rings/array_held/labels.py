@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hfield.compiling import machine_code
+from hfield.compiling.arithmetic import Arithmetic
+from hfield.compiling.calling import Kernel, Rows
 from hfield.errors import CoercionError, shorten
 from hfield.factorisation import factorise
-from hfield.kernels import programs
-from hfield.kernels.arithmetic import Arithmetic
-from hfield.kernels.calling import Kernel, Rows
-from hfield.native import compiling
 from hfield.product import Constants, Coordinates
+from hfield.rings.array_held import programs
 from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
@@ -41,7 +41,7 @@ class LabelArrays(RowArrays):
         super().__init__(ring, constants)
         self.arithmetic = arithmetic
         self.dtype = arithmetic.dtype
-        self.compiles = compiling.available()
+        self.compiles = machine_code.available()
         self._kernels: dict[str, Kernel] = {}
 
     # --- labels --------------------------------------------------------------------------------

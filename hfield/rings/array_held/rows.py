@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hfield.compiling import memory
+from hfield.compiling.calling import Rows, address, rows_of
 from hfield.errors import CoercionError
-from hfield.kernels import memory
-from hfield.kernels.calling import Rows, address, rows_of
 from hfield.product import Constants, Coordinates
 from hfield.rings.arrays import one_shape, owned, read_only
 from hfield.rings.holding import Batch, Holding

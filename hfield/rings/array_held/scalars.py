@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from hfield.kernels import programs
-from hfield.kernels.calling import Kernel
-from hfield.native import compiling
+from hfield.compiling import machine_code
+from hfield.compiling.calling import Kernel
+from hfield.rings.array_held import programs
 from hfield.rings.array_held.finite import arithmetic_of
 from hfield.rings.array_held.rows import Row
 
 if TYPE_CHECKING:
-    from hfield.kernels.arithmetic import Arithmetic
+    from hfield.compiling.arithmetic import Arithmetic
 
 
 class ScalarArrays:
@@ -44,7 +44,7 @@ class ScalarArrays:
 
 def scalar_arrays(ring: Any) -> ScalarArrays | None:
     """Return the arithmetic of arrays over a finite ring with labels; None where no loop serves it."""
-    if not hasattr(ring, "label") or not compiling.available():
+    if not hasattr(ring, "label") or not machine_code.available():
         return None
     arithmetic = arithmetic_of(ring)
     return None if arithmetic is None else ScalarArrays(arithmetic)

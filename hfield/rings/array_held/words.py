@@ -12,20 +12,25 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hfield.compiling import machine_code
+from hfield.compiling.arithmetics.machine_integers import (
+    CheckedWholeNumbers,
+    TooWideError,
+    holds,
+    widest,
+)
+from hfield.compiling.calling import Kernel, Rows
+from hfield.compiling.loops import Operand, written
 from hfield.errors import CoercionError
-from hfield.kernels import programs
-from hfield.kernels.calling import Kernel, Rows
-from hfield.kernels.loops import Operand, written
-from hfield.kernels.machine_integers import CheckedWholeNumbers, TooWideError, holds, widest
-from hfield.native import compiling
 from hfield.product import Constants, Coordinates
+from hfield.rings.array_held import programs
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
 if TYPE_CHECKING:
-    from hfield.kernels.arithmetic import Arithmetic
+    from hfield.compiling.arithmetic import Arithmetic
     from hfield.rings.arrays import Index
     from hfield.rings.base import Ring
 
@@ -48,7 +53,7 @@ class WordArrays(RowArrays):
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
-        self.compiles = compiling.available()
+        self.compiles = machine_code.available()
         self._kernels: dict[tuple[str, str], list[Kernel]] = {}
 
     # --- loops ---------------------------------------------------------------------------------

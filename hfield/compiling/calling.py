@@ -13,11 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from hfield.kernels import memory
-from hfield.kernels.arithmetic import Arithmetic
-from hfield.kernels.loops import Operand, module
-from hfield.native import compiling
-from hfield.native.pool import share, taken, threads
+from hfield.compiling import machine_code, memory
+from hfield.compiling.arithmetic import Arithmetic
+from hfield.compiling.loops import Operand, module
+from hfield.compiling.threads import share, taken, threads
 from hfield.straight_line import Program
 
 Array = np.ndarray[Any, np.dtype[Any]]
@@ -28,8 +27,8 @@ MANY = 500_000  # from so many elements on a second thread is woken
 SHORTEST = 1 << 16  # elements for which one more thread is woken
 # The compiled loops of each program in each arithmetic, by which operands are single elements, and by
 # whether they write past the caches.
-_loops: dict[Any, dict[tuple[tuple[bool, ...], bool], compiling.Function]] = {}
-_announce = compiling.Announcer(
+_loops: dict[Any, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
+_announce = machine_code.Announcer(
     "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"
 )
 
@@ -101,17 +100,17 @@ class Kernel:
             for streamed in {False, self.arithmetic.waits_for_memory}:
                 self._compiled(flags + (True,) * bool(self.constants), streamed)
 
-    def _compiled(self, singles: tuple[bool, ...], streamed: bool) -> compiling.Function:
-        with compiling.lock:
+    def _compiled(self, singles: tuple[bool, ...], streamed: bool) -> machine_code.Function:
+        with machine_code.lock:
             if (singles, streamed) not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
                 text = module(self.program, self.arithmetic, operands, self.literals, streamed)
-                address = compiling.compiled(text, "entry", True, _announce)
-                self._loops[singles, streamed] = compiling.function(address)
+                address = machine_code.compiled(text, "entry", True, _announce)
+                self._loops[singles, streamed] = machine_code.function(address)
         return self._loops[singles, streamed]
 
 
-def run(loop: compiling.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:
+def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:
     """Run a loop over n elements, in as many threads as that pays for; return all flags together.
 
     ``steps`` are the bytes from one element to the next in each row, 0 where one serves for all.

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from hfield.kernels import lanes, streaming
-from hfield.kernels.arithmetic import Arithmetic, Code, Symbol, raw_type
+from hfield.compiling import lanes, streaming
+from hfield.compiling.arithmetic import Arithmetic, Code, Symbol, raw_type
 from hfield.straight_line import ONE, Program
 
 

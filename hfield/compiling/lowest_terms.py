@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from hfield.kernels.calling import Rows, run
-from hfield.native import compiling
+from hfield.compiling import machine_code
+from hfield.compiling.calling import Rows, run
 
 NUMERATORS = 4
 _ROWS = NUMERATORS + 1
@@ -24,8 +24,8 @@ def lowest(rows: Rows) -> bool:
 
 
 @cache
-def _loop() -> compiling.Function:
-    return compiling.function(compiling.compiled(_text(), "entry"))
+def _loop() -> machine_code.Function:
+    return machine_code.function(machine_code.compiled(_text(), "entry"))
 
 
 def _text() -> str:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from hfield.kernels.arithmetic import Arithmetic, Code, floating, raw_type, unsigned
+from hfield.compiling.arithmetic import Arithmetic, Code, floating, raw_type, unsigned
 
 LIMITS = {"float": 2**20, "double": 2**49, "i64": 2**63}
 _OPERATIONS = {

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hfield.kernels.arithmetic import Code, raw_type
-from hfield.kernels.extension_fields import OddExtension
+from hfield.compiling.arithmetic import Code, raw_type
+from hfield.compiling.arithmetics.extension_fields import OddExtension
 
 TERMS = 5  # so many times p − 1 fits in a field: four products, and what makes their sum positive
 INDEX_BITS = 12  # of the table that turns fields into labels; it stays in the nearest cache

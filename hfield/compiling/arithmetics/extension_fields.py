@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import cached_property, reduce
 from typing import Any
 
-from hfield.kernels.arithmetic import Arithmetic, Code, raw_type, unsigned
-from hfield.kernels.residues import LIMITS, Bounded, Residues
+from hfield.compiling.arithmetic import Arithmetic, Code, raw_type, unsigned
+from hfield.compiling.arithmetics.residues import LIMITS, Bounded, Residues
 
 Digits = tuple[Bounded, ...]
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
 
-from hfield.kernels.arithmetic import Arithmetic, Code, raw_type, unsigned
+from hfield.compiling.arithmetic import Arithmetic, Code, raw_type, unsigned
 
 BITWISE_UP_TO = 8  # beyond, a product in one instruction is quicker
 HOLES = 0x1111111111111111

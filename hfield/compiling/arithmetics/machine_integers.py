@@ -11,8 +11,8 @@ import contextlib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from hfield.kernels.arithmetic import Arithmetic, Code, raw_type
-from hfield.kernels.residues import Bounded
+from hfield.compiling.arithmetic import Arithmetic, Code, raw_type
+from hfield.compiling.arithmetics.residues import Bounded
 
 WORD = 2**63
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hfield.kernels.arithmetic import Arithmetic, Code, raw_type
+from hfield.compiling.arithmetic import Arithmetic, Code, raw_type
 
 
 def declarations(arithmetic: Arithmetic) -> tuple[str, ...]:

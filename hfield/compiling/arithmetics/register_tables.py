@@ -12,8 +12,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from hfield.kernels.arithmetic import Code, raw_type
-from hfield.kernels.logarithms import TERMS, ByLogarithms, Logarithm, Packed, powers
+from hfield.compiling.arithmetic import Code, raw_type
+from hfield.compiling.arithmetics.logarithms import TERMS, ByLogarithms, Logarithm, Packed, powers
 
 PROCESSOR = "avx512vbmi"
 LANES = 64
