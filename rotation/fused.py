@@ -6,11 +6,14 @@ by numpy's rules; any strides are taken. ``out`` may be the points themselves. A
 it gives NaN in that row alone. See docs/rotation-kernels.md for accuracy, threads and caching.
 """
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 
 from rotation import kernels
 from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, FEW_SINES, by_euler, write
+from rotation.angles import waves
 from rotation.arrays import (
     Array,
     Layout,
@@ -22,7 +25,6 @@ from rotation.arrays import (
 )
 from rotation.batch import Batch
 from rotation.euler import sequence
-from rotation.kernels.single import matrix_of_axis_angle, matrix_of_quaternion
 from rotation.matrices import TO_MATRIX
 from rotation.namespaces import expect_numpy
 from rotation.quaternions import normalised
@@ -82,7 +84,7 @@ def rotate(
         return result
     if a.size == 3 and t.size == 1:
         require_nonzero(a, "axis")
-        kernels.one(p, matrix_of_axis_angle(a.reshape(3), t.reshape(()), degrees), target)
+        kernels.one(p, _matrix_of_axis_angle(a.reshape(3), t.reshape(()), degrees), target)
         return result
     if _in_place(out, p) and kernels.contains_zero(a):
         require_nonzero(a, "axis")
@@ -140,7 +142,7 @@ def rotate_quat(
         return result
     if r.size == 4:
         require_nonzero(r, "quaternion")
-        kernels.one(p, matrix_of_quaternion(r.reshape(4)), target)
+        kernels.one(p, _matrix_of_quaternion(r.reshape(4)), target)
         return result
     if _in_place(out, p) and kernels.contains_zero(r):
         require_nonzero(r, "quaternion")
@@ -209,3 +211,42 @@ def _checked(out: Array | None, points: Array, axes: Array) -> tuple[Array, ...]
 def _in_place(out: Array | None, points: Array) -> bool:
     """Tell whether an error found on the way would leave the caller's points half rotated."""
     return out is not None and np.may_share_memory(out, points)
+
+
+def _matrix_of_quaternion(q: Array) -> Array:
+    """Return the 3 × 3 matrix of ``v ↦ q v q⁻¹``, every entry the float64 nearest to the exact one.
+
+    A float is a whole number times a power of two, so the entries are quotients of whole numbers, and
+    Python divides these with one rounding. No length of ``q`` over- or underflows. A ``q`` that is not
+    finite gives NaN.
+    """
+    if not np.isfinite(q).all():
+        return np.full((3, 3), np.nan)
+    ratios = [float(c).as_integer_ratio() for c in q]
+    common = max(denominator for _, denominator in ratios)
+    w, x, y, z = (numerator * (common // denominator) for numerator, denominator in ratios)
+    ww, xx, yy, zz = w * w, x * x, y * y, z * z
+    n = ww + xx + yy + zz
+    return np.array(
+        [
+            [(ww + xx - yy - zz) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n],
+            [2 * (x * y + w * z) / n, (ww - xx + yy - zz) / n, 2 * (y * z - w * x) / n],
+            [2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (ww - xx - yy + zz) / n],
+        ]
+    )
+
+
+def _matrix_of_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
+    """Return the matrix of the rotation about ``axis``, of any length, by ``angle``."""
+    if not (np.isfinite(axis).all() and math.isfinite(angle)):
+        return np.full((3, 3), np.nan)
+    a, b, c = (float(v) for v in axis)
+    _, exponent = math.frexp(max(abs(a), abs(b), abs(c)))
+    a, b, c = (math.ldexp(v, -exponent) for v in (a, b, c))
+    half = 0.5 * float(angle)
+    if degrees:
+        sine, cosine = map(float, waves(np, np.float64(half), degrees))
+    else:
+        sine, cosine = math.sin(half), math.cos(half)
+    scale = sine / math.hypot(a, b, c)
+    return _matrix_of_quaternion(np.array([cosine, a * scale, b * scale, c * scale]))

@@ -1,10 +1,7 @@
 """How many threads a call may use; they are those of :mod:`hfield.compiling.threads`."""
 
 from hfield.compiling import threads as pool
-from hfield.compiling.threads import share, taken
 from rotation.errors import RotationError
-
-__all__ = ["share", "taken", "threads"]
 
 
 def threads(number: int | None = None) -> int:

@@ -6,16 +6,17 @@ over rows: for one rotation and for a million. Arrays of other libraries take th
 """
 
 import itertools
-from collections import deque
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from hfield.compiling import machine_code
+from hfield.compiling.memory import in_one_piece
+from hfield.compiling.threads import in_pieces
 from rotation.namespaces import Array, quiet
-from rotation.native import assembling
-from rotation.pool import share, taken, threads
+from rotation.native import builtins
+from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
 _MUCH = 200_000  # numbers that are worth a second thread
@@ -86,11 +87,11 @@ class Formula:
 
     def _compiled(self) -> Callable[..., int] | None:
         """Return the machine code, or None where there can be none."""
-        if not assembling.available():
+        if not builtins.available():
             return None
         with machine_code.lock:
             if self._function is None:
-                function, self._row = assembling.assembled(
+                function, self._row = builtins.assembled(
                     self._formula, self._shapes, self._parameters, self._single
                 )
                 self._function = function
@@ -102,8 +103,7 @@ class Formula:
         for a, shape in zip(arrays, self._shapes, strict=True):
             own = a.shape[: a.ndim - len(shape)]
             one = all(n == 1 for n in own)
-            wide = a if one or own == batch else np.broadcast_to(a, batch + shape)
-            straight.append(np.require(wide, np.float64, ["C", "A"]))
+            straight.append(in_one_piece(a, a.shape if one or own == batch else batch + shape))
         return straight
 
     def _shared(
@@ -120,18 +120,13 @@ class Formula:
             for a, shape in zip(self._straightened(arrays, batch), self._shapes, strict=True)
         ]
         result = out.reshape(rows, *self._row)
-        starts = deque(range(0, rows, _ROWS))
 
-        def work(_: int) -> bool:
-            told = False
-            for start in taken(starts):
-                piece = slice(start, start + _ROWS)
-                status = function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
-                told |= status == 2
-            return told
+        def work(start: int, end: int) -> int:
+            piece = slice(start, end)
+            return function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
 
-        pieces = rows // (2 * _ROWS) + 1
-        return 2 if share(work, pieces if threads() > 1 else 1, (flat, result)) else 0
+        threads()  # a wrong number is an error of ours
+        return in_pieces(work, rows, _ROWS, 2 * _ROWS, (flat, result))
 
     @quiet
     def _plainly(self, arrays: tuple[Array, ...]) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -10,22 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import numpy as np
 
-
-class Code:
-    """Lines in LLVM's notation, each value computed once."""
-
-    def __init__(self) -> None:
-        self.lines: list[str] = []
-        self.flags: list[str] = []  # values of type i64: not 0 where the loop has to be told of
-        self._known: dict[str, str] = {}
-
-    def value(self, text: str) -> str:
-        """Return the name of what ``text`` computes; the same text is the same value."""
-        name = self._known.get(text)
-        if name is None:
-            name = self._known[text] = f"%v{len(self._known)}"
-            self.lines.append(f"{name} = {text}")
-        return name
+    from hfield.compiling.instructions import Code
 
 
 class Arithmetic(ABC):
@@ -52,11 +36,6 @@ class Arithmetic(ABC):
     def result(self) -> str:
         """The type of the rows that are written."""
         return self.dtype
-
-    @property
-    def declarations(self) -> tuple[str, ...]:
-        """LLVM's declarations of the functions that are called."""
-        return ()
 
     def tables(self) -> tuple[np.ndarray, ...]:
         """Return the arrays that are looked up; the loop calls them ``%table0``, ``%table1``, …"""
@@ -115,19 +94,6 @@ class Symbol:
         return self._made(self.arithmetic.negate(self.code, self.payload))
 
 
-def raw_type(dtype: str, lanes: int = 1) -> str:
-    """Return LLVM's name for integers of a numpy type such as ``u2``, or for a vector of them."""
-    kind = f"i{8 * int(dtype[1])}"
-    return kind if lanes == 1 else f"<{lanes} x {kind}>"
-
-
 def unsigned(largest: int) -> str:
     """Return the smallest numpy type of unsigned integers up to ``largest``."""
     return next(f"u{size}" for size in (1, 2, 4, 8) if largest < 1 << 8 * size)
-
-
-def floating(x: float, word: str) -> str:
-    """Write a number as LLVM's ``float`` or ``double``, exactly as it is rounded to that type."""
-    if word == "float":
-        (x,) = struct.unpack("<f", struct.pack("<f", x))
-    return f"0x{struct.unpack('<Q', struct.pack('<d', x))[0]:016X}"

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Mapping, Sequence
 from ctypes import addressof, c_int64
-from functools import reduce
-from itertools import pairwise
 from math import prod
-from operator import or_
 from typing import Any
 
 import numpy as np
 
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Arithmetic
-from hfield.compiling.loops import Operand, module
-from hfield.compiling.threads import share, taken, threads
+from hfield.compiling.loops import Operand, looped
+from hfield.compiling.memory import Array, Rows, address, in_one_piece, rows_of
+from hfield.compiling.threads import in_pieces, threads
 from hfield.straight_line import Program
-
-Array = np.ndarray[Any, np.dtype[Any]]
-Rows = tuple[Array, ...]
 
 PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
 MANY = 500_000  # from so many elements on a second thread is woken
@@ -75,7 +69,7 @@ class Kernel:
             return results, 0
         singles = tuple(n > 1 and prod(s) == 1 for s in shapes)
         straight = [
-            rows if single else _straightened(rows, shape)
+            rows if single else tuple(in_one_piece(row, shape) for row in rows)
             for rows, single in zip(operands, singles, strict=True)
         ]
         if self.constants:
@@ -104,7 +98,7 @@ class Kernel:
         with machine_code.lock:
             if (singles, streamed) not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
-                text = module(self.program, self.arithmetic, operands, self.literals, streamed)
+                text = looped(self.program, self.arithmetic, operands, self.literals, streamed)
                 address = machine_code.compiled(text, "entry", True, _announce)
                 self._loops[singles, streamed] = machine_code.function(address)
         return self._loops[singles, streamed]
@@ -120,43 +114,9 @@ def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -
     if n < MANY or threads() == 1:
         whole = table(*places)
         return loop(n, addressof(whole))
-    # Each thread begins in a stretch of its own, and helps in the others' when it is done. Of a page of
-    # new memory that two touch at once both would clear all of its 2 MiB.
-    length = max(SHORTEST, -(-n // threads()))
-    cuts = [*range(0, n, length), n]
-    stretches = [(deque(range(start, end, PIECE)), end) for start, end in pairwise(cuts)]
-    turns = deque(range(len(stretches)))
-    told: list[int] = []
 
-    def work(_: int) -> bool:
-        own = turns.popleft()
-        for starts, end in stretches[own:] + stretches[:own]:
-            for start in taken(starts):
-                moved = [place + start * step for place, step in zip(places, steps, strict=True)]
-                here = table(*moved)
-                told.append(loop(min(PIECE, end - start), addressof(here)))
-        return False
+    def work(start: int, end: int) -> int:
+        here = table(*(place + start * step for place, step in zip(places, steps, strict=True)))
+        return loop(end - start, addressof(here))
 
-    share(work, len(stretches), rows)
-    return reduce(or_, told)
-
-
-def rows_of(block: Array) -> Rows:
-    """Return the rows of an array as arrays, of no dimensions if need be."""
-    return tuple(block[n, ...] for n in range(len(block)))
-
-
-def _straightened(rows: Rows, shape: tuple[int, ...]) -> Rows:
-    """Return rows of this shape, each in one piece."""
-    return tuple(
-        row
-        if row.shape == shape and row.flags.c_contiguous and row.flags.aligned
-        else np.require(np.broadcast_to(row, shape), requirements=["C", "A"])
-        for row in rows
-    )
-
-
-def address(row: Array) -> int:
-    """Return where the first entry lies."""
-    place: int = row.__array_interface__["data"][0]
-    return place
+    return in_pieces(work, n, PIECE, SHORTEST, rows)

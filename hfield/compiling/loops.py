@@ -1,13 +1,30 @@
-"""A straight-line program in an arithmetic, put into a loop over the rows of arrays."""
+"""A straight-line program in an arithmetic, put into a loop over the rows of arrays.
+
+A turn reads the next numbers of each row, one or as many as the arithmetic computes with at once, and
+writes as many. Large results may be written past the caches: an ordinary store reads the line of 64 bytes
+it falls into first, so that a written byte travels twice. There the loop fills blocks that stay near the
+processor, and whole lines of them are copied out by stores that LLVM calls non-temporal. That pays where
+memory is what one waits for, where the result fits no cache, and where its pages are there already: a page
+that was just cleared lies in the cache, and would be written out twice.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from hfield.compiling import lanes, streaming
-from hfield.compiling.arithmetic import Arithmetic, Code, Symbol, raw_type
+from hfield.compiling.arithmetic import Arithmetic, Symbol
+from hfield.compiling.instructions import Code, module, raw_type, vector
 from hfield.straight_line import ONE, Program
+
+BLOCK = 512  # elements that are written past the caches together
+LINE = "<8 x i64>"
+NOT_VECTORISED = ", !llvm.loop !0"
+NOTES = [
+    "!0 = distinct !{!0, !1}",
+    '!1 = !{!"llvm.loop.vectorize.enable", i1 false}',
+    "!2 = !{i32 1}",
+]
 
 
 class Operand(NamedTuple):
@@ -18,16 +35,17 @@ class Operand(NamedTuple):
 
 
 def written(
+    code: Code,
     program: Program,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
     literals: Mapping[str, int],
-) -> tuple[Code, list[str]]:
-    """Write the inside of the loop; return it, and the names of the results to be stored.
+    i: str = "%i",
+) -> list[str]:
+    """Write one turn of the loop; return the names of the results to be stored.
 
     ``literals`` are the program's other inputs, known beforehand.
     """
-    code = Code()
 
     def symbol(payload: object) -> Symbol:
         return Symbol(arithmetic, code, payload)
@@ -37,13 +55,13 @@ def written(
     for operand in operands:
         for name in operand.names:
             if name in program.inputs:
-                raw = lanes.read(code, arithmetic, name, operand.single)
+                raw = _read(code, arithmetic, name, "0" if operand.single else i)
                 known[name] = symbol(arithmetic.load(code, raw))
     results = program.evaluate(known, symbol(arithmetic.constant(code, 0)))
-    return code, [arithmetic.store(code, x.payload) for x in results]
+    return [arithmetic.store(code, x.payload) for x in results]
 
 
-def module(
+def looped(
     program: Program,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
@@ -56,47 +74,127 @@ def module(
     the results. It returns the flags of all elements, one or the other bit set where one had to tell.
     Where it is ``streamed`` the results are written past the caches.
     """
-    code, results = written(program, arithmetic, operands, literals)
-    kind = raw_type(arithmetic.result)
+    rows = [name for operand in operands for name in operand.names]
     tables = [f"table{n}" for n in range(len(arithmetic.tables()))]
-    outputs = [f"out{n}" for n in range(len(results))]
-    pointers = [*(name for operand in operands for name in operand.names), *tables, *outputs]
-    for name, result in zip(outputs, results, strict=True):
-        lanes.write(code, arithmetic, name, result)
-    told = "%told"
-    for n, flag in enumerate(code.flags):
-        code.lines.append(f"%told{n} = or i64 {told}, {flag}")
-        told = f"%told{n}"
+    outputs = [f"out{n}" for n in range(len(program.outputs))]
+    pointers = [*rows, *tables, *outputs]
     signature = ", ".join(f"ptr noalias %{name}" for name in pointers)
-    lines = [
-        *arithmetic.declarations,
-        *lanes.declarations(arithmetic),
-        f"define internal i64 @loop(i64 %n, {signature}) noinline {{",
-        "start:",
-        "%some = icmp sgt i64 %n, 0",
-        "br i1 %some, label %body, label %end",
-        "body:",
-        "%i = phi i64 [ 0, %start ], [ %next, %body ]",
-        f"%told = phi i64 [ 0, %start ], [ {told}, %body ]",
-        *code.lines,
-        f"%next = add nuw nsw i64 %i, {arithmetic.lanes}",
-        "%more = icmp slt i64 %next, %n",
-        f"br i1 %more, label %body, label %end{'' if arithmetic.vectorise else ', !llvm.loop !0'}",
-        "end:",
-        f"%all = phi i64 [ 0, %start ], [ {told}, %body ]",
-        "ret i64 %all",
-        "}",
-    ]
-    if streamed:
-        moving = [name for operand in operands if not operand.single for name in operand.names]
-        read = raw_type(arithmetic.dtype)
-        lines.append(streaming.entry(pointers, moving, outputs, read, kind))
-    else:
-        lines.append("define i64 @entry(i64 %n, ptr %addresses) {")
-        for n, name in enumerate(pointers):
-            lines.append(f"%at{n} = getelementptr ptr, ptr %addresses, i64 {n}")
-            lines.append(f"%{name} = load ptr, ptr %at{n}")
-        passed = ", ".join(f"ptr %{name}" for name in pointers)
-        lines += [f"%flags = call i64 @loop(i64 %n, {passed})", "ret i64 %flags", "}"]
-    lines += ["!0 = distinct !{!0, !1}", '!1 = !{!"llvm.loop.vectorize.enable", i1 false}']
-    return "\n".join(lines) + "\n"
+    code = Code(f"internal i64 @loop(i64 %n, {signature}) noinline")
+
+    def turn(i: str, told: str) -> list[str]:
+        results = written(code, program, arithmetic, operands, literals, i)
+        for name, result in zip(outputs, results, strict=True):
+            _write(code, arithmetic, name, i, result)
+        for flag in code.told:
+            told = code.value(f"or i64 {told}, {flag}")
+        return [told]
+
+    marks = "" if arithmetic.vectorise else NOT_VECTORISED
+    (told,) = code.loop("0", "%n", turn, arithmetic.lanes, [("i64", "0")], marks)
+    code.end(f"i64 {told}")
+    entry = Code("i64 @entry(i64 %n, ptr %addresses)")
+    places = dict(zip(pointers, entry.entries("ptr", "%addresses", len(pointers)), strict=True))
+    if not streamed:
+        entry.end(f"i64 {_call(entry, '%n', places)}")
+        return module(code, entry, notes=NOTES)
+    moving = [name for operand in operands if not operand.single for name in operand.names]
+    _stream(entry, arithmetic, places, moving, outputs)
+    return module(code, _copy(), entry, notes=NOTES)
+
+
+def _call(entry: Code, length: str, places: Mapping[str, str]) -> str:
+    return entry.once(
+        f"call i64 @loop(i64 {length}, {', '.join(f'ptr {x}' for x in places.values())})"
+    )
+
+
+# --- the next numbers of a row -------------------------------------------------------------------
+
+
+def _read(code: Code, arithmetic: Arithmetic, row: str, i: str) -> str:
+    """Load the next numbers of a row; of a row of one number load that for each lane."""
+    lanes, kind = arithmetic.lanes, raw_type(arithmetic.dtype)
+    at = code.at(kind, f"%{row}", i)
+    if lanes == 1:
+        return code.load(kind, at)
+    if i == "0":
+        return code.spread(kind, code.load(kind, at), lanes)
+    whole = vector(kind, lanes)
+    there = (vector("i1", lanes), _there(code, lanes, i))
+    name = f"llvm.masked.load.v{lanes}{kind}.p0"
+    return code.call(whole, name, ("ptr", at), ("i32", "1"), there, (whole, "zeroinitializer"))
+
+
+def _write(code: Code, arithmetic: Arithmetic, row: str, i: str, result: str) -> None:
+    """Store the next numbers of a row."""
+    lanes, kind = arithmetic.lanes, raw_type(arithmetic.result)
+    at = code.at(kind, f"%{row}", i)
+    if lanes == 1:
+        code.store(kind, result, at)
+        return
+    there = (vector("i1", lanes), _there(code, lanes, i))
+    name = f"llvm.masked.store.v{lanes}{kind}.p0"
+    code.call("void", name, (vector(kind, lanes), result), ("ptr", at), ("i32", "1"), there)
+
+
+def _there(code: Code, lanes: int, i: str) -> str:
+    """Tell for each lane whether there is a number for it: the last turn may have fewer."""
+    left = code.value(f"sub i64 %n, {i}")
+    count = code.call("i64", "llvm.umin.i64", ("i64", left), ("i64", str(lanes)))
+    counts = code.spread("i8", code.value(f"trunc i64 {count} to i8"), lanes)
+    numbers = ", ".join(f"i8 {n}" for n in range(lanes))
+    return code.value(f"icmp ult {vector('i8', lanes)} <{numbers}>, {counts}")
+
+
+# --- past the caches -----------------------------------------------------------------------------
+
+
+def _stream(
+    entry: Code,
+    arithmetic: Arithmetic,
+    places: Mapping[str, str],
+    moving: list[str],
+    outputs: list[str],
+) -> None:
+    """Write the calls of the loop, block by block, and the copying of what it wrote.
+
+    Of the rows the ``moving`` have an element for each turn; the others stay where they are.
+    """
+    read, kind = raw_type(arithmetic.dtype), raw_type(arithmetic.result)
+    near = {name: entry.room(f"[{BLOCK} x {kind}]") for name in outputs}
+
+    def block(i: str, told: str) -> list[str]:
+        left = entry.value(f"sub i64 %n, {i}")
+        length = entry.call("i64", "llvm.umin.i64", ("i64", left), ("i64", str(BLOCK)))
+        here = {name: entry.at(read, places[name], i) for name in moving}
+        told = entry.value(f"or i64 {told}, {_call(entry, length, {**places, **here, **near})}")
+        size = entry.value(f"mul i64 {length}, {int(kind[1:]) // 8}")
+        for name in outputs:
+            to = entry.at(kind, places[name], i)
+            entry.do(f"call void @copy(ptr {to}, ptr {near[name]}, i64 {size})")
+        return [told]
+
+    (told,) = entry.loop("0", "%n", block, BLOCK, [("i64", "0")])
+    entry.do("fence seq_cst")  # another thread sees such stores after it only
+    entry.end(f"i64 {told}")
+
+
+def _copy() -> Code:
+    """Write the function that copies bytes, whole lines of 64 past the caches."""
+    code = Code("internal void @copy(ptr noalias %to, ptr noalias %from, i64 %bytes) noinline")
+    below = code.value(f"sub i64 0, {code.value('ptrtoint ptr %to to i64')}")
+    gap = code.value(f"and i64 {below}, 63")
+    first = code.call("i64", "llvm.umin.i64", ("i64", gap), ("i64", "%bytes"))
+    code.copy("%to", "%from", first)
+    rest = code.value(f"sub i64 %bytes, {first}")
+    last = code.value(f"add i64 {first}, {code.value(f'and i64 {rest}, -64')}")
+
+    def line(i: str) -> None:
+        bits = code.load(LINE, code.at("i8", "%from", i), 1)
+        code.store(LINE, bits, code.at("i8", "%to", i), 64, ", !nontemporal !2")
+
+    code.loop(first, last, line, 64)
+    left = code.value(f"sub i64 %bytes, {last}")
+    code.copy(code.at("i8", "%to", last), code.at("i8", "%from", last), left)
+    code.end()
+    return code

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 
 from hfield.compiling import machine_code
-from hfield.compiling.calling import Rows, run
+from hfield.compiling.calling import run
+from hfield.compiling.instructions import Code, module
+from hfield.compiling.memory import Rows
 
 NUMERATORS = 4
 _ROWS = NUMERATORS + 1
@@ -25,98 +28,65 @@ def lowest(rows: Rows) -> bool:
 
 @cache
 def _loop() -> machine_code.Function:
-    return machine_code.function(machine_code.compiled(_text(), "entry"))
+    return machine_code.function(machine_code.compiled(module(_gcd(), _entry()), "entry"))
 
 
-def _text() -> str:
-    """Write ``entry(n, addresses)``, after J. Stein's binary algorithm for the greatest common divisor."""
-    names = [f"r{n}" for n in range(_ROWS)]
-    lines = [
-        "declare i64 @llvm.cttz.i64(i64, i1)",
-        "declare i64 @llvm.abs.i64(i64, i1)",
-        # g > 0 is odd after shifting; the power of 2 that both share is put back
-        "define internal i64 @gcd(i64 %g, i64 %x) {",
-        "start:",
-        "%none = icmp eq i64 %x, 0",
-        "br i1 %none, label %alone, label %begin",
-        "alone:",
-        "ret i64 %g",
-        "begin:",
-        "%both = or i64 %g, %x",
-        "%shared = call i64 @llvm.cttz.i64(i64 %both, i1 true)",
-        "%zg = call i64 @llvm.cttz.i64(i64 %g, i1 true)",
-        "%odd = lshr i64 %g, %zg",
-        "br label %step",
-        "step:",
-        "%u = phi i64 [ %odd, %begin ], [ %least, %step ]",
-        "%v = phi i64 [ %x, %begin ], [ %rest, %step ]",
-        "%zv = call i64 @llvm.cttz.i64(i64 %v, i1 true)",
-        "%w = lshr i64 %v, %zv",
-        "%less = icmp ult i64 %u, %w",
-        "%least = select i1 %less, i64 %u, i64 %w",
-        "%most = select i1 %less, i64 %w, i64 %u",
-        "%rest = sub i64 %most, %least",
-        "%done = icmp eq i64 %rest, 0",
-        "br i1 %done, label %end, label %step",
-        "end:",
-        "%found = shl i64 %least, %shared",
-        "ret i64 %found",
-        "}",
-        "define i64 @entry(i64 %n, ptr %addresses) {",
-        "start:",
-    ]
-    for n, name in enumerate(names):
-        lines += [
-            f"%at{n} = getelementptr ptr, ptr %addresses, i64 {n}",
-            f"%{name} = load ptr, ptr %at{n}",
-        ]
-    lines += [
-        "br label %body",
-        "body:",
-        "%i = phi i64 [ 0, %start ], [ %next, %more ]",
-        "%told = phi i64 [ 0, %start ], [ %tells, %more ]",
-    ]
-    told = "%told"
-    for n, name in enumerate(names):
-        lines += [
-            f"%p{n} = getelementptr i64, ptr %{name}, i64 %i",
-            f"%x{n} = load i64, ptr %p{n}",
-            f"%least{n} = icmp eq i64 %x{n}, {-(2**63)}",
-            f"%flag{n} = zext i1 %least{n} to i64",
-            f"%told{n} = or i64 {told}, %flag{n}",
-        ]
-        told = f"%told{n}"
-    last = NUMERATORS
-    lines += [
-        f"%simple = icmp eq i64 %x{last}, 1",
-        "br i1 %simple, label %more, label %divide",
-        "divide:",
-        f"%g{last} = call i64 @llvm.abs.i64(i64 %x{last}, i1 false)",
-    ]
-    for n in range(NUMERATORS):
-        lines += [
-            f"%a{n} = call i64 @llvm.abs.i64(i64 %x{n}, i1 false)",
-            f"%g{n} = call i64 @gcd(i64 %g{last if n == 0 else n - 1}, i64 %a{n})",
-        ]
-    lines += [
-        f"%below = icmp slt i64 %x{last}, 0",
-        f"%negated = sub i64 0, %g{NUMERATORS - 1}",
-        f"%by = select i1 %below, i64 %negated, i64 %g{NUMERATORS - 1}",
-        "%one = icmp eq i64 %by, 1",
-        "br i1 %one, label %more, label %write",
-        "write:",
-    ]
-    for n in range(_ROWS):
-        lines += [f"%q{n} = sdiv i64 %x{n}, %by", f"store i64 %q{n}, ptr %p{n}"]
-    lines += [
-        "br label %more",
-        "more:",
-        f"%tells = phi i64 [ {told}, %body ], [ {told}, %divide ], [ {told}, %write ]",
-        "%next = add nuw nsw i64 %i, 1",
-        "%again = icmp slt i64 %next, %n",
-        "br i1 %again, label %body, label %end",
-        "end:",
-        "ret i64 %tells",
-        "}",
-    ]
-    return "\n".join(lines) + "\n"
+def _gcd() -> Code:
+    """Write the greatest common divisor of g > 0 and x ≥ 0, after J. Stein's binary algorithm."""
+    code = Code("internal i64 @gcd(i64 %g, i64 %x)")
+
+    def zeros(x: str) -> str:
+        return code.call("i64", "llvm.cttz.i64", ("i64", x), ("i1", "true"))
+
+    def subtracted(u: str, v: str) -> tuple[str, Sequence[str]]:  # u is odd
+        w = code.value(f"lshr i64 {v}, {zeros(v)}")
+        less = code.value(f"icmp ult i64 {u}, {w}")
+        least = code.value(f"select i1 {less}, i64 {u}, i64 {w}")
+        most = code.value(f"select i1 {less}, i64 {w}, i64 {u}")
+        rest = code.value(f"sub i64 {most}, {least}")
+        return code.value(f"icmp ne i64 {rest}, 0"), (least, rest)
+
+    def divided() -> list[tuple[str, str, str]]:
+        shared = zeros(code.value("or i64 %g, %x"))  # the power of 2, which is put back
+        odd = code.value(f"lshr i64 %g, {zeros('%g')}")
+        least, _ = code.repeat([("i64", odd), ("i64", "%x")], subtracted)
+        return [("i64", code.value(f"shl i64 {least}, {shared}"), "%g")]
+
+    (found,) = code.when(code.value("icmp ne i64 %x, 0"), divided)
+    code.end(f"i64 {found}")
+    return code
+
+
+def _entry() -> Code:
+    """Write ``entry(n, addresses)``."""
+    code = Code("i64 @entry(i64 %n, ptr %addresses)")
+    rows = code.entries("ptr", "%addresses", _ROWS)
+
+    def turn(i: str, told: str) -> list[str]:
+        places = [code.at("i64", row, i) for row in rows]
+        numbers = [code.load("i64", place) for place in places]
+        for x in numbers:
+            least = code.value(f"icmp eq i64 {x}, {-(2**63)}")
+            told = code.value(f"or i64 {told}, {code.value(f'zext i1 {least} to i64')}")
+
+        def divide() -> None:
+            *sizes, g = (
+                code.call("i64", "llvm.abs.i64", ("i64", x), ("i1", "false")) for x in numbers
+            )
+            for size in sizes:
+                g = code.once(f"call i64 @gcd(i64 {g}, i64 {size})")
+            below = code.value(f"icmp slt i64 {numbers[-1]}, 0")
+            by = code.value(f"select i1 {below}, i64 {code.value(f'sub i64 0, {g}')}, i64 {g}")
+
+            def write() -> None:
+                for x, place in zip(numbers, places, strict=True):
+                    code.store("i64", code.value(f"sdiv i64 {x}, {by}"), place)
+
+            code.when(code.value(f"icmp ne i64 {by}, 1"), write)
+
+        code.when(code.value(f"icmp ne i64 {numbers[-1]}, 1"), divide)
+        return [told]
+
+    (told,) = code.loop("0", "%n", turn, first=[("i64", "0")])
+    code.end(f"i64 {told}")
+    return code

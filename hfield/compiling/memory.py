@@ -1,4 +1,4 @@
-"""Memory for large results, handed on from one that nobody holds any longer to the next.
+"""Where arrays lie, and memory for large results, handed on from one that nobody holds to the next.
 
 What is large comes from the system page by page, each cleared when it is first touched: that takes about as
 long again as many a product. So the memory of results that are gone is kept for the next ones of their size,
@@ -17,6 +17,7 @@ from weakref import finalize
 import numpy as np
 
 Array = np.ndarray[Any, np.dtype[Any]]
+Rows = tuple[Array, ...]
 
 LARGE = 24_000_000  # bytes; below that Python's allocator keeps what it is given back
 KEPT = 1 << 26
@@ -61,3 +62,21 @@ def _give_back(memory: Array) -> None:
     while sum(m.nbytes for m in _kept.copy()) > KEPT:
         with suppress(IndexError):
             _kept.popleft()
+
+
+def rows_of(block: Array) -> Rows:
+    """Return the rows of an array as arrays, of no dimensions if need be."""
+    return tuple(block[n, ...] for n in range(len(block)))
+
+
+def in_one_piece(array: Array, shape: tuple[int, ...]) -> Array:
+    """Return an array of this shape, one entry after the other: the given one if it is such, else a copy."""
+    if array.shape == shape and array.flags.c_contiguous and array.flags.aligned:
+        return array
+    return np.require(np.broadcast_to(array, shape), requirements=["C", "A"])
+
+
+def address(array: Array) -> int:
+    """Return where the first entry lies."""
+    place: int = array.__array_interface__["data"][0]
+    return place

@@ -10,13 +10,14 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from ctypes import addressof, c_int64
-from functools import partial
+from functools import partial, reduce
+from itertools import pairwise
+from operator import or_
 from queue import SimpleQueue
-from typing import Any, TypeVar
+from typing import Any
 
 from hfield.errors import HFieldError
 
-T = TypeVar("T")
 VARIABLES = ("HFIELD_NUM_THREADS", "ROTATION_NUM_THREADS")
 
 
@@ -124,11 +125,37 @@ def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: obje
     return answer
 
 
-def taken(pieces: deque[T]) -> Iterator[T]:
-    """Yield what is left of the pieces that threads share; each is taken by one of them."""
+def in_pieces(
+    work: Callable[[int, int], int], n: int, piece: int, shortest: int, alive: object
+) -> int:
+    """Run ``work(start, end)`` on pieces of ``range(n)``, and return all its answers or-ed together.
+
+    There is one thread more for every ``shortest`` of them. Each begins in a stretch of its own, and helps in
+    the others' when it is done: of a page of new memory that two touch at once both would clear all of its
+    2 MiB.
+    """
+    length = max(shortest, -(-n // threads()))
+    cuts = [*range(0, n, length), n]
+    stretches = [(deque(range(start, end, piece)), end) for start, end in pairwise(cuts)]
+    turns = deque(range(len(stretches)))
+    told: list[int] = []
+
+    def one(_: int) -> bool:
+        own = turns.popleft()
+        for starts, end in stretches[own:] + stretches[:own]:
+            for start in _taken(starts):
+                told.append(work(start, min(start + piece, end)))
+        return False
+
+    share(one, len(stretches), alive)
+    return reduce(or_, told)
+
+
+def _taken(starts: deque[int]) -> Iterator[int]:
+    """Yield what is left of the starts that threads share; each is taken by one of them."""
     while True:
         try:
-            yield pieces.popleft()
+            yield starts.popleft()
         except IndexError:
             return
 

@@ -12,15 +12,27 @@ from typing import Any
 
 import numpy as np
 
+from hfield.compiling import machine_code
+from hfield.compiling.memory import in_one_piece
+from hfield.compiling.threads import share
 from rotation.arrays import Array
-from rotation.kernels import uncompiled
-from rotation.kernels.strides import parameters, plan, straightened
-from rotation.pool import share, threads
+from rotation.kernels import twins
+from rotation.kernels.strides import parameters, plan
+from rotation.native import builtins
+from rotation.native.sweeping import Operand, Way, swept
+from rotation.pool import threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
 
 # Below this many points for each thread, waking one takes longer than its part of the work.
 LIGHT, HEAVY = 100_000, 8_000
+
+Kind = tuple[int, str, int, int]
+_NUMBERS = {"d": "double", "f": "float"}
+_announce = machine_code.Announcer(
+    "rotation: compiling a loop for many points, once on this machine "
+    "(rotation.warm_up() does it beforehand)"
+)
 
 
 def one(points: Array, matrix: Array, out: Array) -> None:
@@ -75,7 +87,9 @@ def _run(name: tuple[Any, ...], grain: int, read: tuple[Array, ...], out: Array 
     batch = operands[-1].shape[:-1]
     if operands[-1].size == 0:
         return False
-    made = plan(batch, operands) or plan(batch, tuple(straightened(batch, a) for a in operands))
+    made = plan(batch, operands) or plan(
+        batch, tuple(in_one_piece(a, (*batch, a.shape[-1])) for a in operands)
+    )
     if made is None:
         raise AssertionError("arrays in one piece have constant strides")
     kinds = tuple(
@@ -84,7 +98,7 @@ def _run(name: tuple[Any, ...], grain: int, read: tuple[Array, ...], out: Array 
     )
     kernel = _kernel(name, kinds, out is not None)
     if kernel is None:
-        return uncompiled.run(name, read, out)
+        return twins.run(name, read, out)
     table = (ctypes.c_int64 * (2 + 4 * len(operands)))(made.outer, made.inner, *made.table)
     pieces = made.outer * made.inner // grain + 1
     alive = (made.operands, table)
@@ -96,9 +110,44 @@ def _run(name: tuple[Any, ...], grain: int, read: tuple[Array, ...], out: Array 
 
 @cache
 def _kernel(
-    name: tuple[Any, ...], kinds: tuple[tuple[int, str, int, int], ...], writes: bool
-) -> Any:
-    """Return the loop for operands of these widths, types and strides, or None where there can be none."""
-    from rotation.kernels import compiling
+    name: tuple[Any, ...], kinds: tuple[Kind, ...], writes: bool
+) -> machine_code.Function | None:
+    """Return the loop of a kernel, or None where there can be no machine code.
 
-    return compiling.compiled(name, kinds, writes)
+    ``kinds`` are, operand by operand, how many components there are, numpy's letter for their type, and
+    the strides in bytes from one component to the next and from one row to the next.
+    """
+    if not machine_code.available():
+        return None
+    operands = [_operand(*kind) for kind in kinds]
+    if writes and operands[-1].way is Way.SAME:  # a batch of one
+        operands[-1] = operands[-1]._replace(way=Way.STRIDED)
+    return _loop(name, tuple(operands), writes)
+
+
+@cache
+def _loop(
+    name: tuple[Any, ...], operands: tuple[Operand, ...], writes: bool
+) -> machine_code.Function:
+    from rotation.kernels import formulas
+
+    with machine_code.lock:
+        builtins.introduce()
+        found = formulas.kernel(*name)
+        number = operands[0].number if name[0] == "one" else "double"
+        text = swept(found.fast, found.careful, operands, int(writes), number)
+        return machine_code.function(machine_code.compiled(text, "entry", announce=_announce))
+
+
+def _operand(width: int, letter: str, component: int, row: int) -> Operand:
+    operand = Operand(width, _NUMBERS[letter], Way.STRIDED)
+    size = operand.size
+    if row == 0:
+        way = Way.SAME
+    elif row == width * size and (component == size or width == 1):
+        way = Way.SIDE_BY_SIDE
+    elif row == size:
+        way = Way.COLUMNS
+    else:
+        way = Way.STRIDED
+    return operand._replace(way=way)

@@ -11,11 +11,12 @@ from functools import cache
 import numpy as np
 
 from hfield.compiling import machine_code
+from hfield.compiling.instructions import module
 from rotation.arrays import Array
 from rotation.compensated import Pair, two_product, two_sum
 from rotation.coordinates import middling
 from rotation.kernels import twins
-from rotation.native import assembling, elementary_functions, tracing
+from rotation.native import builtins, tracing
 from rotation.native.symbols import Lanes, Program
 
 Pairs = tuple[Pair, Pair, Pair, Pair]
@@ -37,64 +38,44 @@ def _loop() -> machine_code.Function | None:
     if not machine_code.available():
         return None
     with machine_code.lock:
-        assembling.introduce()
-        return machine_code.function(machine_code.compiled(_module(), "entry"))
+        builtins.introduce()
+        return machine_code.function(machine_code.compiled(module(_entry()), "entry"))
 
 
-def _module() -> str:
+def _entry() -> Program:
     """Write the function ``entry(n, addresses)``: one row after the other, in scalars."""
-    program = Program(width=1)
+    program = Program("i64 @entry(i64 %n, ptr %addresses)", width=1)
     kind = program.kind
-    for k in range(4):
-        at = program.value(f"getelementptr double, ptr %from, i64 {k}")
-        program.lines.append(f"%q{k} = load {kind}, ptr {at}, align 8")
-    factor = tuple(Lanes(program, f"%q{k}") for k in range(4))
-    w, x, y, z = ((Lanes(program, f"%high{k}"), Lanes(program, f"%low{k}")) for k in range(4))
-    a, b, c, d = _normalised(tuple((f, f * 0.0) for f in middling(tracing, factor)))
-    product = _normalised(
-        (
-            _sum(
-                _product(a, w), _minus(_product(b, x)), _minus(_sum(_product(c, y), _product(d, z)))
-            ),
-            _sum(_product(a, x), _product(b, w), _sum(_product(c, z), _minus(_product(d, y)))),
-            _sum(_product(a, y), _minus(_product(b, z)), _sum(_product(c, w), _product(d, x))),
-            _sum(_product(a, z), _product(b, y), _sum(_minus(_product(c, x)), _product(d, w))),
+    factors, products = program.entries("ptr", "%addresses", 2)
+
+    def turn(i: str, *running: str) -> list[str]:
+        row = program.value(f"mul i64 {i}, 4")
+        start, end = (program.at("double", rows, row) for rows in (factors, products))
+        numbers = (program.load(kind, program.at("double", start, k), 8) for k in range(4))
+        factor = tuple(Lanes(program, x) for x in numbers)
+        parts = iter(Lanes(program, x) for x in running)
+        w, x, y, z = zip(parts, parts, strict=True)
+        a, b, c, d = _normalised(tuple((f, f * 0.0) for f in middling(tracing, factor)))
+        product = _normalised(
+            (
+                _sum(
+                    _product(a, w),
+                    _minus(_product(b, x)),
+                    _minus(_sum(_product(c, y), _product(d, z))),
+                ),
+                _sum(_product(a, x), _product(b, w), _sum(_product(c, z), _minus(_product(d, y)))),
+                _sum(_product(a, y), _minus(_product(b, z)), _sum(_product(c, w), _product(d, x))),
+                _sum(_product(a, z), _product(b, y), _sum(_minus(_product(c, x)), _product(d, w))),
+            )
         )
-    )
-    for k, (high, _) in enumerate(product):
-        at = program.value(f"getelementptr double, ptr %to, i64 {k}")
-        program.lines.append(f"store {kind} {high.name}, ptr {at}, align 8")
-    states = [
-        f"%{part}{k} = phi {kind} [ {program.constant(float(part == 'high' and k == 0))}, %start ], "
-        f"[ {lanes.name}, %body ]"
-        for k, pair in enumerate(product)
-        for part, lanes in zip(("high", "low"), pair, strict=True)
-    ]
-    return "\n".join(
-        [
-            *elementary_functions.intrinsics("double", 1),
-            "define i64 @entry(i64 %n, ptr %addresses) {",
-            "start:",
-            "%q = load ptr, ptr %addresses",
-            "%out_at = getelementptr ptr, ptr %addresses, i64 1",
-            "%out = load ptr, ptr %out_at",
-            "%some = icmp sgt i64 %n, 0",
-            "br i1 %some, label %body, label %end",
-            "body:",
-            "%i = phi i64 [ 0, %start ], [ %next, %body ]",
-            *states,
-            "%offset = mul i64 %i, 4",
-            "%from = getelementptr double, ptr %q, i64 %offset",
-            "%to = getelementptr double, ptr %out, i64 %offset",
-            *program.lines,
-            "%next = add i64 %i, 1",
-            "%more = icmp slt i64 %next, %n",
-            "br i1 %more, label %body, label %end",
-            "end:",
-            "ret i64 0",
-            "}",
-        ]
-    )
+        for k, (high, _) in enumerate(product):
+            program.store(kind, high.name, program.at("double", end, k), 8)
+        return [part.name for pair in product for part in pair]
+
+    first = [(kind, program.constant(x)) for x in (1.0, *[0.0] * 7)]
+    program.loop("0", "%n", turn, first=first)
+    program.end("i64 0")
+    return program
 
 
 def _sum(a: Pair, b: Pair, *more: Pair) -> Pair:

@@ -4,13 +4,14 @@ The fast form also says where it is right: not for a far angle, nor where the sq
 coordinate might leave the range of floats. The careful form is that of few points.
 """
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
 from rotation import acting
+from rotation.angles import RADIANS
 from rotation.coordinates import Coordinates, split, sum_of_squares
-from rotation.kernels.sincos import reachable, sincos
 from rotation.native import tracing
 from rotation.native.symbols import Rows
 from rotation.quaternions import normalise
@@ -18,6 +19,21 @@ from rotation.quaternions import normalise
 # Between these a squared length, times a coordinate between those, neither overflows nor loses digits.
 SMALL, LARGE = 2.0**-200, 2.0**200
 LOW, HIGH = 2.0**-700, 2.0**700
+
+
+# π/2 = P1 + P2 + P3 with 23 bits in P1 and in P2: the products with a whole number below 2^30 and the
+# differences are exact, with or without FMA (Cody and Waite 1980). P3 holds the next 53 bits.
+REACH = 2.0**30
+TWO_OVER_PI = 2.0 / math.pi
+P1 = float.fromhex("0x1.921fb4p+0")
+P2 = float.fromhex("0x1.4442dp-24")
+P3 = float.fromhex("0x1.8469898cc517p-48")
+
+# Minimax polynomials of sine and cosine on [−π/4, π/4] (fdlibm, Sun Microsystems 1993).
+S1, S2, S3 = -1.66666666666666324348e-01, 8.33333333332248946124e-03, -1.98412698298579493134e-04
+S4, S5, S6 = 2.75573137070700676789e-06, -2.50507602534068634195e-08, 1.58969099521155010221e-10
+C1, C2, C3 = 4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05
+C4, C5, C6 = -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11
 
 
 class Kernel(NamedTuple):
@@ -42,6 +58,29 @@ def _measured(point: Coordinates) -> Any:
     return -(size - size), ~((size > HIGH) | ((size < LOW) & (size > 0.0)))
 
 
+def _reachable(x: Any) -> Any:
+    """Tell whether the fast way reaches ``x``; NaN and inf are not reachable."""
+    return tracing.abs(x) <= REACH
+
+
+def _sincos(x: Any, degrees: bool) -> Any:
+    """Return sine and cosine of reachable lanes ``x``."""
+    k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + tracing.ROUND
+    n = k - tracing.ROUND  # quarters of a turn
+    if degrees:
+        r = x - n * 90.0
+        r = r * RADIANS[0] + r * RADIANS[1]
+    else:
+        r = ((x - n * P1) - n * P2) - n * P3
+    z = r * r
+    s = r + r * z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))))
+    s = tracing.where(r != 0.0, s, r)  # the sum loses the sign of −0
+    c = 1.0 - z * (0.5 - z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))))))
+    odd, beyond = tracing.bit(k, 0), tracing.bit(k, 1)  # the last two bits of n
+    a, b = tracing.where(odd, c, s), tracing.where(odd, -s, c)
+    return tracing.where(beyond, -a, a), tracing.where(beyond, -b, b)
+
+
 def _one(points: Rows, matrix: Rows) -> Any:
     """Rotate by one matrix, in the precision of the points."""
     a, b, c, d, e, f, g, h, k = split(matrix)
@@ -61,7 +100,7 @@ def _axis_angle(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
     """
     (a, b, c), (x, y, z), (t,) = split(axis), split(points), split(angle)
     square = a * a + b * b + c * c
-    sine, cosine = sincos(t, degrees)
+    sine, cosine = _sincos(t, degrees)
     poison, fine = _measured((x, y, z))
     w, versine, part = tracing.sqrt(square) * sine, 1.0 - cosine, 1.0 / square
     fx, fy, fz = b * z - c * y, c * x - a * z, a * y - b * x
@@ -69,7 +108,7 @@ def _axis_angle(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
         x + part * (w * fx + (versine * (b * fz - c * fy) + poison)),
         y + part * (w * fy + (versine * (c * fx - a * fz) + poison)),
         z + part * (w * fz + (versine * (a * fy - b * fx) + poison)),
-    ), fine & reachable(t) & _safe(square)
+    ), fine & _reachable(t) & _safe(square)
 
 
 def _axis_angle_carefully(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
@@ -106,8 +145,8 @@ def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, a
     turns = split(angles)
     poison, fine = _measured(split(points))
     for t in turns:
-        fine = fine & reachable(t)
-    waves = [sincos(t, degrees) for t in (turns[::-1] if backward else turns)]
+        fine = fine & _reachable(t)
+    waves = [_sincos(t, degrees) for t in (turns[::-1] if backward else turns)]
     image = acting.turned_about(axes, waves, split(points))
     return tuple(x + poison for x in image), fine
 

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hfield.compiling.memory import address
 from rotation.arrays import Array, Shape
 
 SHORT = 64  # an inner axis shorter than this is exchanged with a longer outer one
@@ -25,7 +26,7 @@ def plan(batch: Shape, operands: tuple[Array, ...]) -> Plan | None:
 
     The strides lead from one component to the next, along the outer and along the inner axis, in bytes.
     None if the common batch does not reduce to two axes of constant stride, or if memory is
-    not aligned: then `straightened` operands are needed.
+    not aligned: then operands in one piece are needed.
     """
     if not all(a.flags.aligned for a in operands):
         return None
@@ -35,7 +36,7 @@ def plan(batch: Shape, operands: tuple[Array, ...]) -> Plan | None:
     outer, inner, strides = shape
     table: list[int] = []
     for a, own in zip(operands, strides, strict=True):
-        table += (a.__array_interface__["data"][0], *own)
+        table += (address(a), *own)
     return Plan(outer, inner, strides, table, operands)
 
 
@@ -53,11 +54,6 @@ def _geometry(
     found = zip(arrays, outer_strides, inner_strides, strict=True)
     strides = tuple((own[-1], o, i) for (_, own), o, i in found)
     return outer, inner, strides
-
-
-def straightened(batch: Shape, array: Array) -> Array:
-    """Return a copy of ``array`` in one piece, broadcast to ``batch``."""
-    return np.array(np.broadcast_to(array, (*batch, array.shape[-1])), order="C")
 
 
 def _strides(batch: Shape, shape: Shape, strides: Shape) -> Shape:

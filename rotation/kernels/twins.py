@@ -1,7 +1,9 @@
-"""The same rotations in plain numpy, as short as the mathematics: the oracle of the compiled kernels.
+"""The same rotations in plain numpy, as short as the mathematics: without LLVM, and the oracle of kernels.
 
 Arrays have their components last and broadcast. Nothing is blocked, threaded or tuned.
 """
+
+from typing import Any
 
 import numpy as np
 
@@ -58,3 +60,25 @@ def cumulative(q: Array) -> Array:
         running = running / np.linalg.norm(running)
         products[n] = running
     return products
+
+
+def run(name: tuple[Any, ...], read: tuple[Array, ...], out: Array | None) -> bool:
+    """Do what the kernel ``name`` does with these operands, and answer as it does."""
+    if out is None:
+        return _contains_zero(read[0])
+    v, *parameters = (a.astype(np.float64) for a in read)
+    with np.errstate(all="ignore"):
+        if name[0] == "one":
+            turned = one(v, parameters[0].reshape(3, 3))
+        elif name[0] == "axis_angle":
+            turned = axis_angle(v, parameters[0], parameters[1][..., 0], *name[1:])
+        elif name[0] == "quaternions":
+            turned = quaternions(v, parameters[0])
+        else:
+            turned = euler(v, parameters[0], *name[1:])
+        out[...] = turned + 0.0 * np.sum(v, axis=-1, keepdims=True)  # inf gives NaN, as in kernels
+    return name[0] in ("axis_angle", "quaternions") and _contains_zero(read[1])
+
+
+def _contains_zero(array: Array) -> bool:
+    return not bool(array.any(axis=-1).all())

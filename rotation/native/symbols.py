@@ -1,25 +1,30 @@
-"""Symbols for the numbers of a formula, and the program of LLVM that operations on them write down.
+"""Symbols for the numbers of a formula, and the code of LLVM that operations on them write down.
 
 A `Lanes` is one coordinate of eight rows, a vector of eight numbers. Every operator adds a line to the
-program, in LLVM's notation. Nothing is reordered, and nothing fused but where a program is `fused`, so
+code, in LLVM's notation. Nothing is reordered, and nothing fused but where a program is `fused`, so
 programs round as numpy does, operation by operation.
 """
 
-import struct
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 
+from hfield.compiling.instructions import Code, alike, floating, vector
+
 WIDTH = 8
+LIBRARY = ("sin", "cos", "atan", "atan2", "fmod")  # of the system
 float64 = np.dtype(np.float64)
+_WORDS = {"double": "f64", "float": "f32"}
 
 
-class Program:
-    """The lines that a formula has written so far.
+class Program(Code):
+    """A function whose values are rows of numbers.
 
     Parameters
     ----------
+    head : str
+        What stands before its body.
     number : str
         LLVM's word for the numbers that are computed with: ``double`` or ``float``.
     fused : bool
@@ -28,49 +33,17 @@ class Program:
         How many rows go together.
     """
 
-    def __init__(self, number: str = "double", fused: bool = False, width: int = WIDTH) -> None:
+    def __init__(
+        self, head: str, number: str = "double", fused: bool = False, width: int = WIDTH
+    ) -> None:
+        super().__init__(head)
         self.number, self.width = number, width
-        self.kind, self.bits = f"<{width} x {number}>", f"<{width} x i1>"
+        self.kind, self.bits = vector(number, width), vector("i1", width)
         self.flags = " contract" if fused else ""
-        self.lines: list[str] = []
-        self.label = "start"
-        self.count = 0
-        self.told: list[str] = []
-
-    def name(self) -> str:
-        """Return a name that nothing has yet."""
-        self.count += 1
-        return f"%v{self.count}"
-
-    def value(self, text: str) -> str:
-        """Add a line that computes ``text``, and return the name of its result."""
-        name = self.name()
-        self.lines.append(f"{name} = {text}")
-        return name
-
-    def shuffled(self, kind: str, a: str, b: str, places: Iterable[int]) -> str:
-        """Add a line that gathers numbers from two vectors of one kind, by their places in both."""
-        numbers = list(places)
-        mask = ", ".join(f"i32 {n}" for n in numbers)
-        return self.value(f"shufflevector {kind} {a}, {kind} {b}, <{len(numbers)} x i32> <{mask}>")
-
-    def spread(self, place: str, number: str, size: int) -> str:
-        """Add the reading of one number of ``size`` bytes into every row."""
-        kind = f"<{self.width} x {number}>"
-        one = self.value(f"load {number}, ptr {place}, align {size}")
-        first = self.value(f"insertelement {kind} poison, {number} {one}, i32 0")
-        zeros = f"<{self.width} x i32> zeroinitializer"
-        return self.value(f"shufflevector {kind} {first}, {kind} poison, {zeros}")
-
-    def begin(self, label: str) -> None:
-        """Begin a block of code that may be jumped to."""
-        self.lines.append(f"{label}:")
-        self.label = label
 
     def constant(self, number: float) -> str:
         """Return a number in every row, exactly."""
-        text = f"{self.number} 0x{struct.unpack('<Q', struct.pack('<d', number))[0]:016X}"
-        return "<" + ", ".join([text] * self.width) + ">"
+        return alike(self.number, floating(number, "double"), self.width)
 
     def name_of(self, value: Any) -> str:
         """Return how a value is written: lanes by their name, a number in every row."""
@@ -80,6 +53,22 @@ class Program:
         """Add lines that find whether a condition holds in a row at least; return their result's name."""
         bits = self.value(f"bitcast {self.bits} {condition} to i{self.width}")
         return self.value(f"icmp ne i{self.width} {bits}, 0")
+
+    def rarely(
+        self, condition: str, compute: Callable[[], Iterable["Lanes"]], usual: Iterable["Lanes"]
+    ) -> "tuple[Lanes, ...]":
+        """Write what is computed where a condition holds in a row at least, else the usual."""
+        before, self.told = self.told, []
+
+        def computed() -> list[tuple[str, str, str]]:
+            pairs = zip(compute(), usual, strict=True)
+            values = [(self.kind, a.name, b.name) for a, b in pairs]
+            return values + [(self.bits, t, "zeroinitializer") for t in self.told]
+
+        found = self.when(self.some(condition), computed)
+        count = len(found) - len(self.told)
+        self.told = [*before, *found[count:]]
+        return tuple(Lanes(self, name) for name in found[:count])
 
 
 class Lanes:
@@ -183,7 +172,7 @@ class Condition(Lanes):
         return self._bits("or", other.name)
 
     def __invert__(self) -> "Condition":
-        return self._bits("xor", "<" + ", ".join(["i1 true"] * self.program.width) + ">")
+        return self._bits("xor", alike("i1", "true", self.program.width))
 
 
 class Rows:
@@ -201,3 +190,29 @@ class Rows:
         row = index[1] * self.shape[-1] if len(index) == 3 else 0
         found: Lanes = self.values[row + index[-1]]
         return found
+
+
+def intrinsic(name: str, *values: Any) -> Lanes:
+    """Call a function that LLVM has for all rows at once."""
+    program = _program(*values)
+    called = f"llvm.{name}.v{program.width}{_WORDS[program.number]}"
+    arguments = ((program.kind, program.name_of(v)) for v in values)
+    return Lanes(program, program.call(program.kind, called, *arguments))
+
+
+def library(name: str, *values: Any) -> Lanes:
+    """Call a function of the system's mathematics for each row."""
+    program = _program(*values)
+    kind = program.kind
+    found = "poison"
+    for n in range(program.width):
+        numbers = [
+            program.value(f"extractelement {kind} {program.name_of(v)}, i32 {n}") for v in values
+        ]
+        one = program.call("double", f"rotation_{name}", *(("double", x) for x in numbers))
+        found = program.value(f"insertelement {kind} {found}, double {one}, i32 {n}")
+    return Lanes(program, found)
+
+
+def _program(*values: Any) -> Program:
+    return next(v.program for v in values if isinstance(v, Lanes))

@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from rotation.native.elementary_functions import intrinsic, library
-from rotation.native.symbols import Condition, Lanes, Rows
+from hfield.compiling.instructions import alike, vector
+from rotation.native.symbols import Condition, Lanes, Rows, intrinsic, library
 
 _INFO = np.finfo(np.float64)
 _LIMITS = SimpleNamespace(
@@ -107,8 +107,7 @@ def all(conditions: list[Condition], axis: Any = None) -> Condition:
 def bit(x: Lanes, number: int) -> Condition:
     """Return where bit ``number`` of a double's memory is set."""
     program = x.program
-    kind = f"<{program.width} x i64>"
-    chosen = "<" + ", ".join([f"i64 {1 << number}"] * program.width) + ">"
+    kind, chosen = vector("i64", program.width), alike("i64", 1 << number, program.width)
     bits = program.value(f"bitcast {x.kind} {x.name} to {kind}")
     found = program.value(f"and {kind} {bits}, {chosen}")
     return Condition(program, program.value(f"icmp ne {kind} {found}, zeroinitializer"))
@@ -116,25 +115,7 @@ def bit(x: Lanes, number: int) -> Condition:
 
 def rarely(condition: Condition, compute: Callable[[], Any], usual: tuple[Lanes, ...]) -> Any:
     """Return ``compute()`` where the condition holds in one of the rows at least, else ``usual``."""
-    program = condition.program
-    some = program.some(condition.name)
-    before, number, told = program.label, program.count, program.told
-    program.told = []
-    program.lines.append(f"br i1 {some}, label %rare{number}, label %join{number}")
-    program.begin(f"rare{number}")
-    computed = compute()
-    after = program.label
-    program.lines.append(f"br label %join{number}")
-    program.begin(f"join{number}")
-
-    def joined(kind: str, there: str, here: str) -> str:
-        return program.value(f"phi {kind} [ {there}, %{after} ], [ {here}, %{before} ]")
-
-    program.told = [*told, *(joined(program.bits, t, "zeroinitializer") for t in program.told)]
-    return tuple(
-        Lanes(program, joined(program.kind, a.name, b.name))
-        for a, b in zip(computed, usual, strict=True)
-    )
+    return condition.program.rarely(condition.name, compute, usual)
 
 
 def tell(condition: Condition) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hfield import H, Quaternion
-from hfield.compiling import machine_code, memory, streaming
+from hfield.compiling import loops, machine_code, memory
 
 pytestmark = pytest.mark.skipif(
     not machine_code.available(), reason="there is nothing to compile with"
@@ -90,7 +90,7 @@ def test_threads_do_not_get_the_same_memory() -> None:
 def test_what_is_written_past_the_caches_is_the_same(bits: int) -> None:
     """Lengths around those of lines and blocks, rows that begin anywhere in a line."""
     lines = [1, 2, 3, 7, 8, 9, 63, 64, 65]
-    block = streaming.BLOCK
+    block = loops.BLOCK
     for count in (*lines, *(block + n for n in (-1, 0, 1)), 3 * block + 5):
         p, q = drawn(count, bits), drawn(count, bits, seed=3)
         x, y = p.to_array(), q.to_array()
@@ -105,7 +105,7 @@ def test_what_is_written_past_the_caches_is_the_same(bits: int) -> None:
 
 @pytest.mark.parametrize("name", ["QQ", "GF(7)", "GF(9)", "GF(2^8)"])
 def test_other_rings_use_memory_again(name: str) -> None:
-    A, rng, count = H(name), np.random.default_rng(5), streaming.BLOCK + 3
+    A, rng, count = H(name), np.random.default_rng(5), loops.BLOCK + 3
     p, q = (A(*(rng.integers(-6, 7, count) for _ in range(4))) for _ in range(2))
     wanted = [p[n] * q[n] + p[n] for n in range(0, count, 40)]
     for _ in range(3):
@@ -115,9 +115,9 @@ def test_other_rings_use_memory_again(name: str) -> None:
         assert memory._kept
 
 
-@pytest.mark.parametrize("where", [0, streaming.BLOCK, 3 * streaming.BLOCK - 1])
+@pytest.mark.parametrize("where", [0, loops.BLOCK, 3 * loops.BLOCK - 1])
 def test_an_overflow_in_any_block_is_noticed(where: int) -> None:
-    numbers = np.ones(3 * streaming.BLOCK, np.int64)
+    numbers = np.ones(3 * loops.BLOCK, np.int64)
     numbers[where] = 2**40
     p = H("ZZ")(numbers, 0, 0, 0)
     for _ in range(3):  # at last in memory that was used

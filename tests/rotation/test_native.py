@@ -95,13 +95,13 @@ def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:
 def test_without_machine_code_the_numbers_are_the_same_to_rounding() -> None:
     code = (
         "import numpy as np; from rotation import Rotation, rotate, rotate_euler\n"
-        "from rotation.native import assembling\n"
+        "from rotation.native import builtins\n"
         "r = Rotation.random(50, seed=3); v = np.arange(150.0).reshape(50, 3)\n"
         "s = Rotation.from_rotvec(3 * r.as_rotvec()) * Rotation.from_euler('ZYX', v, degrees=True)\n"
         "parts = [s.as_matrix(), s.as_euler('zxz'), s.as_mrp(), s.apply(v), (s**0.3).as_quat(),\n"
         "    Rotation.from_matrix(s.as_matrix()).as_quat(canonical=True), rotate(v, v + 1, v[:, 0]),\n"
         "    rotate_euler(v, v), s.mean().as_quat()]\n"
-        "print(assembling.available(), *[x.hex() for p in parts for x in p.ravel().tolist()])"
+        "print(builtins.available(), *[x.hex() for p in parts for x in p.ravel().tolist()])"
     )
     compiled, plain = (run(code, NUMBA_DISABLE_JIT=flag).split() for flag in ("0", "1"))
     assert (compiled[0], plain[0]) == ("True", "False")

@@ -9,7 +9,7 @@ import pytest
 
 from rotation import RigidTransform, Rotation, align, align_points, matrices, vectors
 from rotation.namespaces import quiet
-from rotation.native import assembling
+from rotation.native import builtins
 
 RNG = np.random.default_rng(2024)
 Make = Callable[[Any], Any]
@@ -134,7 +134,7 @@ def test_matrices_are_right_entry_by_entry_compiled_or_not() -> None:
 
 def test_formulas_are_compiled_here() -> None:
     """Else the tests above would compare numpy with itself."""
-    assert assembling.available()
+    assert builtins.available()
 
 
 def test_what_is_one_number_is_a_number_of_numpy() -> None:

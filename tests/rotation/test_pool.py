@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from rotation.pool import share, threads
+from hfield.compiling.threads import share
+from rotation.pool import threads
 
 PATIENCE = 20.0  # seconds until a test that waits for a thread is given up
 

@@ -12,11 +12,12 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
 
-from hfield.compiling.arithmetic import Arithmetic, Code, raw_type, unsigned
+from hfield.compiling.arithmetic import Arithmetic, unsigned
+from hfield.compiling.instructions import Code, raw_type, vector
 
 BITWISE_UP_TO = 8  # beyond, a product in one instruction is quicker
 HOLES = 0x1111111111111111
-_PAIR = "<2 x i64>"
+_PAIR = vector("i64", 2)
 
 
 class Polynomial(NamedTuple):
@@ -111,12 +112,6 @@ class LargeBinaryField(_BinaryField):
 
     vectorise = False
 
-    @property
-    def declarations(self) -> tuple[str, ...]:
-        """The instruction, where it is used."""
-        name = f"declare {_PAIR} @llvm.x86.pclmulqdq({_PAIR}, {_PAIR}, i8 immarg)"
-        return (name,) if self.instruction else ()
-
     def load(self, code: Code, raw: str) -> Polynomial:
         """Read a label."""
         kind = raw_type(self.dtype)
@@ -189,7 +184,8 @@ class LargeBinaryField(_BinaryField):
     def _carryless(self, code: Code, x: str, y: str) -> str:
         """Return the product of the lower words."""
         if self.instruction:
-            return code.value(f"call {_PAIR} @llvm.x86.pclmulqdq({_PAIR} {x}, {_PAIR} {y}, i8 0)")
+            factors = (_PAIR, x), (_PAIR, y)
+            return code.call(_PAIR, "llvm.x86.pclmulqdq", *factors, ("i8", "0"))
         v = code.value
         low, high = ([self._half(code, z, n) for z in (x, y)] for n in (0, 1))
         corner, middle, other, end = (

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property, reduce
 from typing import Any
 
-from hfield.compiling.arithmetic import Arithmetic, Code, raw_type, unsigned
+from hfield.compiling.arithmetic import Arithmetic, unsigned
 from hfield.compiling.arithmetics.residues import LIMITS, Bounded, Residues
+from hfield.compiling.instructions import Code, raw_type
 
 Digits = tuple[Bounded, ...]
 
@@ -42,8 +43,6 @@ class OddExtension(Arithmetic):
 @dataclass(frozen=True)
 class ExtensionField(OddExtension):
     """The field by products of polynomials, whose digits are residues."""
-
-    declarations = Residues.declarations
 
     @cached_property
     def digits(self) -> Residues:

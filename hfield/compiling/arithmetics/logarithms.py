@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hfield.compiling.arithmetic import Code, raw_type
 from hfield.compiling.arithmetics.extension_fields import OddExtension
+from hfield.compiling.instructions import Code, raw_type
 
 TERMS = 5  # so many times p − 1 fits in a field: four products, and what makes their sum positive
 INDEX_BITS = 12  # of the table that turns fields into labels; it stays in the nearest cache
@@ -172,8 +172,7 @@ class LogarithmicField(ByLogarithms):
     def logarithm(self, code: Code, label: str) -> Logarithm:
         """Look the logarithm of a label up."""
         index = code.value(f"zext {raw_type(self.dtype)} {label} to i64")
-        at = code.value(f"getelementptr i32, ptr %table0, i64 {index}")
-        found = code.value(f"load i32, ptr {at}")
+        found = code.load("i32", code.at("i32", "%table0", index))
         return Logarithm(code.value(f"zext i32 {found} to i64"))
 
     def power(self, code: Code, *logarithms: Logarithm) -> Packed:
@@ -181,8 +180,8 @@ class LogarithmicField(ByLogarithms):
         # two steps from the table's beginning: the processor takes the second while it loads
         at = "%table1"
         for logarithm in logarithms:
-            at = code.value(f"getelementptr {self.word}, ptr {at}, i64 {logarithm.name}")
-        return Packed((code.value(f"load {self.word}, ptr {at}"),), 0, self.characteristic - 1)
+            at = code.at(self.word, at, logarithm.name)
+        return Packed((code.load(self.word, at),), 0, self.characteristic - 1)
 
     def label(self, code: Code, words: tuple[str, ...]) -> str:
         """Look the label of a sum up: the sum of what a table says of each group of digits."""
@@ -195,8 +194,7 @@ class LogarithmicField(ByLogarithms):
                 index = v(f"and {word} {index}, {(1 << bits) - 1}")
             index = index if word == "i64" else v(f"zext i32 {index} to i64")
             place = v(f"add i64 {index}, {start // self.group << bits}") if start else index
-            at = v(f"getelementptr {kind}, ptr %table2, i64 {place}")
-            part = v(f"load {kind}, ptr {at}")
+            part = code.load(kind, code.at(kind, "%table2", place))
             label = v(f"add {kind} {label}, {part}") if start else part
         return label
 

@@ -11,8 +11,9 @@ import contextlib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from hfield.compiling.arithmetic import Arithmetic, Code, raw_type
+from hfield.compiling.arithmetic import Arithmetic
 from hfield.compiling.arithmetics.residues import Bounded
+from hfield.compiling.instructions import Code, raw_type
 
 WORD = 2**63
 
@@ -49,7 +50,7 @@ class SmallWholeNumbers(Arithmetic):
                 return Bounded(raw, -most, most)
         sign = code.value(f"ashr i64 {raw}, 63")
         size = code.value(f"xor i64 {raw}, {sign}")
-        code.flags.append(code.value(f"lshr i64 {size}, {self.bits}"))
+        code.told.append(code.value(f"lshr i64 {size}, {self.bits}"))
         return Bounded(raw, -most - 1, most)
 
     def store(self, code: Code, x: Bounded) -> str:
@@ -102,12 +103,6 @@ class CheckedWholeNumbers(Arithmetic):
     vectorise = False
     literal = True
 
-    @property
-    def declarations(self) -> tuple[str, ...]:
-        """The operations with overflow."""
-        names = ("sadd", "ssub", "smul")
-        return tuple(f"declare {{i64, i1}} @llvm.{n}.with.overflow.i64(i64, i64)" for n in names)
-
     def load(self, code: Code, raw: str) -> str:
         """Read a number."""
         return raw
@@ -139,10 +134,10 @@ class CheckedWholeNumbers(Arithmetic):
         return self._checked(code, "ssub", "0", x)
 
     def _checked(self, code: Code, operation: str, x: str, y: str) -> str:
-        call = f"call {{i64, i1}} @llvm.{operation}.with.overflow.i64(i64 {x}, i64 {y})"
-        both = code.value(call)
+        name = f"llvm.{operation}.with.overflow.i64"
+        both = code.call("{i64, i1}", name, ("i64", x), ("i64", y))
         over = code.value(f"extractvalue {{i64, i1}} {both}, 1")
-        code.flags.append(code.value(f"zext i1 {over} to i64"))
+        code.told.append(code.value(f"zext i1 {over} to i64"))
         return code.value(f"extractvalue {{i64, i1}} {both}, 0")
 
 

@@ -12,8 +12,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from hfield.compiling.arithmetic import Code, raw_type
 from hfield.compiling.arithmetics.logarithms import TERMS, ByLogarithms, Logarithm, Packed, powers
+from hfield.compiling.instructions import Code, alike, raw_type, vector
 
 PROCESSOR = "avx512vbmi"
 LANES = 64
@@ -21,8 +21,8 @@ ORDER = 256  # the largest that labels of a byte allow
 HALF = ORDER // 2  # bytes that one instruction looks up in
 LOG_ZERO = ORDER - 1
 VECTOR = raw_type("u1", LANES)
-MASK = f"<{LANES} x i1>"
-LOOK_UP = f"{VECTOR} @llvm.x86.avx512.vpermi2var.qi.512"
+MASK = vector("i1", LANES)
+LOOK_UP = "llvm.x86.avx512.vpermi2var.qi.512"
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,6 @@ class RegisterField(ByLogarithms):
 
     lanes = LANES
     word = VECTOR
-    declarations = (f"declare {LOOK_UP}({VECTOR}, {VECTOR}, {VECTOR})",)
 
     @property
     def room(self) -> int:
@@ -123,15 +122,12 @@ def _half_found(code: Code, table: str, start: int, index: str) -> str:
     """Look bytes up in 128 of a table, by the lower seven bits of the index."""
     parts = []
     for place in (start, start + LANES):
-        at = code.value(f"getelementptr i8, ptr {table}, i64 {place}")
-        parts.append(code.value(f"load {VECTOR}, ptr {at}, align 1"))
-    asked = f"{VECTOR} {parts[0]}, {VECTOR} {index}, {VECTOR} {parts[1]}"
-    return code.value(f"call {LOOK_UP}({asked})")
+        parts.append(code.load(VECTOR, code.at("i8", table, place), 1))
+    return code.call(VECTOR, LOOK_UP, (VECTOR, parts[0]), (VECTOR, index), (VECTOR, parts[1]))
 
 
 def _all(value: int) -> str:
-    """Write the vector whose bytes are all the same."""
-    return "<" + ", ".join([f"i8 {value}"] * LANES) + ">"
+    return alike("i8", value, LANES)
 
 
 @lru_cache(maxsize=64)

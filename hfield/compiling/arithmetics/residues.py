@@ -12,7 +12,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from hfield.compiling.arithmetic import Arithmetic, Code, floating, raw_type, unsigned
+from hfield.compiling.arithmetic import Arithmetic, unsigned
+from hfield.compiling.instructions import Code, floating, raw_type
 
 LIMITS = {"float": 2**20, "double": 2**49, "i64": 2**63}
 _OPERATIONS = {
@@ -46,11 +47,6 @@ class Residues(Arithmetic):
     def modulo(cls, n: int) -> Residues:
         """Return the arithmetic modulo n, in the word that is quickest."""
         return cls(n, "float" if n <= 1 << 8 else "double" if n <= 1 << 23 else "i64")
-
-    declarations = (
-        "declare float @llvm.floor.f32(float)",
-        "declare double @llvm.floor.f64(double)",
-    )
 
     @property
     def dtype(self) -> str:
@@ -142,8 +138,7 @@ class Residues(Arithmetic):
         v, word, n = code.value, self.word, self.modulus
         near = v(f"fmul contract {word} {x.name}, {floating(1 / n, word)}")
         near = v(f"fadd contract {word} {near}, {floating(0.5 / n, word)}")
-        bits = "f32" if word == "float" else "f64"
-        quotient = v(f"call {word} @llvm.floor.{bits}({word} {near})")
+        quotient = _floor(code, word, near)
         whole = v(f"fmul contract {word} {quotient}, {floating(n, word)}")
         return quotient, v(f"fsub contract {word} {x.name}, {whole}")
 
@@ -154,8 +149,7 @@ class Residues(Arithmetic):
         near = v(f"fmul double {near}, {floating(1 / n, 'double')}")
         if centred:
             near = v(f"fadd double {near}, {floating(0.5, 'double')}")
-        near = v(f"call double @llvm.floor.f64(double {near})")
-        quotient = v(f"fptosi double {near} to i64")
+        quotient = v(f"fptosi double {_floor(code, 'double', near)} to i64")
         whole = v(f"mul i64 {quotient}, {n}")
         rest = v(f"sub i64 {x.name}, {whole}")
         if centred:
@@ -168,3 +162,7 @@ class Residues(Arithmetic):
             shift = v(f"select i1 {off}, i64 {n}, i64 0")
             rest = v(f"{sign} i64 {rest}, {shift}")
         return Bounded(rest, 0, n - 1)
+
+
+def _floor(code: Code, word: str, x: str) -> str:
+    return code.call(word, f"llvm.floor.{'f32' if word == 'float' else 'f64'}", (word, x))

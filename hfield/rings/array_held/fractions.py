@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import flint
 import numpy as np
 
-from hfield.compiling.calling import Rows, rows_of
 from hfield.compiling.lowest_terms import lowest
+from hfield.compiling.memory import Rows, rows_of
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs

@@ -9,7 +9,8 @@ import numpy as np
 
 from hfield.compiling import machine_code
 from hfield.compiling.arithmetic import Arithmetic
-from hfield.compiling.calling import Kernel, Rows
+from hfield.compiling.calling import Kernel
+from hfield.compiling.memory import Rows
 from hfield.errors import CoercionError, shorten
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hfield.compiling import memory
-from hfield.compiling.calling import Rows, address, rows_of
+from hfield.compiling.memory import Rows, address, rows_of
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 from hfield.rings.arrays import one_shape, owned, read_only

@@ -19,8 +19,10 @@ from hfield.compiling.arithmetics.machine_integers import (
     holds,
     widest,
 )
-from hfield.compiling.calling import Kernel, Rows
+from hfield.compiling.calling import Kernel
+from hfield.compiling.instructions import Code
 from hfield.compiling.loops import Operand, written
+from hfield.compiling.memory import Rows
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
@@ -271,7 +273,7 @@ def _fits(
     literals: dict[str, int],
     arithmetic: Arithmetic,
 ) -> object:
-    return written(program, arithmetic, operands, literals)
+    return written(Code(), program, arithmetic, operands, literals)
 
 
 _PROGRAMS: dict[str, tuple[Program, Sides]] = {
