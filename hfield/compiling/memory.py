@@ -71,9 +71,9 @@ def rows_of(block: Array) -> Rows:
 
 def in_one_piece(array: Array, shape: tuple[int, ...]) -> Array:
     """Return an array of this shape, one entry after the other: the given one if it is such, else a copy."""
-    if array.shape == shape and array.flags.c_contiguous and array.flags.aligned:
-        return array
-    return np.require(np.broadcast_to(array, shape), requirements=["C", "A"])
+    wide = array if array.shape == shape else np.broadcast_to(array, shape)
+    straight = wide.flags.c_contiguous and wide.flags.aligned
+    return wide if straight else np.require(wide, requirements=["C", "A"])
 
 
 def address(array: Array) -> int:
