@@ -1,4 +1,7 @@
-"""One way to compile by numba: serial machine code that frees the interpreter lock, kept where possible."""
+"""One way to compile by numba: serial machine code that frees the interpreter lock, kept where possible.
+
+The loops of `anim` branch on what they compute, point by point, which a tracer of formulas cannot follow.
+"""
 
 from collections.abc import Callable
 from typing import Any
