@@ -334,10 +334,13 @@ def _import_all(chosen: list[str]) -> None:
     """Import what the calls need: of an import in another thread a child has the lock, and no end."""
     import hfield.algebra
     import hfield.compiling
+    import hfield.fields
     import hfield.rings
+    import hfield.structure
     import rotation
 
-    for package in (hfield.compiling, hfield.rings, rotation):
+    rooms = (hfield.compiling, hfield.rings, hfield.structure, hfield.fields)
+    for package in (*rooms, rotation):
         for found in walk_packages(package.__path__, f"{package.__name__}."):
             if found.name.split(".")[1] not in APART and (
                 "galois" not in found.name or set(chosen) & set(calls()["galois"])
