@@ -229,8 +229,15 @@ class Ring(ABC, Generic[E]):
         return Plain(self, constants)
 
     def array_holding(self, constants: Constants) -> Batch:
-        """Return how arrays of such elements are held; by default as four arrays of the ring."""
-        return Batch(self, constants)
+        """Return how arrays of such elements are held: as these are, one by one.
+
+        A ring whose arrays are a library's own computes with four of those.
+        """
+        if type(self).array is not Ring.array:
+            return Batch(self, constants)
+        from hfield.rings.array_held.held_values import HeldArrays
+
+        return HeldArrays(self, constants)
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places of a global field without end, infinite ones first; texts read back.

@@ -18,6 +18,7 @@ from hfield.compiling.arithmetics.register_tables import (
 from hfield.compiling.arithmetics.residues import Residues
 from hfield.factorisation import factorise
 from hfield.product import Constants
+from hfield.rings.array_held.held_values import HeldArrays
 from hfield.rings.array_held.labels import LabelArrays
 from hfield.rings.holding import Batch
 
@@ -35,9 +36,9 @@ POLYNOMIALS_UP_TO = 6  # degrees: beyond, compiling takes seconds
 def array_holding(ring: Any, constants: Constants) -> Batch:
     """Return how arrays over ℤ/n or a finite field are held: as labels where an arithmetic serves them."""
     arithmetic = arithmetic_of(ring)
-    return (
-        Batch(ring, constants) if arithmetic is None else LabelArrays(ring, constants, arithmetic)
-    )
+    if arithmetic is not None:
+        return LabelArrays(ring, constants, arithmetic)
+    return HeldArrays(ring, constants)
 
 
 def arithmetic_of(ring: Any) -> Arithmetic | None:

@@ -1,0 +1,144 @@
+"""Arrays over any ring as arrays of what single elements are held as, with the operations of those.
+
+The entries become elements of the ring where coordinates, norms or traces are asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hfield.product import Constants, Coordinates
+from hfield.rings.arrays import Objects, objects, one_shape, wrap
+from hfield.rings.holding import Batch, Holding
+
+if TYPE_CHECKING:
+    from hfield.rings.arrays import Index
+    from hfield.rings.base import Ring
+
+Values = np.ndarray[Any, np.dtype[Any]]
+
+
+class HeldArrays(Batch[Values]):
+    """Arrays over a ring of any kind; ``one`` holds and computes each entry.
+
+    ``held`` is an array of objects, each the held value of an element.
+    """
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        Holding.__init__(self, ring, constants)
+        self.one = ring.holding(constants)
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def hold(self, coordinates: Coordinates) -> Values:
+        """Hold four arrays of the ring, of one shape."""
+        scalar = self.ring.scalar
+        elements = (c if type(c) is Objects else objects(c, scalar) for c in coordinates)
+        every = (c.view(np.ndarray) for c in elements)
+        return each(lambda *four: self.one.hold(four), *every)[0]
+
+    def read(self, values: tuple[object, ...]) -> Values:
+        """Hold four values that the ring reads, entry by entry. Raises :class:`CoercionError` as the ring does."""
+        w, x, y, z = one_shape([objects(v, self.ring) for v in values])
+        return self.hold((w, x, y, z))
+
+    def lift(self, coordinates: Coordinates) -> Values:
+        """Hold one element as an array of no dimensions."""
+        return wrap(self.one.hold(coordinates))
+
+    def coordinates(self, held: Values) -> Coordinates:
+        """Return the coordinates as new arrays of the ring."""
+        w, x, y, z = map(self._of_the_ring, each(self.one.coordinates, held, results=4))
+        return w, x, y, z
+
+    def _of_the_ring(self, elements: Values) -> Any:
+        """Return elements of the ring as an array of it."""
+        return elements.view(Objects) if self._objects else self.ring.array(elements)
+
+    @cached_property
+    def _objects(self) -> bool:
+        """Whether the ring's own arrays are of objects."""
+        return type(self.ring.array(self.ring.zero)) is Objects
+
+    def single(self, p: Values) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        return self.one.coordinates(p[()])
+
+    def shape(self, p: Values) -> tuple[int, ...]:
+        """Return the shape of the array."""
+        shape: tuple[int, ...] = p.shape
+        return shape
+
+    def part(self, p: Values, index: Index) -> Values:
+        """Return the elements at a numpy index."""
+        found = p[index]
+        return found if isinstance(found, np.ndarray) else wrap(found)
+
+    def reshaped(self, p: Values, shape: tuple[int, ...]) -> Values:
+        """Return the elements in another shape. Raises ValueError."""
+        return p.reshape(shape)
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def product(self, p: Values, q: Values) -> Values:
+        """Return p·q, elementwise."""
+        self._check(p, q, "multiply")
+        return each(self.one.product, p, q)[0]
+
+    def sum(self, p: Values, q: Values) -> Values:
+        """Return p + q, elementwise."""
+        self._check(p, q, "add")
+        return each(self.one.sum, p, q)[0]
+
+    def difference(self, p: Values, q: Values) -> Values:
+        """Return p − q, elementwise."""
+        self._check(p, q, "subtract")
+        return each(self.one.difference, p, q)[0]
+
+    def negative(self, p: Values) -> Values:
+        """Return −p."""
+        return each(self.one.negative, p)[0]
+
+    def conjugate(self, p: Values) -> Values:
+        """Return the standard involution of p."""
+        return each(self.one.conjugate, p)[0]
+
+    def inverse(self, p: Values) -> Values | None:
+        """Return the inverses, or None where some norm is not a unit of the ring."""
+        (found,) = each(self.one.inverse, p)
+        return None if any(x is None for x in found.flat) else found
+
+    def norm(self, p: Values) -> Any:
+        """Return the reduced norms, an array of the ring."""
+        return self._of_the_ring(each(self.one.norm, p)[0])
+
+    def trace(self, p: Values) -> Any:
+        """Return the reduced traces, an array of the ring."""
+        return self._of_the_ring(each(self.one.trace, p)[0])
+
+    def units(self, p: Values) -> Values:
+        """Tell which elements have an inverse."""
+        return each(lambda x: self.ring.is_unit(self.one.norm(x)), p)[0].astype(bool)
+
+    # --- what is equal -------------------------------------------------------------------------
+
+    def equal(self, p: Values, q: Values) -> Values:
+        """Tell where p = q."""
+        self._check(p, q, "compare")
+        return each(self.one.equal, p, q)[0].astype(bool)
+
+    def is_zero(self, p: Values) -> Values:
+        """Tell where p = 0."""
+        return each(self.one.is_zero, p)[0].astype(bool)
+
+
+def each(function: Callable[..., Any], *operands: Values, results: int = 1) -> tuple[Values, ...]:
+    """Return the arrays of a function's results on arrays of objects, which broadcast."""
+    shape = np.broadcast_shapes(*(x.shape for x in operands))
+    found = tuple(np.empty(shape, object) for _ in range(results))
+    np.frompyfunc(function, len(operands), results)(*operands, out=found)
+    return found
