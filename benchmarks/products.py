@@ -39,7 +39,8 @@ FIELDS = [
     "ZZ/1000000", "ZZ, 7 bits", "ZZ, 15 bits", "ZZ, 20 bits", "ZZ, 29 bits", "QQ, 20 bits",
 ]  # fmt: skip
 ONE_BY_ONE = [
-    "QQ(sqrt(2))", "QQ[s]/(s^3-2)", "QQ[s]/(s^4-2)", "GF(5)(t)", "QQ(x)", "GF(18446744073709551629)", "GF(3^11)",
+    "QQ(sqrt(2))", "QQ[s]/(s^3-2)", "QQ[s]/(s^4-2)", "GF(5)(t)", "QQ(x)",
+    "GF(18446744073709551629)", "GF(3^11)",
 ]  # fmt: skip
 PART = 2_000
 FEW = 500

@@ -42,7 +42,7 @@ class HeldArrays(Batch[Values]):
         return each(lambda *four: self.one.hold(four), *every)[0]
 
     def read(self, values: tuple[object, ...]) -> Values:
-        """Hold four values that the ring reads, entry by entry. Raises :class:`CoercionError` as the ring does."""
+        """Hold four values that the ring reads, entry by entry. Raises :class:`CoercionError`."""
         w, x, y, z = one_shape([objects(v, self.ring) for v in values])
         return self.hold((w, x, y, z))
 
