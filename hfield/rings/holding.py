@@ -202,20 +202,33 @@ class Batch(Holding[H]):
 
     # --- arithmetic ----------------------------------------------------------------------------
 
+    def elementwise(self, name: str, *operands: H) -> H:
+        """Do an operation that turns elements into an element, on operands whose shapes broadcast."""
+        found: H = getattr(super(), name)(*operands)
+        return found
+
     def product(self, p: H, q: H, /) -> H:
         """Return p·q, elementwise."""
         self._check(p, q, "multiply")
-        return super().product(p, q)
+        return self.elementwise("product", p, q)
 
     def sum(self, p: H, q: H, /) -> H:
         """Return p + q, elementwise."""
         self._check(p, q, "add")
-        return super().sum(p, q)
+        return self.elementwise("sum", p, q)
 
     def difference(self, p: H, q: H, /) -> H:
         """Return p − q, elementwise."""
         self._check(p, q, "subtract")
-        return super().difference(p, q)
+        return self.elementwise("difference", p, q)
+
+    def negative(self, p: H, /) -> H:
+        """Return −p."""
+        return self.elementwise("negative", p)
+
+    def conjugate(self, p: H, /) -> H:
+        """Return the standard involution of p."""
+        return self.elementwise("conjugate", p)
 
     def units(self, p: H) -> np.ndarray:
         """Return a bool array: which elements have an inverse."""

@@ -84,41 +84,22 @@ class HeldArrays(Batch[Values]):
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def product(self, p: Values, q: Values) -> Values:
-        """Return p·q, elementwise."""
-        self._check(p, q, "multiply")
-        return each(self.one.product, p, q)[0]
-
-    def sum(self, p: Values, q: Values) -> Values:
-        """Return p + q, elementwise."""
-        self._check(p, q, "add")
-        return each(self.one.sum, p, q)[0]
-
-    def difference(self, p: Values, q: Values) -> Values:
-        """Return p − q, elementwise."""
-        self._check(p, q, "subtract")
-        return each(self.one.difference, p, q)[0]
-
-    def negative(self, p: Values) -> Values:
-        """Return −p."""
-        return each(self.one.negative, p)[0]
-
-    def conjugate(self, p: Values) -> Values:
-        """Return the standard involution of p."""
-        return each(self.one.conjugate, p)[0]
+    def elementwise(self, name: str, *operands: Values) -> Values:
+        """Do an operation on every entry, as it is done on single elements."""
+        return each(getattr(self.one, name), *operands)[0]
 
     def inverse(self, p: Values) -> Values | None:
         """Return the inverses, or None where some norm is not a unit of the ring."""
-        (found,) = each(self.one.inverse, p)
+        found = self.elementwise("inverse", p)
         return None if any(x is None for x in found.flat) else found
 
     def norm(self, p: Values) -> Any:
         """Return the reduced norms, an array of the ring."""
-        return self._of_the_ring(each(self.one.norm, p)[0])
+        return self._of_the_ring(self.elementwise("norm", p))
 
     def trace(self, p: Values) -> Any:
         """Return the reduced traces, an array of the ring."""
-        return self._of_the_ring(each(self.one.trace, p)[0])
+        return self._of_the_ring(self.elementwise("trace", p))
 
     def units(self, p: Values) -> Values:
         """Tell which elements have an inverse."""
@@ -129,11 +110,11 @@ class HeldArrays(Batch[Values]):
     def equal(self, p: Values, q: Values) -> Values:
         """Tell where p = q."""
         self._check(p, q, "compare")
-        return each(self.one.equal, p, q)[0].astype(bool)
+        return self.elementwise("equal", p, q).astype(bool)
 
     def is_zero(self, p: Values) -> Values:
         """Tell where p = 0."""
-        return each(self.one.is_zero, p)[0].astype(bool)
+        return self.elementwise("is_zero", p).astype(bool)
 
 
 def each(function: Callable[..., Any], *operands: Values, results: int = 1) -> tuple[Values, ...]:

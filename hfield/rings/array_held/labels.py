@@ -90,7 +90,7 @@ class LabelArrays(RowArrays):
         program = specialise(name, known, 2 if self.ring.characteristic == 2 else 0)
         return program, (FIRST, SECOND) if name == "product" else (FIRST,)
 
-    def _run(self, name: str, *operands: Rows) -> Rows:
+    def elementwise(self, name: str, *operands: Rows) -> Rows:
         """Run a loop that returns elements."""
         if self.compiles:
             return self.kernel(name)(*operands)[0]
@@ -103,29 +103,6 @@ class LabelArrays(RowArrays):
         return self.by_arrays(name, p)
 
     # --- arithmetic ----------------------------------------------------------------------------
-
-    def product(self, p: Rows, q: Rows) -> Rows:
-        """Return p·q."""
-        self._check(p, q, "multiply")
-        return self._run("product", p, q)
-
-    def sum(self, p: Rows, q: Rows) -> Rows:
-        """Return p + q."""
-        self._check(p, q, "add")
-        return self._run("sum", p, q)
-
-    def difference(self, p: Rows, q: Rows) -> Rows:
-        """Return p − q."""
-        self._check(p, q, "subtract")
-        return self._run("difference", p, q)
-
-    def negative(self, p: Rows) -> Rows:
-        """Return −p."""
-        return self._run("negative", p)
-
-    def conjugate(self, p: Rows) -> Rows:
-        """Return the standard involution of p."""
-        return self._run("conjugate", p)
 
     def norm(self, p: Rows) -> Any:
         """Return the reduced norms, an array of the ring."""

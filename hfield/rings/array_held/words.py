@@ -102,7 +102,7 @@ class WordArrays(RowArrays):
                     return rows
         return None
 
-    def either(self, name: str, *operands: Rows) -> Rows:
+    def elementwise(self, name: str, *operands: Rows) -> Rows:
         """Run an operation in words, else on arrays of objects."""
         rows = self.in_words(name, *operands)
         return self.hold(self.by_arrays(name, *operands)) if rows is None else rows
@@ -115,29 +115,6 @@ class WordArrays(RowArrays):
         return super().coordinates(held)
 
     # --- arithmetic ----------------------------------------------------------------------------
-
-    def product(self, p: Rows, q: Rows) -> Rows:
-        """Return p·q."""
-        self._check(p, q, "multiply")
-        return self.either("product", p, q)
-
-    def sum(self, p: Rows, q: Rows) -> Rows:
-        """Return p + q."""
-        self._check(p, q, "add")
-        return self.either("sum", p, q)
-
-    def difference(self, p: Rows, q: Rows) -> Rows:
-        """Return p − q."""
-        self._check(p, q, "subtract")
-        return self.either("difference", p, q)
-
-    def negative(self, p: Rows) -> Rows:
-        """Return −p."""
-        return self.either("negative", p)
-
-    def conjugate(self, p: Rows) -> Rows:
-        """Return the standard involution of p."""
-        return self.either("conjugate", p)
 
     # --- what is equal -------------------------------------------------------------------------
 
