@@ -184,25 +184,25 @@ class _Entries:
     def __add__(self, other: _Entries) -> _Entries:
         t, x, y = self.table, self.array, other.array
         if t.loops is not None:
-            return _Entries(t, t.loops.sum(x, y))
+            return _Entries(t, t.loops("sum", x, y))
         return _Entries(t, (x + y) % t.field.characteristic if t.prime else t.sum[x, y])
 
     def __neg__(self) -> _Entries:
         t = self.table
         if t.loops is not None:
-            return _Entries(t, t.loops.negative(self.array))
+            return _Entries(t, t.loops("negative", self.array))
         return _Entries(t, -self.array % t.field.characteristic if t.prime else t.minus[self.array])
 
     def __sub__(self, other: _Entries) -> _Entries:
         t = self.table
         if t.loops is not None:
-            return _Entries(t, t.loops.difference(self.array, other.array))
+            return _Entries(t, t.loops("difference", self.array, other.array))
         return self + -other
 
     def __mul__(self, other: _Entries) -> _Entries:
         t, x, y = self.table, self.array, other.array
         if t.loops is not None:
-            return _Entries(t, t.loops.product(x, y))
+            return _Entries(t, t.loops("product", x, y))
         return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
 
 

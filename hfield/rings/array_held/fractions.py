@@ -16,7 +16,8 @@ from hfield.compiling.memory import Rows, rows_of
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
-from hfield.rings.array_held.words import WORD, Sides, WordArrays, is_words, object_parts
+from hfield.rings.array_held.programs import Sides
+from hfield.rings.array_held.words import WORD, WordArrays, is_words, object_parts
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program
@@ -36,10 +37,11 @@ class FractionArrays(WordArrays):
         self.integral = Constants(int(a * m**2), int(t * m), int(b * k**2))
         self.scales = (1, m, k, m * k)
 
-    def _program(self, name: str) -> tuple[Program, Sides]:
+    def program(self, name: str) -> tuple[Program, Sides]:
+        """Return the program of an operation, and which names its operands have in it."""
         if name in programs.FRACTIONS:
             return programs.FRACTIONS[name]
-        program, sides = super()._program(name)
+        program, sides = super().program(name)
         if name == "product":
             return programs.with_denominators(program), _BOTH
         return program, sides

@@ -18,7 +18,6 @@ from hfield.rings.array_held import programs
 from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
 if TYPE_CHECKING:
     import galois
@@ -78,17 +77,10 @@ class LabelArrays(RowArrays):
         return self._kernels[name]
 
     def _made(self, name: str) -> Kernel:
-        program, sides = self._program(name)
+        program, sides = self.program(name)
         given = zip(("a", "t", "b"), self.constants, strict=True)
         constants = {n: self.ring.label(x) for n, x in given if n in program.inputs}
         return Kernel(program, self.arithmetic, sides, constants)
-
-    def _program(self, name: str) -> tuple[Program, tuple[tuple[str, ...], ...]]:
-        if name in _PROGRAMS:
-            return _PROGRAMS[name]
-        known = pattern(self.constants, lambda x, n: bool(self.ring.equal(x, self.ring(n))))
-        program = specialise(name, known, 2 if self.ring.characteristic == 2 else 0)
-        return program, (FIRST, SECOND) if name == "product" else (FIRST,)
 
     def elementwise(self, name: str, *operands: Rows) -> Rows:
         """Run a loop that returns elements."""
@@ -163,17 +155,8 @@ class LabelArrays(RowArrays):
 
     def prepare(self) -> None:
         """Compile every loop, or read it from the disk."""
-        for name in ("product", "conjugate", "norm", "trace", "adjoint", *_PROGRAMS):
+        for name in ("product", "conjugate", "norm", "trace", "adjoint", *programs.COORDINATEWISE):
             self.kernel(name).prepare()
-
-
-_PROGRAMS: dict[str, tuple[Program, tuple[tuple[str, ...], ...]]] = {
-    "sum": (programs.SUM, (FIRST, SECOND)),
-    "difference": (programs.DIFFERENCE, (FIRST, SECOND)),
-    "negative": (programs.NEGATIVE, (FIRST,)),
-    "scaled": (programs.SCALED, (FIRST, programs.SCALAR)),
-    "scalar product": (programs.SCALAR_PRODUCT, (programs.SCALAR, programs.OTHER_SCALAR)),
-}
 
 
 def labels(F: FiniteField, values: Any, dtype: str) -> Row:

@@ -2,6 +2,8 @@
 
 from hfield.straight_line import FIRST, SECOND, Program, Step
 
+Sides = tuple[tuple[str, ...], ...]  # the names of the rows of each operand
+
 SCALAR = ("s1",)
 OTHER_SCALAR = ("s2",)
 
@@ -13,15 +15,20 @@ def _each(operation: str, names: tuple[tuple[str, ...], ...]) -> Program:
     return Program(inputs, steps, tuple(step.name for step in steps))
 
 
-SUM = _each("+", tuple(zip(FIRST, SECOND, strict=True)))
-DIFFERENCE = _each("-", tuple(zip(FIRST, SECOND, strict=True)))
-NEGATIVE = _each("neg", tuple((name,) for name in FIRST))
-SCALED = _each("*", tuple((name, *SCALAR) for name in FIRST))
-_TWO_SCALARS = ((*SCALAR, *OTHER_SCALAR),)
-SCALAR_SUM = _each("+", _TWO_SCALARS)
-SCALAR_DIFFERENCE = _each("-", _TWO_SCALARS)
-SCALAR_PRODUCT = _each("*", _TWO_SCALARS)
-SCALAR_NEGATIVE = _each("neg", (SCALAR,))
+_PAIRS, _BOTH_SCALARS = tuple(zip(FIRST, SECOND, strict=True)), ((*SCALAR, *OTHER_SCALAR),)
+COORDINATEWISE: dict[str, tuple[Program, Sides]] = {
+    "sum": (_each("+", _PAIRS), (FIRST, SECOND)),
+    "difference": (_each("-", _PAIRS), (FIRST, SECOND)),
+    "negative": (_each("neg", tuple((name,) for name in FIRST)), (FIRST,)),
+    "scaled": (_each("*", tuple((name, *SCALAR) for name in FIRST)), (FIRST, SCALAR)),
+    "scalar product": (_each("*", _BOTH_SCALARS), (SCALAR, OTHER_SCALAR)),
+}
+SCALARS: dict[str, tuple[Program, Sides]] = {
+    "sum": (_each("+", _BOTH_SCALARS), (SCALAR, OTHER_SCALAR)),
+    "difference": (_each("-", _BOTH_SCALARS), (SCALAR, OTHER_SCALAR)),
+    "product": COORDINATEWISE["scalar product"],
+    "negative": (_each("neg", (SCALAR,)), (SCALAR,)),
+}
 
 
 def with_denominators(program: Program) -> Program:

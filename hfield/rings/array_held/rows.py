@@ -12,8 +12,11 @@ from hfield.compiling import memory
 from hfield.compiling.memory import Rows, address, rows_of
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
+from hfield.rings.array_held import programs
+from hfield.rings.array_held.programs import Sides
 from hfield.rings.arrays import one_shape, owned, read_only
 from hfield.rings.holding import Batch, Holding
+from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
@@ -41,6 +44,17 @@ class RowArrays(Batch[Rows]):
     def by_arrays(self, operation: str, *operands: Rows) -> Any:
         """Do as the plain holding does, on arrays of the ring."""
         return getattr(self.plain, operation)(*map(self.coordinates, operands))
+
+    def program(self, name: str) -> tuple[Program, Sides]:
+        """Return the program of an operation, and the names that the rows of its operands have in it."""
+        if name in programs.COORDINATEWISE:
+            return programs.COORDINATEWISE[name]
+        program = specialise(name, self.pattern(), 2 if self.ring.characteristic == 2 else 0)
+        return program, (FIRST, SECOND) if name == "product" else (FIRST,)
+
+    def pattern(self) -> Constants[str]:
+        """Return which of the structure constants are 0, 1 or −1."""
+        return pattern(self.constants, lambda x, n: bool(self.ring.equal(x, self.ring(n))))
 
     # --- what a ring gives ---------------------------------------------------------------------
 

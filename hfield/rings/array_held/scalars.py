@@ -19,27 +19,14 @@ class ScalarArrays:
 
     def __init__(self, arithmetic: Arithmetic) -> None:
         self.dtype: str = arithmetic.dtype
-        one, both = (programs.SCALAR,), (programs.SCALAR, programs.OTHER_SCALAR)
-        self._sum = Kernel(programs.SCALAR_SUM, arithmetic, both, {})
-        self._difference = Kernel(programs.SCALAR_DIFFERENCE, arithmetic, both, {})
-        self._product = Kernel(programs.SCALAR_PRODUCT, arithmetic, both, {})
-        self._negative = Kernel(programs.SCALAR_NEGATIVE, arithmetic, one, {})
+        self._kernels = {
+            name: Kernel(program, arithmetic, sides, {})
+            for name, (program, sides) in programs.SCALARS.items()
+        }
 
-    def sum(self, x: Row, y: Row) -> Row:
-        """Return x + y."""
-        return self._sum((x,), (y,))[0][0]
-
-    def difference(self, x: Row, y: Row) -> Row:
-        """Return x − y."""
-        return self._difference((x,), (y,))[0][0]
-
-    def product(self, x: Row, y: Row) -> Row:
-        """Return x·y."""
-        return self._product((x,), (y,))[0][0]
-
-    def negative(self, x: Row) -> Row:
-        """Return −x."""
-        return self._negative((x,))[0][0]
+    def __call__(self, operation: str, *rows: Row) -> Row:
+        """Return the ``sum``, ``difference`` or ``product`` of two arrays, or the ``negative`` of one."""
+        return self._kernels[operation](*((row,) for row in rows))[0][0]
 
 
 def scalar_arrays(ring: Any) -> ScalarArrays | None:

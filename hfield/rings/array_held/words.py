@@ -25,11 +25,10 @@ from hfield.compiling.loops import Operand, written
 from hfield.compiling.memory import Rows
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
-from hfield.rings.array_held import programs
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
+from hfield.straight_line import Program, pattern
 
 if TYPE_CHECKING:
     from hfield.compiling.arithmetic import Arithmetic
@@ -37,7 +36,6 @@ if TYPE_CHECKING:
     from hfield.rings.base import Ring
 
 OPERATIONS = ("product", "sum", "difference", "negative", "conjugate", "norm", "trace", "adjoint")
-Sides = tuple[tuple[str, ...], ...]
 WORD = np.dtype(np.int64)
 NARROW = ("i1", "i2", "i4")
 
@@ -60,11 +58,9 @@ class WordArrays(RowArrays):
 
     # --- loops ---------------------------------------------------------------------------------
 
-    def _program(self, name: str) -> tuple[Program, Sides]:
-        if name in _PROGRAMS:
-            return _PROGRAMS[name]
-        program = specialise(name, pattern(self.integral, lambda x, n: x == n))
-        return program, (FIRST, SECOND) if name == "product" else (FIRST,)
+    def pattern(self) -> Constants[str]:
+        """Return which of the structure constants are 0, 1 or −1, in the scaled basis over ℚ."""
+        return pattern(self.integral, lambda x, n: x == n)
 
     def kernels(self, name: str, dtype: str = "i8") -> list[Kernel]:
         """Return the loops of an operation on rows of a type, the quick one first.
@@ -73,7 +69,7 @@ class WordArrays(RowArrays):
         """
         key = name, dtype
         if key not in self._kernels:
-            program, sides = self._program(name)
+            program, sides = self.program(name)
             given = zip(("a", "t", "b"), self.integral, strict=True)
             literals = {n: x for n, x in given if n in program.inputs}
             operands = tuple(Operand(side, False) for side in sides)
@@ -251,10 +247,3 @@ def _fits(
     arithmetic: Arithmetic,
 ) -> object:
     return written(Code(), program, arithmetic, operands, literals)
-
-
-_PROGRAMS: dict[str, tuple[Program, Sides]] = {
-    "sum": (programs.SUM, (FIRST, SECOND)),
-    "difference": (programs.DIFFERENCE, (FIRST, SECOND)),
-    "negative": (programs.NEGATIVE, (FIRST,)),
-}
