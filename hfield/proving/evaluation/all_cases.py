@@ -136,7 +136,7 @@ class _Table:
     def __init__(self, field: Ring, loops: bool) -> None:
         import numpy as np
 
-        from hfield.rings.array_held.scalars import scalar_arrays
+        from hfield.rings.array_held.finite import scalar_arrays
 
         self.field = field
         self.loops = scalar_arrays(field) if loops else None

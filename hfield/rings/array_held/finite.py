@@ -1,4 +1,4 @@
-"""Which arithmetic serves arrays over a finite ring: by its order, characteristic and degree."""
+"""Which arithmetic serves arrays over a finite ring, of quaternions or its elements: by order and degree."""
 
 from __future__ import annotations
 
@@ -16,10 +16,13 @@ from hfield.compiling.arithmetics.register_tables import (
     RegisterField,
 )
 from hfield.compiling.arithmetics.residues import Residues
+from hfield.compiling.calling import Kernel
 from hfield.factorisation import factorise
 from hfield.product import Constants
+from hfield.rings.array_held import programs
 from hfield.rings.array_held.held_values import HeldArrays
 from hfield.rings.array_held.labels import LabelArrays
+from hfield.rings.array_held.rows import Row
 from hfield.rings.holding import Batch
 
 if TYPE_CHECKING:
@@ -69,3 +72,26 @@ def primitive(F: FiniteField) -> int:
         if all(x ** ((F.order - 1) // p) != F.one for p in primes):
             return label
     raise AssertionError("the multiplicative group of a finite field is cyclic")
+
+
+class ScalarArrays:
+    """The arithmetic of arrays of labels 0 … q − 1, which are of the type ``dtype`` and broadcast."""
+
+    def __init__(self, arithmetic: Arithmetic) -> None:
+        self.dtype: str = arithmetic.dtype
+        self._kernels = {
+            name: Kernel(program, arithmetic, sides, {})
+            for name, (program, sides) in programs.SCALARS.items()
+        }
+
+    def __call__(self, operation: str, *rows: Row) -> Row:
+        """Return the ``sum``, ``difference`` or ``product`` of two arrays, or the ``negative`` of one."""
+        return self._kernels[operation](*((row,) for row in rows))[0][0]
+
+
+def scalar_arrays(ring: Any) -> ScalarArrays | None:
+    """Return the arithmetic of arrays over a finite ring with labels; None where no loop serves it."""
+    if not hasattr(ring, "label") or not machine_code.available():
+        return None
+    arithmetic = arithmetic_of(ring)
+    return None if arithmetic is None else ScalarArrays(arithmetic)
