@@ -12,30 +12,29 @@ import flint
 import numpy as np
 
 from hfield.compiling.lowest_terms import lowest
-from hfield.compiling.memory import Rows, rows_of
+from hfield.compiling.memory import Rows
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.programs import Sides
-from hfield.rings.array_held.words import WORD, WordArrays, is_words, object_parts
+from hfield.rings.array_held.words import WORD, WordArrays
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.rational import is_plain_array
 from hfield.straight_line import FIRST, SECOND, Program
 
 if TYPE_CHECKING:
-    from hfield.rings.arrays import Index
     from hfield.rings.base import Ring
 
 
 class FractionArrays(WordArrays):
-    """Arrays over ℚ: ``(w, x, y, z, d)`` for (w + x·i′ + y·j′ + z·k′)/d, or four arrays of objects."""
+    """Arrays over ℚ: ``(w, x, y, z, d)`` for (w + x·i′ + y·j′ + z·k′)/d, or one row of larger."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
         a, t, b = constants
         m, k = lcm(int(a.q), int(t.q)), int(b.q)  # i′ = m·i and j′ = k·j have integral constants
         self.integral = Constants(int(a * m**2), int(t * m), int(b * k**2))
-        self.scales = (1, m, k, m * k)
+        self._is_unscaled = m == k == 1
 
     def program(self, name: str) -> tuple[Program, Sides]:
         """Return the program of an operation, and which names its operands have in it."""
@@ -60,24 +59,11 @@ class FractionArrays(WordArrays):
 
     def hold(self, coordinates: Coordinates) -> Rows:
         """Hold four arrays of rational numbers, in words if they fit."""
-        w, x, y, z = coordinates
-        four = zip(*(c.flat for c in (w, x, y, z)), strict=True)
-        held = [self._numerators(x) for x in four]
-        try:
-            block = np.array(held, WORD).reshape(-1, 5)
-        except OverflowError:
-            return w, x, y, z
-        return rows_of(np.ascontiguousarray(block.T).reshape(5, *w.shape))
-
-    def _numerators(self, coordinates: Coordinates) -> list[int]:
-        """Return four numerators over their common denominator, in lowest terms."""
-        parts = [c / s for c, s in zip(coordinates, self.scales, strict=True)]
-        d = lcm(*(int(c.q) for c in parts))
-        return [*(int(c.p) * (d // int(c.q)) for c in parts), d]
+        return self.packed(self.plain.hold(coordinates))
 
     def read(self, values: tuple[object, ...]) -> Rows:
         """Hold four values that ℚ reads. Raises :class:`CoercionError`."""
-        if self.scales == (1, 1, 1, 1) and all(is_whole(v) for v in values):
+        if self._is_unscaled and all(is_whole(v) for v in values):
             rows = one_shape([np.array(v, WORD) for v in values])
             return (*rows, np.ones(rows[0].shape, WORD))
         w, x, y, z = one_shape([self.ring.array(v) for v in values])
@@ -87,28 +73,6 @@ class FractionArrays(WordArrays):
         """Hold one element as an array of no dimensions."""
         w, x, y, z = map(self.ring.array, coordinates)
         return self.hold((w, x, y, z))
-
-    def coordinates(self, held: Rows) -> Coordinates:
-        """Return the coordinates as arrays of flint's rational numbers."""
-        if not is_words(held):
-            return super().coordinates(held)
-        *rows, d = (row.ravel().tolist() for row in held)
-        w, x, y, z = (
-            objects([flint.fmpq(n * s, m) for n, m in zip(row, d, strict=True)], self.ring).reshape(
-                held[0].shape
-            )
-            for row, s in zip(rows, self.scales, strict=True)
-        )
-        return w, x, y, z
-
-    def single(self, p: Rows) -> Coordinates:
-        """Return the coordinates of an array of no dimensions."""
-        w, x, y, z = (c[()] for c in self.coordinates(p))
-        return w, x, y, z
-
-    def part(self, p: Rows, index: Index) -> Rows:
-        """Return the elements at a numpy index."""
-        return super().part(p, index) if is_words(p) else object_parts(p, index)
 
     def from_array(self, values: object) -> Rows:
         """Hold an array of shape (5, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
@@ -147,7 +111,7 @@ class FractionArrays(WordArrays):
         if rows is not None and lowest(rows):
             return rows
         found = self.by_arrays("inverse", p)
-        return None if found is None else self.hold(found)
+        return None if found is None else self.packed(found)
 
     def units(self, p: Rows) -> np.ndarray:
         """Tell which elements have an inverse."""

@@ -1,12 +1,12 @@
 """Arrays over ℤ as rows of integers of 8 to 64 bits: the bounds of what is computed say how wide they are.
 
-In 64 bits overflow is noticed, and the computation goes on with objects.
+In 64 bits overflow is noticed, and the computation goes on with what single elements are held as.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import partial
+from collections.abc import Iterable, Sequence
+from functools import cached_property, partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -22,9 +22,10 @@ from hfield.compiling.arithmetics.machine_integers import (
 from hfield.compiling.calling import Kernel
 from hfield.compiling.instructions import Code
 from hfield.compiling.loops import Operand, written
-from hfield.compiling.memory import Rows
+from hfield.compiling.memory import Rows, rows_of
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates
+from hfield.rings.array_held.held_values import HeldArrays, each
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
@@ -41,10 +42,13 @@ NARROW = ("i1", "i2", "i4")
 
 
 class WordArrays(RowArrays):
-    """What ℤ and ℚ share: rows of integers, or four arrays of objects where a number is larger than a word.
+    """What ℤ and ℚ share: rows of integers, or one row of what single elements are held as.
+
+    That is where a number is larger than a word.
 
     An operation runs without checks where the operands are small, else again with every overflow noticed,
-    else on objects. Integers of less than 64 bits are as large as their negatives: −128 is held in 16.
+    else as on single elements. Integers of less than 64 bits are as large as their negatives: −128 is held
+    in 16.
     """
 
     dtype = "i8"
@@ -98,19 +102,52 @@ class WordArrays(RowArrays):
                     return rows
         return None
 
+    # --- larger numbers ------------------------------------------------------------------------
+
+    @cached_property
+    def plain(self) -> HeldArrays:
+        """The holding that computes with what single elements are held as."""
+        return HeldArrays(self.ring, self.constants)
+
+    def values(self, p: Rows) -> Row:
+        """Return an array of what single elements are held as: numerators over a denominator."""
+        if not is_words(p):
+            return p[0]
+        ones = () if len(p) == 5 else (np.ones(p[0].shape, object),)
+        return each(lambda *numbers: numbers, *(row.astype(object) for row in p), *ones)[0]
+
+    def packed(self, values: Row) -> Rows:
+        """Return what single elements are held as in rows of words, or as it is if a number is larger."""
+        try:
+            block = np.array(values.ravel().tolist(), WORD).reshape(-1, 5)
+        except OverflowError:
+            return (values,)
+        return self.in_rows(np.ascontiguousarray(block.T).reshape(5, *values.shape))
+
+    def in_rows(self, block: Row) -> Rows:
+        """Return the rows of a block of words, numerators and denominators."""
+        return rows_of(block)
+
+    def by_arrays(self, operation: str, *operands: Rows) -> Any:
+        """Do as single elements do."""
+        return getattr(self.plain, operation)(*map(self.values, operands))
+
     def elementwise(self, name: str, *operands: Rows) -> Rows:
-        """Run an operation in words, else on arrays of objects."""
+        """Run an operation in words, else on what single elements are held as."""
         rows = self.in_words(name, *operands)
-        return self.hold(self.by_arrays(name, *operands)) if rows is None else rows
+        return self.packed(self.by_arrays(name, *operands)) if rows is None else rows
 
     def coordinates(self, held: Rows) -> Coordinates:
         """Return the coordinates as arrays of objects."""
-        if not is_words(held):
-            w, x, y, z = held
-            return w, x, y, z
-        return super().coordinates(held)
+        return self.plain.coordinates(self.values(held))
 
-    # --- arithmetic ----------------------------------------------------------------------------
+    def single(self, p: Rows) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        return self.plain.single(self.values(p))
+
+    def part(self, p: Rows, index: Index) -> Rows:
+        """Return the elements at a numpy index."""
+        return super().part(p, index) if is_words(p) else (self.plain.part(p[0], index),)
 
     # --- what is equal -------------------------------------------------------------------------
 
@@ -170,12 +207,22 @@ class WholeArrays(WordArrays):
             return made
 
     def hold(self, coordinates: Coordinates) -> Rows:
-        """Hold four arrays, all as words or all as objects."""
-        return alike([self.row(c) for c in coordinates], self.ring_array)
+        """Hold four arrays, all as words or none."""
+        return self._alike([self.row(c) for c in coordinates])
 
     def read(self, values: tuple[object, ...]) -> Rows:
         """Hold four values that ℤ reads. Raises :class:`CoercionError`."""
-        return alike(super().read(values), self.ring_array)
+        return self._alike(super().read(values))
+
+    def in_rows(self, block: Row) -> Rows:
+        """Return the rows of a block of words, narrow ones but for the denominators, which are 1."""
+        return alike(map(narrowed, block[:4]))
+
+    def _alike(self, rows: Sequence[Row]) -> Rows:
+        if all(row.dtype != object for row in rows):
+            return alike(rows)
+        w, x, y, z = map(self.ring_array, rows)
+        return (self.plain.hold((w, x, y, z)),)
 
     def ring_array(self, row: Row) -> Any:
         """Return a row as an array of flint's integers."""
@@ -196,15 +243,11 @@ class WholeArrays(WordArrays):
         rows = self.in_words("adjoint", p)
         if rows is None:
             found = self.by_arrays("inverse", p)
-            return None if found is None else self.hold(found)
+            return None if found is None else self.packed(found)
         *conjugate, norms = rows
         if not (np.abs(norms) == 1).all():
             return None
         return tuple(np.asarray(row * norms) for row in conjugate)
-
-    def part(self, p: Rows, index: Index) -> Rows:
-        """Return the elements at a numpy index."""
-        return super().part(p, index) if is_words(p) else object_parts(p, index)
 
     def block(self, values: Row) -> Row:
         """Return int64 as it is, all else in the smallest type that holds it."""
@@ -227,17 +270,11 @@ def of_type(p: Rows, dtype: str) -> Rows:
     return p if p[0].dtype == dtype else tuple(row.astype(dtype) for row in p)
 
 
-def alike(rows: Sequence[Row], as_objects: Any) -> Rows:
-    """Return rows of one type, the widest: of objects if one is."""
-    dtype = max((row.dtype for row in rows), key=lambda t: (t.kind == "O", t.itemsize))
-    if dtype.kind == "O":
-        return tuple(map(as_objects, rows))
+def alike(rows: Iterable[Row]) -> Rows:
+    """Return rows of one type, the widest."""
+    rows = tuple(rows)
+    dtype = max((row.dtype for row in rows), key=lambda t: t.itemsize)
     return tuple(row.astype(dtype, copy=False) for row in rows)
-
-
-def object_parts(p: Rows, index: Index) -> Rows:
-    """Return the entries of arrays of objects at an index, as arrays."""
-    return tuple(objects(row[index], lambda x: x) for row in p)
 
 
 def _fits(
