@@ -1,9 +1,9 @@
 from . import errors as errors
 from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
+from .algebra.quaternion import Quaternion as Quaternion
 from .description import Description as Description
 from .description import info as info
-from .elements import conjugator as conjugator
 from .errors import CoercionError as CoercionError
 from .errors import HFieldError as HFieldError
 from .errors import MixedParentsError as MixedParentsError
@@ -16,6 +16,7 @@ from .errors import UndecidedError as UndecidedError
 from .fields.names import ring as ring
 from .fields.number_fields.ring import NumberField as NumberField
 from .functions import conj as conj
+from .functions import conjugator as conjugator
 from .functions import inv as inv
 from .functions import norm as norm
 from .functions import trace as trace
@@ -25,7 +26,6 @@ from .lattices.order import Order as Order
 from .ledger.explanation import explain as explain
 from .ledger.notebook import verify as verify
 from .proving.prove import prove as prove
-from .quaternion import Quaternion as Quaternion
 from .rings import CC as CC
 from .rings import GF as GF
 from .rings import QQ as QQ

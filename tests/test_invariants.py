@@ -15,7 +15,7 @@ from hfield.errors import (
     RingError,
     UndecidedError,
 )
-from hfield.maps import Isomorphism
+from hfield.algebra.maps import Isomorphism
 
 VECTORS = Path(__file__).parent / "vectors"
 
