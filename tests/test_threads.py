@@ -51,7 +51,7 @@ def test_every_public_function_of_rotation_is_called(stress: ModuleType) -> None
 
 def test_every_operation_on_arrays_is_called(stress: ModuleType) -> None:
     public = {name for name in dir(H("QQ").one) if not name.startswith("_")}
-    assert NOT_OF_ARRAYS <= public
+    assert public >= NOT_OF_ARRAYS
     assert public - NOT_OF_ARRAYS <= stress.named()
 
 

@@ -1,4 +1,4 @@
-"""ℚ, and ℤ in it: fractions of integers; ℚ at a prime number."""
+"""ℚ, and ℤ in it: fractions of integers; ℚ at a prime number; floats, where they compute exactly."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -158,6 +158,42 @@ def _divisors(n: int) -> list[int]:
     return sorted({*small, *(n // d for d in small)})
 
 
+class Floats(Rationals):
+    """Floats, which are no ring: only integers below 2⁵³, on which they compute exactly."""
+
+    is_exact = False
+
+    def __init__(self) -> None:
+        super().__init__(False)
+        self.name, self.is_integral = "RDF", False
+        self.words = "floating-point numbers"
+
+    def number(self, n: int) -> Fraction:
+        """Return n."""
+        return self._exact(Fraction(n))
+
+    def add(self, x: Fraction, y: Fraction) -> Fraction:
+        """Return x + y."""
+        return self._exact(x + y)
+
+    def mul(self, x: Fraction, y: Fraction) -> Fraction:
+        """Return x·y."""
+        return self._exact(x * y)
+
+    def inverse(self, x: Fraction) -> Fraction | None:
+        """Refuse: a quotient of floats is rounded."""
+        reject("quotients of floats are not exact")
+
+    def fraction(self, value: int | Fraction) -> Fraction:
+        """Return an integer, perhaps written with a decimal point."""
+        return self._exact(Fraction(value))
+
+    def _exact(self, x: Fraction) -> Fraction:
+        if x.denominator != 1 or abs(x) >= 1 << 53:
+            reject("floats are taken only where they are integers below 2^53")
+        return x
+
+
 QQ, ZZ = Rationals(True), Rationals(False)
 
 
@@ -171,4 +207,9 @@ def _integers(data: Mapping[str, object], ring: ReadRing) -> Ring:
     return ZZ
 
 
-KINDS: dict[str, Kind] = {"rationals": _rationals, "integers": _integers}
+def _floats(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return Floats()
+
+
+KINDS: dict[str, Kind] = {"rationals": _rationals, "integers": _integers, "floats": _floats}
