@@ -1,4 +1,4 @@
-"""The map in docs/architecture.md: every room is on it, and every room on it is there. How large rooms are."""
+"""The map in docs/architecture.md: every room is on it, and every room on it is there. Their sizes."""
 
 import re
 from collections import defaultdict
