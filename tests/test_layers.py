@@ -34,7 +34,13 @@ FLOORS = [
     {"hfield.fields"},
     {"hfield.notation", "hfield.algebra.embedding", "hfield.latex"},
     {"hfield.algebra.quaternion"},  # lattices stand on the element, and the algebra makes lattices
-    {"hfield.functions", "hfield.algebra.maps", "hfield.lattices"},
+    {
+        "hfield.functions",
+        "hfield.algebra.maps",
+        "hfield.lattices",
+        "hfield.quaternion",
+        "hfield.element_text",
+    },
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
     {"hfield.proving"},
