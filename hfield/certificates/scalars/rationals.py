@@ -130,7 +130,7 @@ def has_no_rational_root(c: list[int]) -> bool:
         classes = [a % p for a in c]
         if classes[-1] and all(_value(classes, x, p) for x in range(p)):
             return True
-    tops, belows = _divisors(abs(last)), _divisors(abs(lead))
+    tops, belows = divisors(abs(last)), divisors(abs(lead))
     if len(tops) * len(belows) > 20_000:
         reject("a polynomial has too many candidates for rational roots")
     longest = max(tops[-1], belows[-1]).bit_length() * len(c)
@@ -150,7 +150,8 @@ def _value(c: list[int], x: int, p: int) -> int:
     return total
 
 
-def _divisors(n: int) -> list[int]:
+def divisors(n: int) -> list[int]:
+    """Return all divisors of a positive integer, which may not be too large."""
     if n > 10**10:
         reject("a polynomial's coefficients are too large to list their divisors")
     charge(isqrt(n))
