@@ -2,10 +2,14 @@ from . import errors as errors
 from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
 from .algebra.quaternion import Quaternion as Quaternion
+from .certificates.check import check as check
+from .certificates.rejection import Rejected as Rejected
 from .description import Description as Description
 from .description import info as info
 from .errors import CoercionError as CoercionError
 from .errors import HFieldError as HFieldError
+from .errors import IndefiniteError as IndefiniteError
+from .errors import LatticeError as LatticeError
 from .errors import MixedParentsError as MixedParentsError
 from .errors import NotationError as NotationError
 from .errors import NotFiniteError as NotFiniteError
@@ -13,6 +17,7 @@ from .errors import NotInvertibleError as NotInvertibleError
 from .errors import RingError as RingError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
+from .factorisation import UnfactoredError as UnfactoredError
 from .fields.names import ring as ring
 from .fields.number_fields.ring import NumberField as NumberField
 from .functions import conj as conj
@@ -20,11 +25,15 @@ from .functions import conjugator as conjugator
 from .functions import inv as inv
 from .functions import norm as norm
 from .functions import trace as trace
+from .lattices.classes import ClassSet as ClassSet
 from .lattices.ideal import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
 from .lattices.order import Order as Order
+from .ledger.document import LedgerError as LedgerError
 from .ledger.explanation import explain as explain
 from .ledger.notebook import verify as verify
+from .ledger.registry import UnknownClaimError as UnknownClaimError
+from .ledger.selection import SelectionError as SelectionError
 from .proving.prove import prove as prove
 from .rings import CC as CC
 from .rings import GF as GF
@@ -32,6 +41,7 @@ from .rings import QQ as QQ
 from .rings import RDF as RDF
 from .rings import RR as RR
 from .rings import ZZ as ZZ
+from .rings import Ring as Ring
 from .rings import Zmod as Zmod
 from .structure import four_squares as four_squares
 from .structure import hilbert_symbol as hilbert_symbol

@@ -230,6 +230,9 @@ class Quaternion(Hinted):
         base = self if n >= 0 else self.inverse()
         return self._alike(self._how.power(base._held, abs(n)))
 
+    def __xor__(self, other: object) -> NoReturn:
+        raise CoercionError("powers are written q**2; to Python q^2 + 1 would be q^(2 + 1)")
+
     def __eq__(self, other: object) -> Any:
         how = self._how
         if type(other) is Quaternion and other._how is how:
@@ -555,6 +558,9 @@ class Quaternion(Hinted):
 
     def __repr__(self) -> str:
         return self.text("unicode")
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self), spec)
 
     def _repr_latex_(self) -> str | None:
         return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
