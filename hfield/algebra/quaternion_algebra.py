@@ -227,11 +227,9 @@ class QuaternionAlgebra(Hinted):
 
     def elements(self) -> Iterator[Quaternion]:
         """Run through all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
-        if self.ring.order is None:
-            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
         F = self.ring
         # a few are kept, many made anew again and again
-        few = list(F.elements()) if int(F.order or 0) <= LISTED else None
+        few = list(F.elements()) if self._order_of_ring() <= LISTED else None
         return (
             Quaternion(self, (w, x, y, z))
             for w in few or F.elements()
@@ -239,6 +237,11 @@ class QuaternionAlgebra(Hinted):
             for y in few or F.elements()
             for z in few or F.elements()
         )
+
+    def _order_of_ring(self) -> int:
+        if self.ring.order is None:
+            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
+        return self.ring.order
 
     def random_element(self, seed: int | None = None) -> Quaternion:
         """Return a random element; the same one for the same seed."""
@@ -257,7 +260,6 @@ class QuaternionAlgebra(Hinted):
         what stands for no elements.
 
         >>> import numpy as np
-        >>> from hfield import H
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
         1 + 5k
         """
@@ -270,7 +272,6 @@ class QuaternionAlgebra(Hinted):
 
         An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
 
-        >>> from hfield import H
         >>> H("QQ").product(["i", "j", "k"])
         −1
         """
@@ -287,14 +288,11 @@ class QuaternionAlgebra(Hinted):
 
         Raises :class:`NotFiniteError`, and :class:`TooLargeError` beyond 10⁸ elements.
 
-        >>> from hfield import H
         >>> p = H("GF(3)").element_array()
         >>> int(p.units().sum()), int((p * p == -1).sum())
         (48, 6)
         """
-        if self.ring.order is None:
-            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
-        if self.ring.order**4 > MOST:
+        if self._order_of_ring() ** 4 > MOST:
             raise TooLargeError(
                 f"{self} has more than 10^8 elements; A.elements() runs through them"
             )
@@ -350,7 +348,6 @@ class QuaternionAlgebra(Hinted):
         sum of what each of them generates. Raises :class:`UndecidedError` over infinite rings that are not
         domains, and over rings of one's own, where elimination meets no units.
 
-        >>> from hfield import H
         >>> H("QQ").center(), H("ZZ/4").center()
         ((1,), (1, 2i, 2j, 2k))
         """
@@ -369,7 +366,6 @@ class QuaternionAlgebra(Hinted):
         :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings, over finite
         ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
 
-        >>> from hfield import H
         >>> H("GF(2)").radical(), H("ZZ/9").radical()
         ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
         """
@@ -396,7 +392,6 @@ class QuaternionAlgebra(Hinted):
         It has the same constants, for the map that fixes i and j and sends k = ij to ji turns products
         round. (The conjugate is another such map.)
 
-        >>> from hfield import H
         >>> B, phi = H("QQ").opposite()
         >>> e, i, j, k = B.basis
         >>> phi(i*j) == phi(j)*phi(i)
@@ -450,7 +445,6 @@ class QuaternionAlgebra(Hinted):
     def split(self, factors: Factors | None = None) -> Splitting | None:
         """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
 
-        >>> from hfield import H
         >>> I, J = H("GF(3)").split()
         """
         from hfield.algebra.maps import Splitting
@@ -537,7 +531,6 @@ class QuaternionAlgebra(Hinted):
         :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
         there is too much to go through.
 
-        >>> from hfield import H
         >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
         (801, 92, 92)
         >>> H("ZZ/1000").count(norm=0)
