@@ -113,7 +113,7 @@ COMMAND = (sys.executable, "-m", "hfield", "render", "--size", "160x120", "--poi
 
 
 @pytest.mark.parametrize("name", ["top.mp4", "top.gif", "top", "top.html"])
-def test_a_full_disk_is_one_clear_line(tmp_path: Path, name: str) -> None:
+def test_a_full_disk_is_one_clear_message(tmp_path: Path, name: str) -> None:
     # PNG pictures of this size take about 2 KB each, so that the limit must be lower there.
     size = 20_000 if "." in name else 1000
     done = limited(*COMMAND, "--frames", "300", "-o", str(tmp_path / name), size=size)
