@@ -452,7 +452,7 @@ class Quaternion(Hinted):
         """
         return self.conjugacy(other).element
 
-    # --- arrays ---------------------------------------------------------------------------------
+    # --- arrays --------------------------------------------------------------------------------
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -541,7 +541,7 @@ class Quaternion(Hinted):
         """
         return self._array("array form").to_array(self._held)
 
-    # --- text -----------------------------------------------------------------------------------
+    # --- text ----------------------------------------------------------------------------------
 
     def text(self, style: str = "plain") -> str:
         """Write q in the style ``plain`` (which the algebra reads back), ``unicode`` or ``latex``."""

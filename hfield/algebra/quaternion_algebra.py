@@ -303,7 +303,7 @@ class QuaternionAlgebra(Hinted):
         _, i, j, k = self.basis
         return w + x * i + y * j + z * k
 
-    # --- its product, and the same over another ring ------------------------------------------
+    # --- its product, and the same over another ring -------------------------------------------
 
     def multiplication_table(self) -> tuple[tuple[Quaternion, ...], ...]:
         """Return the products of the basis, row times column, in the order e, i, j, k (Table 1.1)."""
@@ -519,7 +519,7 @@ class QuaternionAlgebra(Hinted):
             found = structure.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
-    # --- finite fields ---------------------------------------------------------------------------
+    # --- finite fields -------------------------------------------------------------------------
 
     def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
         """Return how many elements there are, over a finite ring.
@@ -554,7 +554,7 @@ class QuaternionAlgebra(Hinted):
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
 
-    # --- lattices and orders: their room is imported on use -----------------------------------
+    # --- lattices and orders: their room is imported on use ------------------------------------
 
     def lattice(self, elements: Iterable[object]) -> Lattice:
         """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
