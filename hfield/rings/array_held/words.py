@@ -44,9 +44,9 @@ NARROW = ("i1", "i2", "i4")
 class WordArrays(RowArrays):
     """What ℤ and ℚ share: rows of words, or one row of what single elements are held as.
 
-    The latter is where a number is larger than a word. An operation runs without checks where the operands are small, else again with every overflow noticed,
-    else as on single elements. Integers of less than 64 bits are as large as their negatives: −128 is held
-    in 16.
+    The latter is where a number is larger than a word. An operation runs without checks where the operands
+    are small, else again with every overflow noticed, else as on single elements. Integers of less than 64
+    bits are as large as their negatives: −128 is held in 16.
     """
 
     dtype = "i8"
