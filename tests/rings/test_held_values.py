@@ -69,15 +69,15 @@ def test_products_make_no_elements_of_the_ring(name: str, monkeypatch: pytest.Mo
     wanted = [x * x + x for x in singles]
     p * p + p  # the functions are made at the first call
     made, multiplied = [], []
-    multiply = how.one.product
+    multiply = how.entries.product
 
     def product(x: object, y: object) -> object:
         multiplied.append(x)
         return multiply(x, y)
 
-    monkeypatch.setattr(how.one, "product", product)
+    monkeypatch.setattr(how.entries, "product", product)
     for operation in ("hold", "coordinates"):
-        monkeypatch.setattr(type(how.one), operation, lambda *_: made.append(_))
+        monkeypatch.setattr(type(how.entries), operation, lambda *_: made.append(_))
     found = p * p + p
     assert len(multiplied) == len(singles)
     assert not made

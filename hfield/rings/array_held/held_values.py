@@ -23,14 +23,14 @@ Values = np.ndarray[Any, np.dtype[Any]]
 
 
 class HeldArrays(Batch[Values]):
-    """Arrays over a ring of any kind; ``one`` holds and computes each entry.
+    """Arrays over a ring of any kind; ``entries`` holds and computes each.
 
     ``held`` is an array of objects, each the held value of an element.
     """
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         Holding.__init__(self, ring, constants)
-        self.one = ring.holding(constants)
+        self.entries = ring.holding(constants)
 
     # --- in and out ----------------------------------------------------------------------------
 
@@ -39,7 +39,7 @@ class HeldArrays(Batch[Values]):
         scalar = self.ring.scalar
         elements = (c if type(c) is Objects else objects(c, scalar) for c in coordinates)
         every = (c.view(np.ndarray) for c in elements)
-        return each(lambda *four: self.one.hold(four), *every)[0]
+        return each(lambda *four: self.entries.hold(four), *every)[0]
 
     def read(self, values: tuple[object, ...]) -> Values:
         """Hold four values that the ring reads, entry by entry. Raises :class:`CoercionError`."""
@@ -48,11 +48,11 @@ class HeldArrays(Batch[Values]):
 
     def lift(self, coordinates: Coordinates) -> Values:
         """Hold one element as an array of no dimensions."""
-        return wrap(self.one.hold(coordinates))
+        return wrap(self.entries.hold(coordinates))
 
     def coordinates(self, held: Values) -> Coordinates:
         """Return the coordinates as new arrays of the ring."""
-        w, x, y, z = map(self._of_the_ring, each(self.one.coordinates, held, results=4))
+        w, x, y, z = map(self._of_the_ring, each(self.entries.coordinates, held, results=4))
         return w, x, y, z
 
     def _of_the_ring(self, elements: Values) -> Any:
@@ -66,7 +66,7 @@ class HeldArrays(Batch[Values]):
 
     def single(self, p: Values) -> Coordinates:
         """Return the coordinates of an array of no dimensions."""
-        return self.one.coordinates(p[()])
+        return self.entries.coordinates(p[()])
 
     def shape(self, p: Values) -> tuple[int, ...]:
         """Return the shape of the array."""
@@ -86,7 +86,7 @@ class HeldArrays(Batch[Values]):
 
     def elementwise(self, name: str, *operands: Values) -> Values:
         """Do an operation on every entry, as it is done on single elements."""
-        return each(getattr(self.one, name), *operands)[0]
+        return each(getattr(self.entries, name), *operands)[0]
 
     def inverse(self, p: Values) -> Values | None:
         """Return the inverses, or None where some norm is not a unit of the ring."""
@@ -103,7 +103,7 @@ class HeldArrays(Batch[Values]):
 
     def units(self, p: Values) -> Values:
         """Tell which elements have an inverse."""
-        return each(lambda x: self.ring.is_unit(self.one.norm(x)), p)[0].astype(bool)
+        return each(lambda x: self.ring.is_unit(self.entries.norm(x)), p)[0].astype(bool)
 
     # --- what is equal -------------------------------------------------------------------------
 
