@@ -78,7 +78,7 @@ class OrderMakers(Parent):
 
         Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
         """
-        from hfield.lattices.extremal_orders import extremal_order
+        from hfield.lattices.named_orders import extremal_order
 
         return extremal_order(self)
 

@@ -17,7 +17,7 @@ from hfield.commands.orders import (
 from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
-    from hfield.lattices.answers import Answer
+    from hfield.lattices.certificates import Answer
     from hfield.lattices.ideal import Ideal
 
 HELP = (

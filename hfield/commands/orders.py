@@ -20,8 +20,7 @@ from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
-    from hfield.lattices.answers import Answer
-    from hfield.lattices.certificates import Claim
+    from hfield.lattices.certificates import Answer, Claim
     from hfield.quaternion import Quaternion
 
 PATIENCE = 10

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import MASS, SCHEMA
 from hfield.lattices import enumeration
-from hfield.lattices.as_json import basis_json, element_json
+from hfield.lattices.hermite import tuples
 from hfield.lattices.order_invariants import OrderInvariants
+from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
-    from hfield.lattices.answers import Answer
     from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
     from hfield.lattices.quadratic_orders import Embeddings
-    from hfield.quaternion import Parent
+    from hfield.quaternion import Parent, Quaternion
 
 DOUBLINGS = 6
 MOST = 10**5
@@ -186,3 +186,77 @@ def text(lattice: Lattice) -> str:
     """Write the Hermite form of a lattice as statements do."""
     den, rows = lattice.hnf
     return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """True or false in an ``if``; ``element`` proves a true answer, ``reason`` says how it was decided.
+
+    ``theorem`` names the theorem that decided where nothing was enumerated; then a true answer may come
+    without its element, which was not found within a bound. ``evidence`` is what a program needs to check it.
+    """
+
+    holds: bool
+    reason: str
+    element: Quaternion | None = None
+    theorem: str | None = None
+    evidence: dict[str, Any] = field(default_factory=dict, compare=False)
+    lattices: tuple[Lattice, ...] = field(default=(), compare=False, repr=False)
+    """The two that were compared, and that which was run through, if any."""
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
+
+        There is none where a theorem decided and the element is missing, nor where the checker would have to
+        do too much; :attr:`why_no_certificate` says which.
+        """
+        claim = self._claim
+        return None if claim is None else claim.certificate
+
+    @property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        claim = self._claim
+        if claim is None:
+            return (
+                "the element is missing"
+                if self.holds
+                else "nothing was found that tells them apart"
+            )
+        return claim.why_no_certificate
+
+    @cached_property
+    def _claim(self) -> Claim | None:
+        return of_answer(self)
+
+    def __bool__(self) -> bool:
+        """Tell whether it holds."""
+        return self.holds
+
+    def __repr__(self) -> str:
+        shown = "" if self.element is None else f" with {self.element}"
+        return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
+
+
+STRONG_APPROXIMATION = (
+    "Eichler's theorem, from strong approximation: in an indefinite algebra over QQ an order whose local "
+    "units have all unit norms has one ideal class (Voight, Quaternion Algebras, chapter 28)"
+)
+
+
+def rows_json(lattice: Lattice) -> dict[str, object]:
+    """Return a lattice as JSON: its denominator and Hermite rows."""
+    den, rows = lattice.hnf
+    return {"den": den, "rows": [list(row) for row in rows]}
+
+
+def element_json(q: Quaternion) -> list[str]:
+    """Return an element as four texts."""
+    return [q.ring.text(x) for x in q.coordinates]
+
+
+def basis_json(lattice: Lattice) -> dict[str, object]:
+    """Return a reduced basis of a lattice: what is run through quickly."""
+    rows, _ = lattice._reduced
+    return {"den": lattice._den, "rows": [list(row) for row in tuples(rows)]}

@@ -1,6 +1,6 @@
 """The right ideal classes of an order in a definite algebra, and what acts on them.
 
-A class is known by one lattice (:mod:`hfield.lattices.class_keys`), so classes are looked up and not compared
+A class is known by one lattice (:mod:`hfield.lattices.classes`), so classes are looked up and not compared
 in pairs.
 
 Starting from O, neighbours at a prime are taken until the mass formula is used up: then no class is missing,
@@ -18,20 +18,54 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.factorisation import factorise
 from hfield.hints import CLASSES, Hinted
-from hfield.lattices import brandt, certificates, types_of_orders
-from hfield.lattices.as_json import rows_json
-from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices import brandt, certificates, enumeration, hermite
+from hfield.lattices.certificates import Certified, Claim, rows_json
 from hfield.lattices.checked_arguments import positive, prime
-from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
-from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
+from hfield.lattices.subideals import (
+    generators,
+    is_maximal_or_eichler,
+    of_prime_power_norm,
+    prime_to,
+    right_subideals,
+)
 from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
+
+Key = tuple[int, ...]
+
+
+def key_and_units(lattice: Lattice) -> tuple[Key, int]:
+    """Return the lattice of a right ideal class as a key, and how many units the left order has."""
+    r = lattice._regular
+    rows, gram = lattice._reduced
+    least = min(gram[n][n] for n in range(4))
+    short: list[tuple[int, ...]] = []
+    for x, value in enumeration.short_vectors(gram, least):
+        if value < least:
+            short, least = [], value
+        if value == least:
+            short.append(x)
+    # N(x) = least/2·norm, and x is over the denominator of the lattice
+    bars = fmpz_mat(short) * rows * r.conjugation
+    norm = lattice._norm
+    up = 2 * norm.denominator
+    den = lattice._den * lattice._den * r.conjugate_scale * r.scale * norm.numerator * least
+    keys: Counter[Key] = Counter()
+    for bar in hermite.tuples(bars):
+        found = hermite.hermite(den, lattice._matrix * (r.left_matrix(bar) * up))
+        assert found is not None
+        d, m = found
+        keys[(d, *map(int, m.entries()))] += 1
+    key = min(keys)
+    return key, 2 * keys[key]
+
 
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
@@ -144,7 +178,7 @@ class ClassSet(Certified, Hinted):
 
         For a maximal or an Eichler order they are the orbits of the two-sided ideals.
         """
-        return types_of_orders.types(self)
+        return types(self)
 
     @property
     def type_number(self) -> int:
@@ -258,3 +292,39 @@ class ClassSet(Certified, Hinted):
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
+
+
+def types(classes: ClassSet) -> list[int]:
+    """Return the number of the type of each class."""
+    known = [-1] * len(classes)
+    parts = factorise(classes.order._discriminant)
+    if not all(is_maximal_or_eichler(classes.order, p, e) for p, e in parts.items()):
+        return types_by_isomorphism(classes)
+    ideals = generators(classes.order)
+    kinds = 0
+    for start in range(len(classes)):
+        if known[start] >= 0:
+            continue
+        known[start], todo = kinds, [start]
+        while todo:
+            lattice = classes._lattices[todo.pop()]
+            for ideal in ideals:
+                n = classes._index(lattice._product(ideal))
+                if known[n] < 0:
+                    known[n] = kinds
+                    todo.append(n)
+        kinds += 1
+    return known
+
+
+def types_by_isomorphism(classes: ClassSet) -> list[int]:
+    """Return the same for any order, found by comparing left orders in pairs."""
+    found: list[Order] = []
+    kinds: list[int] = []
+    for order in classes.left_orders():
+        known = next((n for n, other in enumerate(found) if order.isomorphism(other)), None)
+        if known is None:
+            known = len(found)
+            found.append(order)
+        kinds.append(known)
+    return kinds

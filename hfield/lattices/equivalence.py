@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
-from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
-from hfield.lattices.as_json import element_json, rows_json
+from hfield.lattices.certificates import STRONG_APPROXIMATION, Answer, element_json, rows_json
 from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:

@@ -15,11 +15,8 @@ from hfield.lattices import (
     equivalence,
     hermite,
     klpt,
-    small_ideals,
 )
-from hfield.lattices.answers import Answer
-from hfield.lattices.as_json import rows_json
-from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.certificates import Answer, Certified, Claim, rows_json
 from hfield.lattices.checked_arguments import prime as checked_prime
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.one_sided_ideals import OneSidedIdeal
@@ -172,7 +169,7 @@ class Ideal(Certified, OneSidedIdeal):
         J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
         (Kohel, Lauter, Petit and Tignol, 2014).
         """
-        c = small_ideals.to_prime_norm(self, frozenset(avoid))
+        c = klpt.to_prime_norm(self, frozenset(avoid))
         found = self * c if self.side != "right" else self.__rmul__(c)
         return Ideal.of(found, self.side, self.order), c
 

@@ -9,15 +9,16 @@ one lattice are compared with one of the other, whatever the orders are.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.factorisation import factorise
-from hfield.lattices import hermite, ternary_reduction
-from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
-from hfield.lattices.as_json import element_json, rows_json
+from hfield.lattices import enumeration, hermite
+from hfield.lattices.certificates import STRONG_APPROXIMATION, Answer, element_json, rows_json
+from hfield.lattices.enumeration import Gram, Vector
 from hfield.lattices.equivalence import element_of_norm, root
 from hfield.lattices.maximal_orders import endpoints
 
@@ -82,8 +83,8 @@ def _conjugator(first: Order, second: Order) -> tuple[list[int] | None, str]:
     """Return a primitive row x with ``x·first = second·x``, or None and why."""
     den, rows, gram = first._reduced_ternary
     other_den, other_rows, other_gram = second._reduced_ternary
-    steps, form = next(ternary_reduction.reduced_bases(gram))
-    images = list(ternary_reduction.reduced_bases(other_gram))
+    steps, form = next(reduced_bases(gram))
+    images = list(reduced_bases(other_gram))
     least, other_least = form[0] // 2, images[0][1][0] // 2
     if least != other_least:
         return None, (
@@ -152,3 +153,84 @@ def _primitive(lattice: Lattice, order: Order) -> Lattice:
     """Return the multiple of an ideal that is integral and divisible by no integer."""
     m = hermite.multiple(order._den, order._matrix, lattice._den, lattice._matrix)
     return lattice._scaled(1 / m)
+
+
+Basis = tuple[Vector, Vector, Vector]
+
+
+def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, tuple[int, ...]]]:
+    """Yield each reduced basis, one of ±u for the first vector, and its six inner products.
+
+    The matrix that is given should be reduced by LLL already.
+    """
+    for u in _least(gram):
+        b, c = _completed(u)
+        bb, bc, cc = _modulo(gram, u, b, c)
+        plane, steps = fmpz_mat(2, 2, [bb, bc, bc, cc]).lll(transform=True, rep="gram")
+        b, c = (_sum((int(steps[n, 0]), b), (int(steps[n, 1]), c)) for n in (0, 1))
+        for x, y in _least([[int(e) for e in row] for row in plane.tolist()]):
+            _, s, t = _gcd(x, y)
+            v, w = _sum((x, b), (y, c)), _sum((-t, b), (s, c))
+            for e in (1, -1):
+                for f in (1, -1):
+                    yield _rounded(gram, u, _sum((e, v)), _sum((f, w)))
+
+
+def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[int, ...]]:
+    """Take v and u off in the one way that leaves coefficients in (−1/2, 1/2]."""
+    vv, vw, _ = _modulo(gram, u, v, w)
+    w = _sum((1, w), (-_nearest(vw, vv), v))
+    uu = _pair(gram, u, u)
+    v, w = (_sum((1, x), (-_nearest(_pair(gram, u, x), uu), u)) for x in (v, w))
+    uv, uw, vw = _pair(gram, u, v), _pair(gram, u, w), _pair(gram, v, w)
+    return (u, v, w), (uu, _pair(gram, v, v), _pair(gram, w, w), uv, uw, vw)
+
+
+def _least(gram: Gram) -> list[Vector]:
+    """Return the shortest vectors of a reduced form, one of ±x."""
+    bound = min(row[n] for n, row in enumerate(gram))
+    found = list(enumeration.short_vectors(gram, bound))
+    least = min(value for _, value in found)
+    return [x for x, value in found if value == least]
+
+
+def _modulo(gram: Gram, u: Vector, x: Vector, y: Vector) -> tuple[int, int, int]:
+    """Return the inner products of x and y without their parts along u, ``|u|²`` times too large."""
+    uu, ux, uy = _pair(gram, u, u), _pair(gram, u, x), _pair(gram, u, y)
+    xx, xy, yy = _pair(gram, x, x), _pair(gram, x, y), _pair(gram, y, y)
+    return uu * xx - ux * ux, uu * xy - ux * uy, uu * yy - uy * uy
+
+
+def _completed(u: Vector) -> tuple[Vector, Vector]:
+    """Return two vectors that make a basis of ℤ³ with a primitive one."""
+    g, s, t = _gcd(u[0], u[1])
+    x, y = (u[0] // g, u[1] // g) if g else (1, 0)
+    _, p, q = _gcd(g, u[2])
+    return (-t, s, 0), (-q * x, -q * y, p)
+
+
+def _gcd(x: int, y: int) -> tuple[int, int, int]:
+    """Return (g, s, t) with g = s·x + t·y a greatest common divisor, of either sign (Euclid)."""
+    s, t, p, q = 1, 0, 0, 1
+    while y:
+        n = x // y
+        x, y, s, t, p, q = y, x - n * y, p, q, s - n * p, t - n * q
+    return x, s, t
+
+
+def _nearest(n: int, d: int) -> int:
+    """Return q with n/d − q in (−1/2, 1/2]."""
+    return -((d - 2 * n) // (2 * d))
+
+
+def _pair(gram: Gram, x: Vector, y: Vector) -> int:
+    (a, b, c), (_, d, e), (_, _, f) = gram
+    (p, q, r), (s, t, u) = x, y
+    return s * (a * p + b * q + c * r) + t * (b * p + d * q + e * r) + u * (c * p + e * q + f * r)
+
+
+def _sum(*terms: tuple[int, Vector]) -> Vector:
+    p = q = r = 0
+    for c, (x, y, z) in terms:
+        p, q, r = p + c * x, q + c * y, r + c * z
+    return p, q, r

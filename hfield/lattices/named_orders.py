@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
+import flint
 from flint import fmpz_mat
 
-from hfield.errors import CoercionError
+from hfield.errors import CoercionError, LatticeError
+from hfield.factorisation import factorise
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import expect_coprime, positive
 from hfield.lattices.hurwitz_order import HurwitzOrder
 from hfield.lattices.maximal_orders import eichler_suborder
+from hfield.lattices.modulo_primes import kronecker
 from hfield.lattices.order import Order
 from hfield.lattices.regular_representation import regular
+from hfield.primality import is_prime
+from hfield.product import Constants, Coordinates, multiply
 from hfield.quaternion import Parent
-from hfield.structure.clifford import maximal_basis
+from hfield.rings.rational import fmpq
+from hfield.rings.residues.prime_numbers import PrimePlace
+from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise
+from hfield.structure.rationals.whole_numbers import fraction
 
 
 def maximal_order(algebra: Parent) -> Order:
@@ -80,4 +89,77 @@ def _maximal(algebra: Parent) -> Order:
     return maximal_order(algebra)
 
 
-__all__ = ["class_number", "eichler_order", "hurwitz_order", "lipschitz_order", "maximal_order"]
+def maximal_basis(c: Constants) -> list[Coordinates]:
+    """Return a basis of a maximal order, over e, i, j, k, of an algebra that is not degenerate.
+
+    The constants are Fractions. Raises :class:`UndecidedError` when they are too hard to factor.
+    """
+    c = Constants(*map(fmpq, c))  # quicker than Fractions
+    a, t, b = c
+    square = a + t * t / 4
+    zero, one = fmpq(0), fmpq(1)
+    # the norm on the elements of trace 0, over i − t/2, j and their product
+    conic = Conic((-square, -b, square * b, zero, zero, zero), zero, one)
+    lattice = Lattice(conic.start().basis, one)
+    half = half_discriminant(conic.form)
+    primes: set[int] = {2}
+    for x in (square, b, half):
+        primes |= set(factorise(int(x.numerator))) | set(factorise(int(x.denominator)))
+    for p in sorted(primes):
+        minimise(conic, lattice, PrimePlace(p, flint.fmpq))
+    u, v, w = (_pure(t, vector) for vector in lattice.basis)
+    s = -lattice.scale
+    products = (multiply(c, p, q) for p, q in ((v, w), (w, u), (u, v)))
+    scaled = [(s * q[0], s * q[1], s * q[2], s * q[3]) for q in products]
+    basis = [(one, zero, zero, zero), *scaled]
+    return [tuple(map(fraction, q)) for q in basis]  # type: ignore[misc]
+
+
+def _pure(t: Any, v: Sequence[Any]) -> Coordinates:
+    """Return coordinates over e, i, j, k from those over i − t/2, j and (i − t/2)j."""
+    x, y, z = v
+    return -t / 2 * x, x, y - t / 2 * z, z
+
+
+def quadratic_part(p: int) -> int:
+    """Return q = 1, 2 or a prime 3 modulo 4 for which ``(−q, −p | ℚ)`` ramifies at p and ∞."""
+    if p == 2 or p % 4 == 3:
+        return 1
+    if p % 8 == 5:
+        return 2
+    q = 3
+    while not (is_prime(q) and kronecker(p, q) == -1):
+        q += 4
+    return q
+
+
+def extremal_order(algebra: Parent) -> Order:
+    """Return a p-extremal maximal order of a definite algebra of prime discriminant p.
+
+    Raises :class:`LatticeError` for another algebra.
+    """
+    r = regular(algebra)
+    if not r.definite or len(r.ramified) != 1:
+        raise LatticeError(
+            f"{algebra} has no p-extremal order: expected a definite algebra of prime discriminant"
+        )
+    (p,) = r.ramified
+    q = quadratic_part(p)
+    i, j = _generators(algebra, q, p)
+    w = (1 + i) / 2 if q % 4 == 3 else i
+    return Order.generated(algebra, [w, j]).maximal_overorder()
+
+
+def _generators(algebra: Parent, q: int, p: int) -> tuple[Any, Any]:
+    """Return anticommuting elements with squares −q and −p."""
+    _, i, j, _ = algebra.basis
+    if i * i == -q and j * j == -p and i * j == -(j * i):
+        return i, j
+    from hfield.structure import isomorphism
+
+    ring = algebra.ring
+    source = (ring(-q), ring(0), ring(-p))
+    found = isomorphism(ring, type(algebra.constants)(*source), algebra.constants)
+    if found is None:
+        raise AssertionError("both ramify at p and infinity")
+    return algebra(*found.images[1]), algebra(*found.images[2])

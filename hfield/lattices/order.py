@@ -18,13 +18,10 @@ from hfield.lattices import (
     hermite,
     isomorphic_orders,
     maximal_orders,
-    norm_equations,
     quadratic_orders,
     subideals,
-    two_sided_ideals,
 )
-from hfield.lattices.as_json import rows_json
-from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.certificates import Certified, Claim, rows_json
 from hfield.lattices.checked_arguments import checked_side, integer, listed, positive, prime
 from hfield.lattices.classes import ClassSet
 from hfield.lattices.generated_orders import check_ring, generated
@@ -33,7 +30,7 @@ from hfield.lattices.order_invariants import OrderInvariants
 from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
-    from hfield.lattices.answers import Answer
+    from hfield.lattices.certificates import Answer
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.quadratic_orders import Embeddings
 
@@ -192,7 +189,7 @@ class Order(OrderInvariants, Certified, Lattice):
         Its square is pᵉ·O, the part of the discriminant at p; it is p·O where p does not divide that.
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
         """
-        return self._ideal(two_sided_ideals.two_sided_prime(self, prime(p)), "two-sided")
+        return self._ideal(subideals.two_sided_prime(self, prime(p)), "two-sided")
 
     def ideals_of_norm(self, n: int, side: str = "left") -> list[Ideal]:
         """Return all invertible integral ideals of norm n on a side: p + 1 where p is off the discriminant.
@@ -246,7 +243,7 @@ class Order(OrderInvariants, Certified, Lattice):
         Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
         quadratic orders.
         """
-        return norm_equations.represent_integer(self, positive(n, "norm"), seed)
+        return quadratic_orders.represent_integer(self, positive(n, "norm"), seed)
 
     def embeddings(self, discriminant: int) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a negative discriminant.

@@ -27,12 +27,39 @@ from hfield.lattices.maximal_orders import (
     zero_on_line,
 )
 from hfield.lattices.modulo_primes import echelon, roots
-from hfield.lattices.two_sided_ideals import two_sided_prime
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
     from hfield.quaternion import Quaternion
+
+
+def two_sided_prime(order: Order, p: int) -> Lattice:
+    """Return the two-sided ideal at p that generates the group of them there, up to the numbers.
+
+    It is p·O, of norm p², where p does not divide the discriminant; else it has the norm pᵉ, the part of
+    the discriminant at p. Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
+    """
+    e, _ = remove(order._discriminant, p)
+    if e == 0:
+        return order._scaled(Fraction(p))
+    if not is_maximal_or_eichler(order, p, e):
+        raise LatticeError(
+            f"the order is neither maximal nor an Eichler order at {p}: its two-sided ideals there are "
+            "not known"
+        )
+    return order.dual()._scaled(Fraction(order._discriminant)) + order._scaled(Fraction(p**e))
+
+
+def is_maximal_or_eichler(order: Order, p: int, e: int) -> bool:
+    """Tell whether an order is maximal or Eichler at a prime, where pᵉ is the part of its discriminant."""
+    return e == 1 or bool(order._regular.discriminant % p and order.eichler_symbol(p) == 1)
+
+
+def generators(order: Order) -> list[Lattice]:
+    """Return one two-sided ideal for each prime of the discriminant."""
+    return [two_sided_prime(order, p) for p in sorted(factorise(order._discriminant))]
+
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""

@@ -7,7 +7,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
-from hfield.lattices.extremal_orders import quadratic_part
+from hfield.lattices.named_orders import quadratic_part
 from hfield.lattices.quadratic_orders import frame, represent
 from hfield.primality import is_prime
 from tests.lattices.random_lattices import algebra
