@@ -17,9 +17,9 @@ from .functions import conj as conj
 from .functions import inv as inv
 from .functions import norm as norm
 from .functions import trace as trace
-from .lattices.ideal import Ideal as Ideal
+from .lattices.lattice import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
-from .lattices.order import Order as Order
+from .lattices.lattice import Order as Order
 from .ledger.explanation import explain as explain
 from .ledger.notebook import verify as verify
 from .proving.prove import prove as prove

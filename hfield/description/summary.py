@@ -11,7 +11,7 @@ from hfield import structure
 from hfield.algebra import QuaternionAlgebra
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
-from hfield.lattices.order import Order
+from hfield.lattices.lattice import Order
 from hfield.lattices.over_integers import IntegersOrder
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from flint import fmpz_mat
 
 from hfield.factorisation import factorise
-from hfield.lattices.subideals import MOST, number_maximal
+from hfield.lattices.ideals_of_norm import MOST, number_maximal
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import ClassSet
@@ -63,7 +63,7 @@ def _prime_power(classes: ClassSet, p: int, e: int) -> fmpz_mat:
     if e == 1:
         return step
     before, current = _identity(classes), step
-    weight = p if classes.order._discriminant % p else 0
+    weight = p if classes.order.discriminant() % p else 0
     for _ in range(e - 1):
         before, current = current, step * current - before * weight
     return current
@@ -80,8 +80,7 @@ def number_of_ideals(classes: ClassSet, n: int) -> int:
     """Return how many integral right ideals of norm n, prime to the level, an Eichler order has."""
     found = 1
     for p, e in factorise(n).items():
-        found *= sum(p**k for k in range(e + 1)) if classes.order._regular.discriminant % p else 1
+        found *= (
+            sum(p**k for k in range(e + 1)) if classes.order.value.regular.discriminant % p else 1
+        )
     return found
-
-
-__all__ = ["brandt_matrix", "by_theta_series", "number_of_ideals"]

@@ -1,4 +1,4 @@
-"""What the answers about lattices say, as certificates ``hfield-cert/2`` that the checker accepts."""
+"""Answers about lattices, and what they and other claims say as certificates ``hfield-cert/2``."""
 
 from __future__ import annotations
 
@@ -6,21 +6,15 @@ from abc import abstractmethod
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hfield.certificates.glossary import MASS, SCHEMA
 from hfield.lattices import enumeration
 from hfield.lattices.hermite import tuples
-from hfield.lattices.order_invariants import OrderInvariants
-from hfield.quaternion import Quaternion
-
-if TYPE_CHECKING:
-    from hfield.lattices.classes import ClassSet
-    from hfield.lattices.ideal import Ideal
-    from hfield.lattices.lattice import Lattice
-    from hfield.lattices.order import Order
-    from hfield.lattices.quadratic_orders import Embeddings
-    from hfield.quaternion import Parent, Quaternion
+from hfield.lattices.short_elements import numbers_by_norm
+from hfield.lattices.z_lattice import ZLattice
+from hfield.lattices.z_order import ZOrder
+from hfield.quaternion import Parent, Quaternion
 
 DOUBLINGS = 6
 MOST = 10**5
@@ -87,29 +81,31 @@ class Certified:
         return self.claim.certificate
 
 
-def of_order(order: Order) -> Claim:
+def of_order(order: ZOrder) -> Claim:
     """Return that this is an order of this discriminant; and maximal, if the checker can tell."""
-    whole = f"order{{{text(order)}; {order.discriminant()}"
-    if order.is_maximal():
+    whole = f"order{{{text(order)}; {order.discriminant}"
+    if order.level == 1:
         claim = Claim(order.algebra, whole + "; maximal}", {"kind": "order"}, "order")
         if claim.certificate is not None:
             return claim
     return Claim(order.algebra, whole + "}", {"kind": "order"}, "order")
 
 
-def of_ideal(ideal: Ideal) -> Claim:
+def of_ideal(ideal: ZLattice, side: str, order: ZOrder) -> Claim:
     """Return that this is a locally principal ideal of its order, and its norm."""
-    side = "right" if ideal.side == "right" else "left"
-    statement = f"ideal{{{text(ideal)}; {side}; {text(ideal.order)}; {ideal.norm()}}}"
+    statement = f"ideal{{{text(ideal)}; {_side(side)}; {text(order)}; {ideal.norm}}}"
     return Claim(ideal.algebra, statement, {"kind": "ideal"}, "ideal")
 
 
-def of_class_set(classes: ClassSet) -> Claim:
+def _side(side: str) -> str:
+    """Return the side on which a statement is made; a two-sided ideal is a left one."""
+    return "right" if side == "right" else "left"
+
+
+def of_class_set(order: ZOrder, classes: list[ZLattice]) -> Claim:
     """Return how many right ideal classes an order has, with one ideal of each."""
-    order = classes.order
     statement = f"class-set{{{text(order)}; {len(classes)}}}"
-    rows = [basis_json(I) for I in classes._lattices]
-    evidence = {"kind": "class-set", "classes": rows}
+    evidence = {"kind": "class-set", "classes": [basis_json(I) for I in classes]}
     return Claim(order.algebra, statement, evidence, "mass", assumes=(MASS,))
 
 
@@ -119,8 +115,7 @@ def of_answer(answer: Answer) -> Claim | None:
     first, second, *between = answer.lattices
     about = f"{text(first)}; {text(second)}}}"
     if kind == "equivalent":
-        side = "right" if answer.evidence["side"] == "right" else "left"
-        about = f"{side}; {about}"
+        about = f"{_side(answer.evidence['side'])}; {about}"
     statement = f"{kind}{{{about}"
     if answer.element is not None:
         shown = {"kind": kind, "element": element_json(answer.element)}
@@ -138,29 +133,29 @@ def of_answer(answer: Answer) -> Claim | None:
     return Claim(first.algebra, statement, {"kind": kind, **evidence}, method, "refuted")
 
 
-def _none_carries(between: Lattice, size: str | None) -> tuple[str, dict[str, object]]:
+def _none_carries(between: ZLattice, size: str | None) -> tuple[str, dict[str, object]]:
     """Return the method and the evidence that no element of a lattice has a norm."""
-    if size is None or (Fraction(size) / between._norm).denominator != 1:
+    if size is None or (Fraction(size) / between.norm).denominator != 1:
         return "norm", {}
     return "enumeration", {"between": basis_json(between)}
 
 
-def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, object]] | None:
+def _told_apart(*orders: ZLattice) -> tuple[str, dict[str, object]] | None:
     """Return the method and the evidence that two orders are not isomorphic: what one has more elements of.
 
     Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.
     """
-    orders = [x for x in (first, second) if isinstance(x, OrderInvariants)]
-    if len({order.discriminant() for order in orders}) == 2:
+    rings = [order for order in orders if isinstance(order, ZOrder)]
+    if len({order.discriminant for order in rings}) == 2:
         return "discriminant", {}
-    if not first._regular.definite:
+    if not orders[0].regular.definite:
         return None
-    grams = [order._reduced_ternary[2] for order in orders]
+    grams = [order.reduced_ternary[2] for order in rings]
     reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
     for _ in range(DOUBLINGS):
         if max(enumeration.volume(gram, 2 * reach, 3) for gram in grams) > MOST:
             return None
-        both = zip(*(order.ternary_theta_series(reach) for order in orders), strict=True)
+        both = zip(*(numbers_by_norm(gram, reach) for gram in grams), strict=True)
         for m, (one, other) in enumerate(both):
             if one != other:  # x of trace 0 or 1 and discriminant −m
                 bases = [basis_json(order) for order in orders]
@@ -170,19 +165,18 @@ def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, object]
     return None
 
 
-def of_embeddings(found: Embeddings) -> Claim:
+def of_embedding(order: ZOrder, d: int, element: Quaternion | None) -> Claim:
     """Return that a quadratic order is, or is not, optimally embedded."""
-    order = found.order
-    statement = f"embedding{{{text(order)}; {found.discriminant}}}"
+    statement = f"embedding{{{text(order)}; {d}}}"
     evidence: dict[str, Any] = {"kind": "embedding"}
-    if found.element is None:
+    if element is None:
         evidence["basis"] = basis_json(order)
         return Claim(order.algebra, statement, evidence, "enumeration", "refuted")
-    evidence["element"] = element_json(found.element)
+    evidence["element"] = element_json(element)
     return Claim(order.algebra, statement, evidence, "element")
 
 
-def text(lattice: Lattice) -> str:
+def text(lattice: ZLattice) -> str:
     """Write the Hermite form of a lattice as statements do."""
     den, rows = lattice.hnf
     return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
@@ -201,8 +195,8 @@ class Answer:
     element: Quaternion | None = None
     theorem: str | None = None
     evidence: dict[str, Any] = field(default_factory=dict, compare=False)
-    lattices: tuple[Lattice, ...] = field(default=(), compare=False, repr=False)
-    """The two that were compared, and that which was run through, if any."""
+    lattices: tuple[ZLattice, ...] = field(default=(), compare=False, repr=False)
+    """The two that were compared, and that which was run through, if any: as values."""
 
     @property
     def certificate(self) -> dict[str, object] | None:
@@ -245,18 +239,12 @@ STRONG_APPROXIMATION = (
 )
 
 
-def rows_json(lattice: Lattice) -> dict[str, object]:
-    """Return a lattice as JSON: its denominator and Hermite rows."""
-    den, rows = lattice.hnf
-    return {"den": den, "rows": [list(row) for row in rows]}
-
-
 def element_json(q: Quaternion) -> list[str]:
     """Return an element as four texts."""
     return [q.ring.text(x) for x in q.coordinates]
 
 
-def basis_json(lattice: Lattice) -> dict[str, object]:
+def basis_json(lattice: ZLattice) -> dict[str, object]:
     """Return a reduced basis of a lattice: what is run through quickly."""
-    rows, _ = lattice._reduced
-    return {"den": lattice._den, "rows": [list(row) for row in tuples(rows)]}
+    rows, _ = lattice.reduced
+    return {"den": lattice.den, "rows": [list(row) for row in tuples(rows)]}

@@ -1,4 +1,13 @@
-"""The orders of an algebra that have names: maximal, Eichler, Lipschitz and Hurwitz."""
+"""The orders of an algebra that have names: maximal, Eichler, p-extremal, Lipschitz and Hurwitz.
+
+A ternary lattice with an integral form gives an order, its even Clifford algebra, whose reduced
+discriminant is the half-discriminant of the form (Voight, *Quaternion Algebras*, chapter 22); so a maximal
+order comes from a form minimised at every prime.
+
+A p-extremal order has a small quadratic order and its orthogonal element of norm p: in
+``(−q, −p | ℚ)`` with q = 1, 2 or a small prime, a maximal order that contains the ring of integers R of
+ℚ(i) and ``R·j`` (Pizer, 1980, proposition 5.2; Kohel, Lauter, Petit and Tignol, 2014, section 2.3).
+"""
 
 from __future__ import annotations
 
@@ -14,11 +23,11 @@ from hfield.factorisation import factorise
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import expect_coprime, positive
-from hfield.lattices.hurwitz_order import HurwitzOrder
-from hfield.lattices.maximal_orders import eichler_suborder
+from hfield.lattices.maximal_orders import eichler_suborder, overorder
 from hfield.lattices.modulo_primes import kronecker
-from hfield.lattices.order import Order
 from hfield.lattices.regular_representation import regular
+from hfield.lattices.z_lattice import hermite_form
+from hfield.lattices.z_order import ZOrder, generated
 from hfield.primality import is_prime
 from hfield.product import Constants, Coordinates, multiply
 from hfield.quaternion import Parent
@@ -28,23 +37,20 @@ from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, m
 from hfield.structure.rationals.whole_numbers import fraction
 
 
-def maximal_order(algebra: Parent) -> Order:
+def maximal_order(algebra: Parent) -> ZOrder:
     """Return a maximal order, by minimising a ternary form; the same for the same algebra.
 
     Raises :class:`UndecidedError` when the constants are too hard to factor.
     """
     constants = regular(algebra).constants
     den, rows = hermite.integral(maximal_basis(constants))
-    found = hermite.hermite(den, fmpz_mat(rows))
-    if found is None:
-        raise AssertionError("the even Clifford algebra has rank 4")
-    order = Order(algebra, *found)
-    if not order.is_maximal():  # also remembers the primes, which the caller may have named
+    order = ZOrder.of(hermite_form(algebra, den, fmpz_mat(rows)))
+    if order.level != 1:  # also remembers the primes, which the caller may have named
         raise AssertionError("the even Clifford algebra of a minimal form is maximal")
     return order
 
 
-def eichler_order(algebra: Parent, level: object) -> Order:
+def eichler_order(algebra: Parent, level: object) -> ZOrder:
     """Return an Eichler order of the given level inside the maximal order.
 
     Raises :class:`LatticeError` unless the level is a positive integer prime to the discriminant.
@@ -52,10 +58,10 @@ def eichler_order(algebra: Parent, level: object) -> Order:
     n = positive(level, "level")
     known: Any = algebra
     order = _maximal(known)
-    return order if n == 1 else Order._ring(eichler_suborder(order, n))
+    return order if n == 1 else eichler_suborder(order, n)
 
 
-def lipschitz_order(algebra: Parent) -> Order:
+def lipschitz_order(algebra: Parent) -> ZOrder:
     """Return the integer combinations of e, i, j, k.
 
     Raises :class:`CoercionError` unless a, t and b are integers.
@@ -65,13 +71,15 @@ def lipschitz_order(algebra: Parent) -> Order:
         raise CoercionError(
             "e, i, j, k span an order over the integers only if a, t and b are integers"
         )
-    return Order(algebra, 1, fmpz_mat([[int(m == n) for n in range(4)] for m in range(4)]))
+    return ZOrder(algebra, 1, fmpz_mat([[int(m == n) for n in range(4)] for m in range(4)]))
 
 
-def hurwitz_order(algebra: Parent) -> HurwitzOrder:
+def hurwitz_order(algebra: Parent) -> ZOrder:
     """Return the Hurwitz order. Raises :class:`CoercionError` except for (−1,−1|ℚ)."""
-    regular(algebra)
-    return HurwitzOrder.of(algebra)
+    if tuple(regular(algebra).constants) != (-1, 0, -1):
+        raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {algebra}")
+    rows = [[1, 1, 1, 1], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]]
+    return ZOrder(algebra, 2, fmpz_mat(rows))
 
 
 def class_number(algebra: Parent, level: object) -> int:
@@ -85,7 +93,7 @@ def class_number(algebra: Parent, level: object) -> int:
 
 
 @lru_cache(maxsize=64)
-def _maximal(algebra: Parent) -> Order:
+def _maximal(algebra: Parent) -> ZOrder:
     return maximal_order(algebra)
 
 
@@ -133,7 +141,7 @@ def quadratic_part(p: int) -> int:
     return q
 
 
-def extremal_order(algebra: Parent) -> Order:
+def extremal_order(algebra: Parent) -> ZOrder:
     """Return a p-extremal maximal order of a definite algebra of prime discriminant p.
 
     Raises :class:`LatticeError` for another algebra.
@@ -147,7 +155,7 @@ def extremal_order(algebra: Parent) -> Order:
     q = quadratic_part(p)
     i, j = _generators(algebra, q, p)
     w = (1 + i) / 2 if q % 4 == 3 else i
-    return Order.generated(algebra, [w, j]).maximal_overorder()
+    return overorder(generated(algebra, [w, j]))
 
 
 def _generators(algebra: Parent, q: int, p: int) -> tuple[Any, Any]:

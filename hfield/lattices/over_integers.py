@@ -176,7 +176,7 @@ class IntegersOrder:
     """
 
     def __init__(self, frame: Frame, rows: flint.fmpq_mat, finite: tuple[PrimeIdeal, ...]) -> None:
-        self._frame, self._rows = frame, rows
+        self.frame, self.rows = frame, rows
         self.algebra, self.field = frame.algebra, frame.field
         self._ramified = finite
         frame.check_ring(rows)
@@ -186,15 +186,15 @@ class IntegersOrder:
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:
         """A basis over ℤ, of 4n quaternions."""
-        return tuple(self._frame.quaternion(row) for row in self._rows.tolist())
+        return tuple(self.frame.quaternion(row) for row in self.rows.tolist())
 
     def __contains__(self, x: object) -> bool:
-        row = self._frame.row(self.algebra(x))
-        return all(c.q == 1 for c in (row * self._rows.inv()).entries())
+        row = self.frame.row(self.algebra(x))
+        return all(c.q == 1 for c in (row * self.rows.inv()).entries())
 
     def pseudo_basis(self) -> PseudoBasis:
         """Return four pairs (basis over ℤ of an ideal, quaternion): O is the direct sum of their products."""
-        return self._frame.pseudo_basis(self._rows)
+        return self.frame.pseudo_basis(self.rows)
 
     def discriminant(self) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals whose product is the reduced discriminant."""
@@ -202,7 +202,7 @@ class IntegersOrder:
 
     def norm_of_discriminant(self) -> int:
         """Return the norm of the reduced discriminant, from the determinant of tr(x·conj(y)), traced to ℚ."""
-        size = abs(self._frame.gram_determinant(self._rows)) / self.field.discriminant() ** 4
+        size = abs(self.frame.gram_determinant(self.rows)) / self.field.discriminant() ** 4
         root = int(size.p.isqrt())
         assert size == root * root, "the discriminant of an order is a square"
         return root
