@@ -5,7 +5,6 @@ Rows are coordinates in an integral basis of K, n for each of the m coordinates.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -21,15 +20,14 @@ if TYPE_CHECKING:
 
 def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:
     """Return the Hermite normal form, square, of integer rows of full rank."""
-    whole = flint.fmpz_mat(len(rows), size, [c for row in rows for c in row]).hnf()
-    return flint.fmpz_mat(size, size, whole.entries()[: size * size])
+    return flint.fmpz_mat(size, size, flint.fmpz_mat(rows).hnf().entries()[: size * size])
 
 
 def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint.fmpq]]:
     """Return a basis in Hermite's form of the lattice that rational rows of full rank span."""
-    below = math.lcm(*(int(flint.fmpq(c).q) for row in rows for c in row))
-    found = hermite([[int((flint.fmpq(c) * below).p) for c in row] for row in rows], size)
-    return [[flint.fmpq(c, below) for c in row] for row in found.tolist()]
+    whole, below = flint.fmpq_mat(rows).numer_denom()
+    found: list[list[flint.fmpq]] = (flint.fmpq_mat(hermite(whole.tolist(), size)) / below).tolist()
+    return found
 
 
 def inverse_ideal(field: NumberField, ideal: list[Any]) -> list[Any]:
@@ -41,7 +39,7 @@ def inverse_ideal(field: NumberField, ideal: list[Any]) -> list[Any]:
         columns += (
             coordinate_rows(field, [w * y for w in field.integral_basis()]).transpose().tolist()
         )
-    lattice = flint.fmpq_mat(n, n, [c for row in rational_hermite(columns, n) for c in row])
+    lattice = flint.fmpq_mat(rational_hermite(columns, n))
     return [element_of(field, row) for row in lattice.transpose().inv().tolist()]
 
 
@@ -67,7 +65,7 @@ def pseudo_basis(
         ]
         basis = rational_hermite(larger, size)
         one = coordinate_rows(field, [field.one])
-        block = flint.fmpq_mat(n, n, [c for row in basis[:n] for c in row[:n]])
+        block = flint.fmpq_mat([row[:n] for row in basis[:n]])
         combination = (one * block.inv()).entries()
         assert all(c.q == 1 for c in combination), "I⁻¹·I contains 1"
         vector = [

@@ -40,7 +40,9 @@ def short_vectors(gram: Gram, bound: int) -> Iterator[tuple[Vector, int]]:
     x = [0] * n
     first, head = forms[0], minors[1]
     for zero, left in _heads(minors, forms, n, minors[n] * bound, x, True):
-        shift = sum(first[j] * x[j] for j in range(1, n))
+        shift = 0
+        for j in range(1, n):
+            shift += first[j] * x[j]
         radius = isqrt(left)
         low = 1 if zero else -((radius + shift) // head)
         for value in range(low, (radius - shift) // head + 1):
@@ -65,11 +67,6 @@ def vectors_of_length(gram: Gram, length: int) -> Iterator[Vector]:
     minors, forms = bareiss(gram)
     n = len(minors) - 1
     if length <= 0:
-        return
-    if n == 1:
-        root = isqrt(length // gram[0][0])
-        if root * root * gram[0][0] == length:
-            yield (root,)
         return
     x = [0] * n
     first, head = forms[0], minors[1]
@@ -98,7 +95,9 @@ def _heads(
         return
     k = i - 1
     form, low, high = forms[k], minors[k], minors[i]
-    shift = sum(form[j] * x[j] for j in range(i, len(x)))
+    shift = 0
+    for j in range(i, len(x)):
+        shift += form[j] * x[j]
     reach = low * left
     radius = isqrt(reach)
     for value in range(0 if zero else -((radius + shift) // high), (radius - shift) // high + 1):

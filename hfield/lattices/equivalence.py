@@ -18,7 +18,7 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.lattices import compatible_products, enumeration, hermite
 from hfield.lattices.certificates import STRONG_APPROXIMATION, Answer, element_json
-from hfield.lattices.short_elements import combination, up_to
+from hfield.lattices.short_elements import up_to
 from hfield.lattices.z_lattice import (
     ZLattice,
     colon,
@@ -139,16 +139,16 @@ def _indefinite(lattice: ZLattice, m: int) -> tuple[Quaternion | None, str]:
 
 def _among_short(lattice: ZLattice, m: int, most: int) -> Quaternion | None:
     """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
-    rows, gram = lattice.reduced
+    rows, _ = lattice.reduced
     size = hermite.tuples(rows * lattice.regular.majorant * rows.transpose())
     bound, tried = max(size[n][n] for n in range(4)), 0
     while tried < most:
         vectors = enumeration.short_vectors(size, bound)
         tried = 0
         for tried, (x, _) in enumerate(islice(vectors, most), 1):  # noqa: B007
-            value = sum(x[i] * x[j] * gram[i][j] for i in range(4) for j in range(4)) // 2
-            if abs(value) == m:
-                return lattice.element(combination(x, rows))
+            row = hermite.combination(x, rows)
+            if abs(lattice.multiple(row)) == m:
+                return lattice.element(row)
         bound *= 2
     return None
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import lru_cache, partial
-from itertools import product
+from itertools import combinations, product
 from operator import add as plus
 from typing import Any
 
@@ -31,7 +31,7 @@ from hfield.lattices.maximal_orders import (
     zero_divisor,
     zero_on_line,
 )
-from hfield.lattices.modulo_primes import echelon
+from hfield.lattices.modulo_primes import echelon, lead
 from hfield.lattices.z_lattice import (
     ZLattice,
     add,
@@ -79,48 +79,40 @@ def _units(order: ZOrder, p: int) -> tuple[fmpz_mat, fmpz_mat, int]:
 
     They are matrices from the right, the third number too large.
     """
-    v, (r, s) = with_two_roots(order, p, product(range(min(p, 3)), repeat=4))
-    table = order.table
-    inverse = pow(r - s, -1, p)
-    e = [(x - s * y) * inverse % p for x, y in zip(v, order.one, strict=True)]
-    rest = [(y - x) % p for x, y in zip(e, order.one, strict=True)]
-
-    def times(x: list[int], y: list[int]) -> list[int]:
-        return [
-            sum(x[i] * y[j] * table[i][j][n] for i in range(4) for j in range(4)) % p
-            for n in range(4)
-        ]
-
-    basis = [[int(i == j) for j in range(4)] for i in range(4)]
-    f = next(x for b in basis if any(x := times(times(e, b), rest)))
-    found = (order.regular.right_matrix(tuple(order.row(x))) for x in (e, f))
-    return *found, order.den * order.regular.scale
+    v, (x, y) = with_two_roots(order, p, product(range(min(p, 3)), repeat=4))
+    r, den = order.regular, order.den
+    w, *rest = order.row(v)
+    inverse = pow(x - y, -1, p)
+    e = [(w - y * den) * inverse, *(c * inverse for c in rest)]
+    other = [den - e[0], *(-c for c in e[1:])]
+    divisor = den * r.scale
+    # e·b·(1 − e) for the basis b
+    found = order.matrix * r.left_matrix(e) * r.right_matrix(other)
+    rows = hermite.divided(found, divisor * divisor)
+    inside, d = hermite.in_coordinates(order.matrix, rows)
+    f = next(n for n, row in enumerate(inside.tolist()) if any(c // d % p for c in row))
+    return r.right_matrix(e), r.right_matrix(hermite.tuples(rows)[f]), divisor
 
 
 def right_subideals(ideal: ZLattice, order: ZOrder, p: int) -> Iterator[ZLattice]:
     """Yield the p + 1 right ideals of relative norm p in a right ideal; the order is M₂(ℤₚ) at p."""
     e, f, divisor = _units(order, p)
     rows = ideal.matrix
-    image = _divided(rows * e, divisor)
+    image = hermite.divided(rows * e, divisor)
     coordinates, d = hermite.in_coordinates(rows, image)
-    pivots = echelon([[int(x) // d for x in row] for row in coordinates.tolist()], p)
-    lines = (fmpz_mat([v]) * rows for v in pivots.values())
+    vectors = hermite.tuples(hermite.divided(coordinates, d))
+    start = next(n for v in vectors if (n := lead(v, p)) < 4)
+    # the row of the first pivot first: that fixes the order in which classes are found
+    lines = sorted(echelon(vectors, p), key=lambda v: -v[start])
     # an element of the lattice that is ≡ y·e modulo p times it
-    first, second = (_divided(y * e, divisor) for y in lines)
-    along, across = (_divided(y * f, divisor) for y in (first, second))
+    first, second = (hermite.divided(fmpz_mat([y]) * rows * e, divisor) for y in lines)
+    along, across = (hermite.divided(y * f, divisor) for y in (first, second))
     tail = (rows * p).entries()
     pairs = ((first + second * c, along + across * c) for c in range(p))
     for y, z in (*pairs, (second, across)):
         yield hermite_form(
             ideal.algebra, ideal.den, fmpz_mat(6, 4, y.entries() + z.entries() + tail)
         )
-
-
-def _divided(matrix: fmpz_mat, n: int) -> fmpz_mat:
-    """Return an integer matrix divided by an integer that divides all entries."""
-    if n == 1:
-        return matrix
-    return fmpz_mat(matrix.nrows(), 4, [x // n for x in matrix.entries()])
 
 
 def ideals_of_norm(order: ZOrder, n: int) -> list[ZLattice]:
@@ -205,14 +197,11 @@ def _unit_cosets(
 
 def _of_least_norm(lattice: ZLattice, p: int) -> tuple[int, ...]:
     """Return the row of an element whose norm, over that of the lattice, is prime to p."""
-    rows, gram = lattice.reduced
-    pairs = [(m, n) for m in range(4) for n in range(m, 4)]
-    for m, n in sorted(pairs, key=lambda x: x[0] != x[1]):
-        value = gram[m][m] // 2 if m == n else (gram[m][m] + gram[n][n]) // 2 + gram[m][n]
-        if value % p:
-            lines = hermite.tuples(rows)
-            return lines[m] if m == n else tuple(map(plus, lines[m], lines[n]))
-    raise AssertionError("the values of a primitive form have no common divisor")
+    rows, _ = lattice.reduced
+    lines = hermite.tuples(rows)
+    sums = (tuple(map(plus, x, y)) for x, y in combinations(lines, 2))
+    # the values of a primitive form have no common divisor
+    return next(x for x in (*lines, *sums) if lattice.multiple(x) % p)
 
 
 def prime_to(ideal: ZLattice, p: int) -> ZLattice:

@@ -176,9 +176,12 @@ def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[
 
 def _modulo(gram: Gram, u: Vector, x: Vector, y: Vector) -> tuple[int, int, int]:
     """Return the inner products of x and y without their parts along u, ``|u|²`` times too large."""
-    uu, ux, uy = _pair(gram, u, u), _pair(gram, u, x), _pair(gram, u, y)
-    xx, xy, yy = _pair(gram, x, x), _pair(gram, x, y), _pair(gram, y, y)
-    return uu * xx - ux * ux, uu * xy - ux * uy, uu * yy - uy * uy
+    uu, ux, uy = (_pair(gram, u, v) for v in (u, x, y))
+
+    def outside(v: Vector, w: Vector, uv: int, uw: int) -> int:
+        return uu * _pair(gram, v, w) - uv * uw
+
+    return outside(x, x, ux, ux), outside(x, y, ux, uy), outside(y, y, uy, uy)
 
 
 def _completed(u: Vector) -> tuple[Vector, Vector]:

@@ -20,7 +20,7 @@ from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import element_row
 from hfield.lattices.modulo_primes import kernel
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, in_frame, represent
-from hfield.lattices.short_elements import combination, expect_definite, least_norm, up_to
+from hfield.lattices.short_elements import expect_definite, least_norm, up_to
 from hfield.lattices.z_lattice import ZLattice, includes, multiple
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
@@ -62,13 +62,12 @@ def longer(ideal: ZLattice, rng: random.Random) -> Iterator[tuple[tuple[int, ...
     All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
     a quadratic order and n inert in it.
     """
-    rows, gram = ideal.reduced
+    rows, _ = ideal.reduced
     for trial in range(LONGER):
         size = 1 + trial // 50
-        x = [rng.randint(-size, size) for _ in range(4)]
-        norm = sum(gram[m][n] * x[m] * x[n] for m in range(4) for n in range(4)) // 2
-        if norm:
-            yield combination(x, rows), norm
+        row = hermite.combination([rng.randint(-size, size) for _ in range(4)], rows)
+        if any(row):
+            yield row, ideal.multiple(row)
 
 
 LARGEST = 1000
@@ -152,7 +151,7 @@ def _ratio(ideal: ZLattice, u: Quaternion, v: Quaternion, norm: int) -> tuple[in
         scale = d * den
         # coordinates over the ideal have the denominator N
         rows.append([int(x) * ideal.den * norm // scale for x in (fmpz_mat([row]) * m).entries()])
-    found = kernel(list(zip(*rows, strict=True)), 2, norm)
+    found = kernel(list(zip(*rows, strict=True)), norm)
     return (found[0][0], found[0][1]) if len(found) == 1 else None
 
 

@@ -14,10 +14,12 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
+from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import expect_coprime
 from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 from hfield.lattices.z_lattice import ZLattice, hermite_form
 from hfield.lattices.z_order import ZOrder, order_of
+from hfield.structure.rationals.whole_numbers import crt
 
 
 def radical(order: ZOrder, p: int) -> ZLattice:
@@ -26,19 +28,19 @@ def radical(order: ZOrder, p: int) -> ZLattice:
     They are those with ``tr(x·O) ≡ 0`` and ``N(x) ≡ 0`` modulo p.
     """
     gram = order.gram
-    vectors = kernel(gram, 4, p)  # tr(x·conj(y)) ≡ 0 for all y is the same, as conj(O) = O
+    vectors = kernel(gram, p)  # tr(x·conj(y)) ≡ 0 for all y is the same, as conj(O) = O
     if p == 2:  # N is linear on these
         norms = [order.trace_and_norm(v)[1] % 2 for v in vectors]
         odd = [v for v, n in zip(vectors, norms, strict=True) if n]
         vectors = [v for v, n in zip(vectors, norms, strict=True) if not n]
         vectors += [[x + y for x, y in zip(odd[0], v, strict=True)] for v in odd[1:]]
-    return above(order, [order.row(v) for v in vectors], p)
+    return above(order, fmpz_mat([*vectors, [0] * 4]) * order.matrix, p)
 
 
-def above(lattice: ZLattice, rows: list[list[int]], n: int) -> ZLattice:
+def above(lattice: ZLattice, rows: fmpz_mat, n: int) -> ZLattice:
     """Return the lattice of some rows, over the denominator of the given one, and n times this one."""
-    matrix = fmpz_mat(rows + [[n * x for x in row] for row in lattice.hnf[1]])
-    return hermite_form(lattice.algebra, lattice.den, matrix)
+    entries = rows.entries() + (lattice.matrix * n).entries()
+    return hermite_form(lattice.algebra, lattice.den, fmpz_mat(len(entries) // 4, 4, entries))
 
 
 def overorder(order: ZOrder) -> ZOrder:
@@ -78,24 +80,19 @@ def with_two_roots(
 ) -> tuple[tuple[int, ...], list[int]]:
     """Return the first element whose characteristic polynomial has distinct roots modulo p, and these."""
     for v in candidates:
-        found = roots(*order.trace_and_norm(v), p)
+        t, n = order.trace_and_norm(v)
+        found = roots(1, -t, n, p)
         if len(found) == 2:
             return v, found
     raise LatticeError(f"this order is not an Eichler order at {p}")
 
 
 def _end(order: ZOrder, v: tuple[int, ...], root: int, q: int) -> ZOrder:
-    x = [a - root * b for a, b in zip(v, order.one, strict=True)]
-    table = order.table
-    left = [_combine(x, [table[i][j] for i in range(4)]) for j in range(4)]  # x·b_j
-    both = [
-        _combine(y, [table[i][j] for j in range(4)]) for y in left for i in range(4)
-    ]  # b_i·x·b_j
-    return order_of(above(order, [order.row(y) for y in both], q), "left")
-
-
-def _combine(x: list[int], rows: list[tuple[int, ...]]) -> list[int]:
-    return [sum(a * row[n] for a, row in zip(x, rows, strict=True)) for n in range(4)]
+    """Return the left order of the two-sided ideal of x − root and q, x with the coordinates v."""
+    r, (w, *rest) = order.regular, order.row(v)
+    ideal = r.products(fmpz_mat([[w - root * order.den, *rest]]), order.matrix)
+    rows = hermite.divided(r.products(order.matrix, ideal), (order.den * r.scale) ** 2)
+    return order_of(above(order, rows, q), "left")
 
 
 def eichler_suborder(order: ZOrder, level: int) -> ZOrder:
@@ -104,26 +101,21 @@ def eichler_suborder(order: ZOrder, level: int) -> ZOrder:
     Raises :class:`LatticeError` when the level is not prime to the discriminant.
     """
     expect_coprime(level, order.discriminant)
-    rows = left_multiples(order, factorise(level), zero_divisor)
-    rows.append(order.row(list(order.one)))
-    return ZOrder.of(above(order, rows, level))
+    rows = left_multiples(order, factorise(level), zero_divisor).entries()
+    return ZOrder.of(above(order, fmpz_mat(5, 4, [*rows, order.den, 0, 0, 0]), level))
 
 
 def left_multiples(
     order: ZOrder, primes: Mapping[int, int], choose: Callable[[ZOrder, int, int], list[int]]
-) -> list[list[int]]:
+) -> fmpz_mat:
     """Return the rows of the basis times an x that is ``choose(order, p, e)`` modulo each pᵉ.
 
     They are over the denominator of the order.
     """
-    x, modulus = [0, 0, 0, 0], 1
-    for p, e in sorted(primes.items()):
-        q = p**e
-        y = choose(order, p, e)
-        step = pow(modulus, -1, q)
-        x = [a + modulus * ((b - a) * step % q) for a, b in zip(x, y, strict=True)]
-        modulus *= q
-    return [order.row(_combine(x, row)) for row in order.table]
+    found = [(choose(order, p, e), p**e) for p, e in sorted(primes.items())]
+    x = [crt((y[n], q) for y, q in found)[0] for n in range(4)]
+    r = order.regular
+    return hermite.divided(order.matrix * r.right_matrix(order.row(x)), order.den * r.scale)
 
 
 def zero_divisor(order: ZOrder, p: int, e: int) -> list[int]:

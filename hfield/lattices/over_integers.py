@@ -20,7 +20,7 @@ import flint
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.lattices.dedekind_modules import hermite, pseudo_basis
 from hfield.primality import WORD
-from hfield.product import Constants, Scalar
+from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.number_field import NumberField
 from hfield.rings.number_orders import left_kernel
 from hfield.rings.number_primes import PrimeIdeal, primes_above
@@ -62,36 +62,40 @@ class Frame:
         self.start = flint.fmpq_mat(
             self.size, self.size, [int(i == j) for i in range(self.size) for j in range(self.size)]
         )
-        self._right = [self._by_right(u, w) for u in range(4) for w in self.omega]
+        self.constants = Constants(self.a, field.zero, self.b)
+        scalars = [self._times(w) for w in self.omega]
+        self._right = [self._by_right(u) * scalar for u in range(4) for scalar in scalars]
 
-    def _by_right(self, unit: int, w: FieldElement) -> flint.fmpq_mat:
-        """Return the matrix of the multiplication by w·unit from the right."""
-        a, b, n = self.a, self.b, self.n
-        # unit·unit' = factor·unit″, for rows e, I, J, IJ and columns alike
-        table = (
-            ((0, 1), (1, 1), (2, 1), (3, 1)),
-            ((1, 1), (0, a), (3, 1), (2, a)),
-            ((2, 1), (3, -1), (0, b), (1, -b)),
-            ((3, 1), (2, -a), (1, b), (0, -a * b)),
-        )
-        out = [flint.fmpq(0)] * self.size**2
-        for left in range(4):
-            target, factor = table[left][unit]
-            block = coordinate_rows(self.field, [v * w * factor for v in self.omega])
-            for i in range(n):
-                for j in range(n):
-                    out[(left * n + i) * self.size + target * n + j] = block[i, j]
-        return flint.fmpq_mat(self.size, self.size, out)
+    def _by_right(self, unit: int) -> flint.fmpq_mat:
+        """Return the matrix of the multiplication by e, I, J or IJ from the right."""
+        zero, one = self.field.zero, self.field.one
+        units: list[Any] = [[one if m == n else zero for n in range(4)] for m in range(4)]
+        products = [
+            multiply(self.constants, tuple(w * x for x in left), units[unit])
+            for left in units
+            for w in self.omega
+        ]
+        entries = [c for q in products for c in coordinate_rows(self.field, q).entries()]
+        return flint.fmpq_mat(self.size, self.size, entries)
+
+    def _times(self, w: FieldElement) -> flint.fmpq_mat:
+        """Return the matrix of the multiplication by an element of the field."""
+        block = coordinate_rows(self.field, [v * w for v in self.omega])
+        out = flint.fmpq_mat(self.size, self.size)
+        for k in range(self.size):
+            for j in range(self.n):
+                out[k, k - k % self.n + j] = block[k % self.n, j]
+        return out
 
     def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
-        total = flint.fmpq_mat(self.size, self.size, [0] * self.size**2)
+        total = flint.fmpq_mat(self.size, self.size)
         for c, matrix in zip(row, self._right, strict=True):
             if c != 0:
                 total = total + matrix * c
         return total
 
-    def parts(self, row: list[flint.fmpq]) -> list[FieldElement]:
+    def parts(self, row: list[flint.fmpq]) -> Any:
         """Return w, x, y, z."""
         return [element_of(self.field, row[k * self.n : (k + 1) * self.n]) for k in range(4)]
 
@@ -123,30 +127,11 @@ class Frame:
 
     def norm(self, row: list[flint.fmpq]) -> Any:
         """Return the reduced norm."""
-        w, x, y, z = self.parts(row)
-        return w * w - self.a * (x * x) - self.b * (y * y - self.a * (z * z))
+        return norm(self.constants, self.parts(row))
 
-    def check_ring(self, rows: flint.fmpq_mat) -> None:
-        """Check that 1 is in the lattice, and with two elements their product."""
-        inverse = rows.inv()
-        one = coordinate_rows(self.field, [self.field.one]).entries() + [flint.fmpq(0)] * (
-            3 * self.n
-        )
-        matrices = [flint.fmpq_mat(1, self.size, one) * inverse]
-        matrices += [rows * self.right(row) * inverse for row in rows.tolist()]
-        if any(c.q != 1 for m in matrices for c in m.entries()):
-            raise AssertionError("an order is closed under multiplication")
-
-    def gram_determinant(self, rows: flint.fmpq_mat) -> flint.fmpq:
-        """Return the determinant of the form tr(x·conj(y)), traced down to ℚ, on a lattice."""
-        n, out = self.n, [flint.fmpq(0)] * self.size**2
-        for unit, factor in enumerate(
-            (self.field(2), -2 * self.a, -2 * self.b, 2 * self.a * self.b)
-        ):
-            for i, v in enumerate(self.omega):
-                for j, w in enumerate(self.omega):
-                    out[(unit * n + i) * self.size + unit * n + j] = (factor * v * w).trace()
-        return flint.fmpq_mat(self.size, self.size, out).det() * rows.det() ** 2
+    def discriminant_norm(self, rows: flint.fmpq_mat) -> flint.fmpq:
+        """Return the norm of the reduced discriminant, N(4ab) on ⟨1, I, J, IJ⟩ over the integers of K."""
+        return abs((4 * self.a * self.b).norm() * rows.det())
 
     def pseudo_basis(self, rows: flint.fmpq_mat) -> PseudoBasis:
         """Return ideals and quaternions."""
@@ -179,7 +164,10 @@ class IntegersOrder:
         self.frame, self.rows = frame, rows
         self.algebra, self.field = frame.algebra, frame.field
         self._ramified = finite
-        frame.check_ring(rows)
+        inverse = rows.inv()
+        products = [rows * frame.right(row) * inverse for row in rows.tolist()]
+        if 1 not in self or any(c.q != 1 for m in products for c in m.entries()):
+            raise AssertionError("an order is closed under multiplication")
         if self.norm_of_discriminant() != math.prod(P.norm for P in finite):
             raise AssertionError("a maximal order has the discriminant of its algebra")
 
@@ -201,11 +189,8 @@ class IntegersOrder:
         return tuple(self.algebra.discriminant())
 
     def norm_of_discriminant(self) -> int:
-        """Return the norm of the reduced discriminant, from the determinant of tr(x·conj(y)), traced to ℚ."""
-        size = abs(self.frame.gram_determinant(self.rows)) / self.field.discriminant() ** 4
-        root = int(size.p.isqrt())
-        assert size == root * root, "the discriminant of an order is a square"
-        return root
+        """Return the norm of the reduced discriminant."""
+        return int(self.frame.discriminant_norm(self.rows).p)
 
     def is_maximal(self) -> bool:
         """Tell whether the order is maximal: whether its discriminant is that of the algebra."""
@@ -269,34 +254,32 @@ class _Local:
 
     def _radical(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O."""
-        frame, n, f = self.frame, self.frame.n, self.prime.f
-        residues = flint.nmod_mat(n, f, [c for row in self._residues for c in row], self.p)
+        frame, n = self.frame, self.frame.n
+        residues = flint.nmod_mat(self._residues, self.p)
         entries: list[list[int]] = [[] for _ in range(frame.size)]
         for row in rows.tolist():
             products = (rows * frame.right(row)).tolist()
-            for k, product in enumerate(products):
-                trace = [
-                    int((2 * c).p) * pow(int((2 * c).q), -1, self.p) % self.p for c in product[:n]
-                ]
-                entries[k] += [
-                    int(c) for c in (flint.nmod_mat(1, n, trace, self.p) * residues).entries()
-                ]
-        vectors = left_kernel(self._matrix(entries))
+            traces = flint.nmod_mat([list(map(self._twice, q[:n])) for q in products], self.p)
+            for k, found in enumerate((traces * residues).tolist()):
+                entries[k] += map(int, found)
+        vectors = left_kernel(flint.nmod_mat(entries, self.p))
         if self.p == 2 and vectors:  # N is additive on these, and so is the root of its residue
             roots = [self._digits(self.place.sqrt(self._norm_residue(v, rows))) for v in vectors]
-            chosen = left_kernel(self._matrix(roots))
+            chosen = left_kernel(flint.nmod_mat(roots, self.p))
             vectors = [
                 [sum(c * v[k] for c, v in zip(u, vectors, strict=True)) for k in range(frame.size)]
                 for u in chosen
             ]
         return self._above(rows, vectors)
 
+    def _twice(self, c: flint.fmpq) -> int:
+        """Return 2c modulo p, which does not divide the denominator."""
+        double = 2 * c
+        return int(double.p) * pow(int(double.q), -1, self.p) % self.p
+
     def _norm_residue(self, vector: list[int], rows: flint.fmpq_mat) -> flint.nmod_poly:
         row = (flint.fmpq_mat(flint.fmpz_mat(1, self.frame.size, vector)) * rows).entries()
         return self.prime.residue_of(self.frame.norm(row))
-
-    def _matrix(self, rows: list[list[int]]) -> flint.nmod_mat:
-        return flint.nmod_mat(len(rows), len(rows[0]), [c for row in rows for c in row], self.p)
 
     def _above(self, rows: flint.fmpq_mat, vectors: Iterable[list[int]]) -> flint.fmpq_mat:
         """Return the lattice of some combinations of a basis, and p times this."""
@@ -312,7 +295,9 @@ class _Local:
             products = (ideal * frame.right(row) * inverse).tolist()
             for k, product in enumerate(products):
                 columns[k] += [int(c.p) % self.p for c in product]
-        return self._above(ideal, left_kernel(self._matrix(columns))) * flint.fmpq(1, self.p)
+        return self._above(ideal, left_kernel(flint.nmod_mat(columns, self.p))) * flint.fmpq(
+            1, self.p
+        )
 
     def _maximal_ideal(self, rows: flint.fmpq_mat, radical: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return one of the two maximal ideals at P of an order that is hereditary there, and not maximal."""

@@ -25,7 +25,7 @@ from flint import fmpz, fmpz_mat
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.lattices import certificates, enumeration, hermite
 from hfield.lattices.certificates import Certified, Claim
-from hfield.lattices.short_elements import combination, expect_affordable, expect_definite, of_norm
+from hfield.lattices.short_elements import expect_affordable, expect_definite, of_norm
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
@@ -80,7 +80,7 @@ def embeddings(order: ZOrder, d: int) -> tuple[tuple[Quaternion, ...], int]:
     found = []
     for x in enumeration.vectors_of_length(gram, -2 * d):
         if math.gcd(*x) == 1:
-            row = combination(x, rows)
+            row = hermite.combination(x, rows)
             found += [row, tuple(-c for c in row)]
     elements = tuple((d + order.element(row, den)) / 2 for row in sorted(found, reverse=True))
     units = of_norm(order, Fraction(1)) if elements else ()
@@ -143,7 +143,7 @@ def frames(order: ZOrder, largest: int) -> Iterator[Frame]:
 
 def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
     den, rows, _ = order.reduced_ternary
-    s = combination(x, rows)
+    s = hermite.combination(x, rows)
     element = order.element(s, den)
     d = -int(str(element.norm()))
     alpha = (element + d % 2) / 2
@@ -152,11 +152,10 @@ def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
     forms = order.matrix * r.form
     conditions = forms * fmpz_mat([[1, s[0]], [0, s[1]], [0, s[2]], [0, s[3]]])
     stacked = [
-        [*(int(c) for c in row), *(int(m == n) for n in range(4))]
-        for m, row in enumerate(conditions.tolist())
+        [*row, *(int(m == n) for n in range(4))] for m, row in enumerate(conditions.tolist())
     ]
     h = fmpz_mat(stacked).hnf()
-    kernel = fmpz_mat([[int(h[m, n]) for n in range(2, 6)] for m in (2, 3)])
+    kernel = fmpz_mat([row[2:] for row in h.tolist()[2:]])
     plane = kernel * order.matrix
     small, steps = (plane * r.form * plane.transpose()).lll(transform=True, rep="gram")
     rows2 = hermite.tuples(steps * plane)
@@ -252,7 +251,7 @@ def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quatern
     rows, gram = order.reduced
     if enumeration.volume(gram, 2 * n, 3) < ENUMERATED:
         for x in enumeration.vectors_of_length(gram, 2 * n):
-            return order.element(combination(x, rows))
+            return order.element(hermite.combination(x, rows))
         return None
     found = in_frame(frame(order), n, random.Random(0 if seed is None else seed))
     if found is None:

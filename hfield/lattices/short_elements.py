@@ -6,8 +6,6 @@ import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from flint import fmpz_mat
-
 from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.checked_arguments import natural
@@ -40,20 +38,14 @@ def expect_affordable(vectors: float, what: str) -> None:
         )
 
 
-def combination(x: Iterable[int], rows: fmpz_mat) -> Row:
-    """Return a combination of the rows of a matrix."""
-    return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
-
-
 def up_to(lattice: ZLattice, bound: int) -> Iterator[tuple[Row, int]]:
     """Yield one of ±x for the nonzero elements of norm at most ``bound·norm``, and their multiples.
 
     Elements are rows over the denominator of the lattice.
     """
     rows, gram = lattice.reduced
-    a, b, c, d = hermite.tuples(rows)
-    for (p, q, r, s), value in enumeration.short_vectors(gram, 2 * bound):
-        yield tuple(p * a[n] + q * b[n] + r * c[n] + s * d[n] for n in range(4)), value // 2
+    for x, value in enumeration.short_vectors(gram, 2 * bound):
+        yield hermite.combination(x, rows), value // 2
 
 
 def least_norm(lattice: ZLattice) -> int:
@@ -64,7 +56,9 @@ def least_norm(lattice: ZLattice) -> int:
 def shortest(lattice: ZLattice) -> tuple[Quaternion, ...]:
     """Return the nonzero elements of least norm, x and −x."""
     rows, gram = lattice.reduced
-    return _signed(lattice, (combination(x, rows) for x in enumeration.least_vectors(gram)[1]))
+    return _signed(
+        lattice, (hermite.combination(x, rows) for x in enumeration.least_vectors(gram)[1])
+    )
 
 
 def of_norm(lattice: ZLattice, n: Fraction) -> tuple[Quaternion, ...]:
@@ -78,7 +72,7 @@ def of_norm(lattice: ZLattice, n: Fraction) -> tuple[Quaternion, ...]:
     wanted = 2 * multiple.numerator
     expect_affordable(enumeration.volume(gram, wanted, 3), "elements of norm at most")
     vectors = enumeration.vectors_of_length(gram, wanted)
-    return _signed(lattice, (combination(x, rows) for x in vectors))
+    return _signed(lattice, (hermite.combination(x, rows) for x in vectors))
 
 
 def of_norm_at_most(lattice: ZLattice, n: Fraction) -> tuple[Quaternion, ...]:

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from flint import fmpz, fmpz_mat, fmpz_poly
+from flint import fmpq, fmpz, fmpz_mat, fmpz_poly
 
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
@@ -69,10 +69,13 @@ class ZLattice:
     @cached_property
     def content(self) -> fmpz:
         """The gcd of all values of the norm, scaled."""
-        g = self._gram
-        squares = [g[0, 0] // 2, g[1, 1] // 2, g[2, 2] // 2, g[3, 3] // 2]
-        mixed = [g[0, 1], g[0, 2], g[0, 3], g[1, 2], g[1, 3], g[2, 3]]
-        return fmpz_poly(squares + mixed).content()  # the gcd of a list, as flint has it
+        entries = self._gram.entries()
+        halves = [x // 2 for x in entries[::5]]
+        return fmpz_poly(entries + halves).content()  # the gcd of a list, as flint has it
+
+    def multiple(self, row: Sequence[int]) -> int:
+        """Return the norm of a row over the denominator, as a multiple of that of the lattice."""
+        return int(self.regular.norm(row)) // int(self.content)
 
     @cached_property
     def _gram(self) -> fmpz_mat:
@@ -82,7 +85,7 @@ class ZLattice:
     def even(self) -> fmpz_mat:
         """The matrix of ``tr(x·conj(y))/norm`` on the basis: integral and even."""
         g = self.content
-        return self._gram if g == 1 else fmpz_mat(4, 4, [x // g for x in self._gram.entries()])
+        return hermite.divided(self._gram, g)
 
     @cached_property
     def reduced(self) -> tuple[fmpz_mat, list[list[int]]]:
@@ -143,8 +146,8 @@ def contains(lattice: ZLattice, x: object) -> bool:
 def coordinates(lattice: ZLattice, x: object) -> tuple[Any, ...]:
     """Return the rational coordinates of an element with respect to the basis, in QQ."""
     den, row = element_row(lattice.algebra, x)
-    F = lattice.algebra.ring
-    return tuple(F(c * lattice.den / den) for c in hermite.coordinates(lattice.matrix, row))
+    found, d = hermite.in_coordinates(lattice.matrix, fmpz_mat([row]))
+    return tuple(fmpq(c * lattice.den, d * den) for c in found.entries())
 
 
 def includes(lattice: ZLattice, other: ZLattice) -> bool:
@@ -157,13 +160,9 @@ def includes(lattice: ZLattice, other: ZLattice) -> bool:
 def add(first: ZLattice, second: ZLattice) -> ZLattice:
     """Return the sum, the least lattice that contains both."""
     den = math.lcm(first.den, second.den)
-    rows = [x for L in (first, second) for x in _over(L, den).entries()]
+    rows = (first.matrix * (den // first.den)).entries()
+    rows += (second.matrix * (den // second.den)).entries()
     return hermite_form(first.algebra, den, fmpz_mat(8, 4, rows))
-
-
-def _over(lattice: ZLattice, den: int) -> fmpz_mat:
-    """Return the matrix over a multiple of the denominator."""
-    return lattice.matrix if den == lattice.den else lattice.matrix * (den // lattice.den)
 
 
 def meet(first: ZLattice, second: ZLattice) -> ZLattice:
@@ -249,5 +248,4 @@ def divisor(lattice: ZLattice, other: ZLattice) -> Fraction:
 
 def rows_json(lattice: ZLattice) -> dict[str, object]:
     """Return a lattice as JSON: its denominator and Hermite rows."""
-    den, rows = lattice.hnf
-    return {"den": den, "rows": [list(row) for row in rows]}
+    return {"den": lattice.den, "rows": [list(row) for row in lattice.hnf[1]]}

@@ -21,7 +21,7 @@ from hfield.lattices.checked_arguments import listed
 from hfield.lattices.modulo_primes import kronecker
 from hfield.lattices.regular_representation import regular
 from hfield.lattices.z_lattice import ZLattice, contains, element_rows
-from hfield.quaternion import Parent
+from hfield.quaternion import Parent, Quaternion
 
 
 class ZOrder(ZLattice):
@@ -49,37 +49,15 @@ class ZOrder(ZLattice):
         """The matrix of ``tr(x·conj(y))`` on the basis; the norm of an order is 1."""
         return hermite.tuples(self.even)
 
-    @cached_property
-    def _traces(self) -> tuple[int, ...]:
-        r = self.regular
-        column = (self.matrix * r.form).entries()[::4]
-        return tuple(int(x) // (r.scale * self.den) for x in column)
-
     def trace_and_norm(self, x: Sequence[int]) -> tuple[int, int]:
         """Return the trace and the norm of an element with these coordinates."""
-        gram = self.gram
-        norm = sum(x[m] * x[n] * gram[m][n] for m in range(4) for n in range(4)) // 2
-        return sum(a * b for a, b in zip(x, self._traces, strict=True)), norm
+        r, row = self.regular, self.row(x)
+        trace = sum(int(c) * n for c, n in zip(r.traces, row, strict=True)) // (r.scale * self.den)
+        return trace, int(r.norm(row)) // (r.scale * self.den**2)
 
-    @cached_property
-    def table(self) -> list[list[tuple[int, ...]]]:
-        """The products of the basis, in coordinates."""
-        r = self.regular
-        m, d = hermite.inverse(self.matrix)
-        scale = self.den * r.scale * d
-        e = [int(x) // scale for x in (r.products(self.matrix, self.matrix) * m).entries()]
-        return [[tuple(e[16 * i + 4 * j : 16 * i + 4 * j + 4]) for j in range(4)] for i in range(4)]
-
-    @cached_property
-    def one(self) -> tuple[int, ...]:
-        """The coordinates of 1."""
-        found = hermite.coordinates(self.matrix, (self.den, 0, 0, 0))
-        return tuple(int(x) for x in found)
-
-    def row(self, x: Sequence[int]) -> list[int]:
+    def row(self, x: Sequence[int]) -> tuple[int, ...]:
         """Return the row, over the denominator of the order, of an element with these coordinates."""
-        rows = self.hnf[1]
-        return [sum(x[m] * rows[m][n] for m in range(4)) for n in range(4)]
+        return hermite.combination(x, self.matrix)
 
     @cached_property
     def ternary(self) -> tuple[int, fmpz_mat, fmpz_mat]:
@@ -88,15 +66,12 @@ class ZOrder(ZLattice):
         vectors = fmpz_mat([row[1:] for row in self.hnf[1]]).hnf()
         # 2x − tr(x) has the coordinates −t·x₁, 2x₁, 2x₂, 2x₃
         d = t.denominator
-        rows = fmpz_mat(
-            [
-                [-t.numerator * int(vectors[n, 0]), *(2 * d * int(vectors[n, m]) for m in range(3))]
-                for n in range(3)
-            ]
-        )
+        forms = fmpz_mat(3, 4, [-t.numerator, 2 * d, 0, 0, 0, 0, 2 * d, 0, 0, 0, 0, 2 * d])
+        rows = fmpz_mat(3, 3, vectors.entries()[:9]) * forms
         den = self.den * d
         scale = r.scale * den * den
-        return den, rows, fmpz_mat(3, 3, [x // scale for x in r.gram(rows).entries()])
+        gram = [x // scale for x in r.gram(rows).entries()]
+        return den, rows, fmpz_mat(3, 3, gram)
 
     @cached_property
     def reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
@@ -222,19 +197,22 @@ def _check_integral(algebra: Parent, den: int, rows: fmpz_mat) -> None:
     gram = r.gram(rows)
     traces = (rows * r.form).entries()[::4]
     scale = r.scale * den * den
-    elements = [algebra(*(Fraction(x, den) for x in row)) for row in hermite.tuples(rows)]
-    for n, q in enumerate(elements):
-        whole = int(traces[n]) % (r.scale * den) == 0 and int(gram[n, n]) % (2 * scale) == 0
-        if not whole:
+
+    def element(n: int) -> Quaternion:
+        return algebra(*(Fraction(int(rows[n, m]), den) for m in range(4)))
+
+    for n in range(rows.nrows()):
+        if int(traces[n]) % (r.scale * den) or int(gram[n, n]) % (2 * scale):
+            q = element(n)
             raise LatticeError(
                 f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm "
                 f"{q.norm()}, which are not both integers"
             )
-        for m, p in enumerate(elements[:n]):
+        for m in range(n):
             if int(gram[n, m]) % scale:
                 raise LatticeError(
-                    f"these elements generate no order: the sum of {shorten(p)} and {shorten(q)} has a "
-                    "norm that is no integer"
+                    f"these elements generate no order: the sum of {shorten(element(m))} and "
+                    f"{shorten(element(n))} has a norm that is no integer"
                 )
 
 
