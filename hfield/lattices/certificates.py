@@ -11,7 +11,6 @@ from typing import Any
 from hfield.certificates.glossary import MASS, SCHEMA
 from hfield.lattices import enumeration
 from hfield.lattices.hermite import tuples
-from hfield.lattices.short_elements import numbers_by_norm
 from hfield.lattices.z_lattice import ZLattice
 from hfield.lattices.z_order import ZOrder
 from hfield.quaternion import Parent, Quaternion
@@ -155,7 +154,7 @@ def _told_apart(*orders: ZLattice) -> tuple[str, dict[str, object]] | None:
     for _ in range(DOUBLINGS):
         if max(enumeration.volume(gram, 2 * reach, 3) for gram in grams) > MOST:
             return None
-        both = zip(*(numbers_by_norm(gram, reach) for gram in grams), strict=True)
+        both = zip(*(enumeration.theta_series(gram, reach) for gram in grams), strict=True)
         for m, (one, other) in enumerate(both):
             if one != other:  # x of trace 0 or 1 and discriminant −m
                 bases = [basis_json(order) for order in orders]

@@ -117,9 +117,9 @@ def volume(gram: Gram, bound: int, dimension: int) -> float:
     return ball * exp(min(size / 2, 700.0))
 
 
-def count_by_length(gram: Gram, bound: int) -> dict[int, int]:
-    """Return how many vectors have each value of the form, from 0 up to ``bound``."""
-    counts = {0: 1}
-    for _, value in short_vectors(gram, bound):
-        counts[value] = counts.get(value, 0) + 2
+def theta_series(gram: Gram, n: int) -> list[int]:
+    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m of an even form."""
+    counts = [1] + [0] * n
+    for _, value in short_vectors(gram, 2 * n):
+        counts[value // 2] += 2
     return counts

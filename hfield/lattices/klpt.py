@@ -17,11 +17,10 @@ from flint import fmpz, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.lattices import hermite
-from hfield.lattices.checked_arguments import element_row
 from hfield.lattices.modulo_primes import kernel
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, in_frame, represent
 from hfield.lattices.short_elements import expect_definite, least_norm, up_to
-from hfield.lattices.z_lattice import ZLattice, includes, multiple
+from hfield.lattices.z_lattice import ZLattice, coordinates, includes, multiple
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
 from hfield.quaternion import Quaternion
@@ -144,13 +143,8 @@ def _from_prime(
 
 def _ratio(ideal: ZLattice, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
     """Return (C, D) ≠ 0 modulo N with C·u + D·v in the ideal, which contains N·O."""
-    m, d = hermite.inverse(ideal.matrix)
-    rows = []
-    for q in (u, v):
-        den, row = element_row(ideal.algebra, q)
-        scale = d * den
-        # coordinates over the ideal have the denominator N
-        rows.append([int(x) * ideal.den * norm // scale for x in (fmpz_mat([row]) * m).entries()])
+    # coordinates over the ideal have the denominator N
+    rows = [[int(c * norm) for c in coordinates(ideal, q)] for q in (u, v)]
     found = kernel(list(zip(*rows, strict=True)), norm)
     return (found[0][0], found[0][1]) if len(found) == 1 else None
 

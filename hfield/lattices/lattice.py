@@ -21,6 +21,7 @@ from hfield.lattices import (
     certificates,
     class_number,
     compatible_products,
+    enumeration,
     equivalence,
     hermite,
     ideals_of_norm,
@@ -231,7 +232,7 @@ class Lattice(Hinted):
         found = self.value.elements(rows)
         if not self.value.regular.definite:
             return found
-        return tuple(found[n] for n in sorted(range(4), key=lambda n: (gram[n][n], n)))
+        return tuple(found[n] for n in sorted(range(4), key=lambda n: gram[n][n]))
 
     def shortest(self) -> tuple[Quaternion, ...]:
         """Return the nonzero elements of least norm, of a definite algebra, x and −x."""
@@ -368,7 +369,7 @@ class Order(Certified, Lattice):
         of L-series", 1987).
         """
         expect_definite(self.value, "ternary_theta_series()")
-        return short_elements.numbers_by_norm(
+        return enumeration.theta_series(
             self.value.reduced_ternary[2], natural(n, "a theta series goes up to")
         )
 

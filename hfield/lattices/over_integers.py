@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.lattices.dedekind_modules import hermite, pseudo_basis
+from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
 from hfield.primality import WORD
 from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.number_field import NumberField
@@ -59,11 +59,9 @@ class Frame:
         self.a, self.b = (
             x * (m * m) for x, m in zip(self.form.constants, self.scales, strict=True)
         )
-        self.start = flint.fmpq_mat(
-            self.size, self.size, [int(i == j) for i in range(self.size) for j in range(self.size)]
-        )
+        self.start = multiplication(field, field.one, 4)
         self.constants = Constants(self.a, field.zero, self.b)
-        scalars = [self._times(w) for w in self.omega]
+        scalars = [multiplication(field, w, 4) for w in self.omega]
         self._right = [self._by_right(u) * scalar for u in range(4) for scalar in scalars]
 
     def _by_right(self, unit: int) -> flint.fmpq_mat:
@@ -77,15 +75,6 @@ class Frame:
         ]
         entries = [c for q in products for c in coordinate_rows(self.field, q).entries()]
         return flint.fmpq_mat(self.size, self.size, entries)
-
-    def _times(self, w: FieldElement) -> flint.fmpq_mat:
-        """Return the matrix of the multiplication by an element of the field."""
-        block = coordinate_rows(self.field, [v * w for v in self.omega])
-        out = flint.fmpq_mat(self.size, self.size)
-        for k in range(self.size):
-            for j in range(self.n):
-                out[k, k - k % self.n + j] = block[k % self.n, j]
-        return out
 
     def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
@@ -168,7 +157,7 @@ class IntegersOrder:
         products = [rows * frame.right(row) * inverse for row in rows.tolist()]
         if 1 not in self or any(c.q != 1 for m in products for c in m.entries()):
             raise AssertionError("an order is closed under multiplication")
-        if self.norm_of_discriminant() != math.prod(P.norm for P in finite):
+        if not self.is_maximal():
             raise AssertionError("a maximal order has the discriminant of its algebra")
 
     @cached_property
@@ -295,9 +284,8 @@ class _Local:
             products = (ideal * frame.right(row) * inverse).tolist()
             for k, product in enumerate(products):
                 columns[k] += [int(c.p) % self.p for c in product]
-        return self._above(ideal, left_kernel(flint.nmod_mat(columns, self.p))) * flint.fmpq(
-            1, self.p
-        )
+        vectors = left_kernel(flint.nmod_mat(columns, self.p))
+        return self._above(ideal, vectors) * flint.fmpq(1, self.p)
 
     def _maximal_ideal(self, rows: flint.fmpq_mat, radical: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return one of the two maximal ideals at P of an order that is hereditary there, and not maximal."""

@@ -14,7 +14,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpz, fmpz_mat
+from flint import fmpq_mat, fmpz, fmpz_mat
 
 from hfield.errors import RingError
 from hfield.lattices.hermite import integral
@@ -80,14 +80,12 @@ class Regular:
 
     def _majorant(self) -> fmpz_mat:
         """Return a positive definite integral form that the norm does not exceed, up to a scale."""
-        h, s, b = self.constants.t / 2, abs(self.square), abs(self.constants.b)
+        h, s, b = (fmpq(x) for x in (self.constants.t / 2, abs(self.square), abs(self.constants.b)))
         # over 1, i − t/2, j and their product the norm is diagonal
-        lines = [(1, (1, h, 0, 0)), (s, (0, 1, 0, 0)), (b, (0, 0, 1, h)), (s * b, (0, 0, 0, 1))]
-        form = [
-            [sum((n * u[r] * u[c] for n, u in lines), Fraction(0)) for c in range(4)]
-            for r in range(4)
-        ]
-        return fmpz_mat(integral(form)[1])
+        rows = fmpq_mat([[1, h, 0, 0], [0, 1, 0, 0], [0, 0, 1, h], [0, 0, 0, 1]])
+        norms = fmpq_mat([[1, 0, 0, 0], [0, s, 0, 0], [0, 0, b, 0], [0, 0, 0, s * b]])
+        form, _ = (rows.transpose() * norms * rows).numer_denom()
+        return form
 
     def products(self, rows: fmpz_mat, others: fmpz_mat) -> fmpz_mat:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""

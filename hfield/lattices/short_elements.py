@@ -102,10 +102,4 @@ def theta_series(lattice: ZLattice, n: object) -> list[int]:
     m = natural(n, "a theta series goes up to")
     _, gram = lattice.reduced
     expect_affordable(enumeration.volume(gram, 2 * m, 4), "elements as short as")
-    return numbers_by_norm(gram, m)
-
-
-def numbers_by_norm(gram: enumeration.Gram, n: int) -> list[int]:
-    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m."""
-    counts = enumeration.count_by_length(gram, 2 * n)
-    return [counts.get(2 * m, 0) for m in range(n + 1)]
+    return enumeration.theta_series(gram, m)

@@ -93,13 +93,11 @@ class ZLattice:
 
         In an indefinite algebra the basis is reduced for a positive definite form that majorises the norm.
         """
-        r, gram = self.regular, self.even
-        if r.definite:
-            reduced, steps = gram.lll(transform=True, rep="gram")
-        else:
-            rows = self.matrix
-            _, steps = (rows * r.majorant * rows.transpose()).lll(transform=True, rep="gram")
-            reduced = steps * gram * steps.transpose()
+        rows, gram = self.matrix, self.even
+        majorant = self.regular.majorant
+        form = gram if self.regular.definite else rows * majorant * rows.transpose()
+        _, steps = form.lll(transform=True, rep="gram")
+        reduced = steps * gram * steps.transpose()
         return steps * self.matrix, [list(row) for row in hermite.tuples(reduced)]
 
 
@@ -159,23 +157,27 @@ def includes(lattice: ZLattice, other: ZLattice) -> bool:
 
 def add(first: ZLattice, second: ZLattice) -> ZLattice:
     """Return the sum, the least lattice that contains both."""
-    den = math.lcm(first.den, second.den)
-    rows = (first.matrix * (den // first.den)).entries()
-    rows += (second.matrix * (den // second.den)).entries()
-    return hermite_form(first.algebra, den, fmpz_mat(8, 4, rows))
+    return hermite_form(first.algebra, *_joined(first.den, first.matrix, second.den, second.matrix))
+
+
+def _joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
+    """Return the rows of two square matrices over a common denominator."""
+    den = math.lcm(d, e)
+    return den, fmpz_mat(8, 4, (m * (den // d)).entries() + (n * (den // e)).entries())
 
 
 def meet(first: ZLattice, second: ZLattice) -> ZLattice:
     """Return the intersection, through the sum of the dual lattices for the dot product."""
-    m, d = hermite.inverse(first.matrix)
-    n, e = hermite.inverse(second.matrix)
-    den = math.lcm(d, e)
-    rows = (m.transpose() * (first.den * (den // d))).entries()
-    rows += (n.transpose() * (second.den * (den // e))).entries()
-    total = fmpz_mat(8, 4, rows).hnf()
-    top = fmpz_mat(4, 4, total.entries()[:16])
-    back, f = hermite.inverse(top.transpose())
-    return hermite_form(first.algebra, f, back * den)
+    duals = (_dot_dual(L.den, L.matrix) for L in (first, second))
+    den, rows = _joined(*next(duals), *next(duals))
+    total = fmpz_mat(4, 4, rows.hnf().entries()[:16])
+    return hermite_form(first.algebra, *_dot_dual(den, total))
+
+
+def _dot_dual(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
+    """Return a basis of the dual lattice for the dot product, rows over a denominator."""
+    m, d = hermite.inverse(matrix)
+    return d, m.transpose() * den
 
 
 def product(first: ZLattice, second: ZLattice) -> ZLattice:

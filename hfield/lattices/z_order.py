@@ -193,23 +193,22 @@ def generated(algebra: Parent, elements: Iterable[object]) -> ZOrder:
 
 def _check_integral(algebra: Parent, den: int, rows: fmpz_mat) -> None:
     """Raise :class:`LatticeError` unless all combinations of the rows have integral trace and norm."""
-    r = regular(algebra)
-    gram = r.gram(rows)
-    traces = (rows * r.form).entries()[::4]
-    scale = r.scale * den * den
+    # the traces are those of x·conj(1)
+    gram = regular(algebra).gram(fmpz_mat([*rows.tolist(), [den, 0, 0, 0]]))
+    scale, last = regular(algebra).scale * den * den, rows.nrows()
 
     def element(n: int) -> Quaternion:
         return algebra(*(Fraction(int(rows[n, m]), den) for m in range(4)))
 
-    for n in range(rows.nrows()):
-        if int(traces[n]) % (r.scale * den) or int(gram[n, n]) % (2 * scale):
+    for n in range(last):
+        if gram[n, last] % scale or gram[n, n] % (2 * scale):
             q = element(n)
             raise LatticeError(
                 f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm "
                 f"{q.norm()}, which are not both integers"
             )
         for m in range(n):
-            if int(gram[n, m]) % scale:
+            if gram[n, m] % scale:
                 raise LatticeError(
                     f"these elements generate no order: the sum of {shorten(element(m))} and "
                     f"{shorten(element(n))} has a norm that is no integer"
