@@ -97,7 +97,12 @@ def _echelon(rows: Iterator[list[fmpz]], n: fmpz) -> list[fmpz] | None:
 def _reduced(first: list[fmpz], second: list[fmpz], p: int, q: int, u: fmpz, n: fmpz) -> list[fmpz]:
     """Make columns p and q of two rows those of the identity; u is the inverse of their minor."""
     a, b, c, d = first[p] * u % n, first[q] * u % n, second[p] * u % n, second[q] * u % n
-    both = list(zip(first, second, strict=True))
-    lines = {p: [(d * x - b * y) % n for x, y in both], q: [(a * y - c * x) % n for x, y in both]}
-    unit = [n * int(m == k) for m in range(4) for k in range(4)]
-    return [x for m in range(4) for x in lines.get(m, unit[4 * m : 4 * m + 4])]
+    found = [0] * 16
+    for m in range(4):
+        if m in (p, q):
+            found[5 * m] = 1
+        else:
+            x, y = first[m], second[m]
+            found[4 * p + m], found[4 * q + m] = (d * x - b * y) % n, (a * y - c * x) % n
+            found[5 * m] = n
+    return found

@@ -31,7 +31,7 @@ def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint
 
 
 def multiplication(field: NumberField, x: Any, m: int = 1) -> flint.fmpq_mat:
-    """Return the matrix that multiplies vectors of Kᵐ by x: it acts on rows of coordinates, from the right."""
+    """Return the matrix that multiplies vectors of Kᵐ by x, from the right of rows of coordinates."""
     block = coordinate_rows(field, [w * x for w in field.integral_basis()]).tolist()
     zero = [flint.fmpq(0)] * field.degree
     return flint.fmpq_mat([zero * k + row + zero * (m - 1 - k) for k in range(m) for row in block])

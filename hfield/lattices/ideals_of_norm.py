@@ -81,17 +81,20 @@ def _units(order: ZOrder, p: int) -> tuple[fmpz_mat, fmpz_mat, int]:
     """
     v, (x, y) = with_two_roots(order, p, product(range(min(p, 3)), repeat=4))
     r, den = order.regular, order.den
+    divisor = den * r.scale
+
+    def small(rows: fmpz_mat) -> list[tuple[int, ...]]:
+        found, d = hermite.in_coordinates(order.matrix, rows)
+        return [order.row([int(c) // d % p for c in row]) for row in found.tolist()]
+
     w, *rest = order.row(v)
     inverse = pow(x - y, -1, p)
-    e = [(w - y * den) * inverse, *(c * inverse for c in rest)]
-    other = [den - e[0], *(-c for c in e[1:])]
-    divisor = den * r.scale
+    (e,) = small(fmpz_mat([[(w - y * den) * inverse, *(c * inverse for c in rest)]]))
+    other = den - e[0], -e[1], -e[2], -e[3]
     # e·b·(1 − e) for the basis b
     found = order.matrix * r.left_matrix(e) * r.right_matrix(other)
-    rows = hermite.divided(found, divisor * divisor)
-    inside, d = hermite.in_coordinates(order.matrix, rows)
-    f = next(n for n, row in enumerate(inside.tolist()) if any(c // d % p for c in row))
-    return r.right_matrix(e), r.right_matrix(hermite.tuples(rows)[f]), divisor
+    f = next(row for row in small(hermite.divided(found, divisor**2)) if any(row))
+    return r.right_matrix(e), r.right_matrix(f), divisor
 
 
 def right_subideals(ideal: ZLattice, order: ZOrder, p: int) -> Iterator[ZLattice]:
@@ -100,10 +103,11 @@ def right_subideals(ideal: ZLattice, order: ZOrder, p: int) -> Iterator[ZLattice
     rows = ideal.matrix
     image = hermite.divided(rows * e, divisor)
     coordinates, d = hermite.in_coordinates(rows, image)
-    vectors = hermite.tuples(hermite.divided(coordinates, d))
+    vectors = [[int(x) // d for x in row] for row in coordinates.tolist()]
     start = next(n for v in vectors if (n := lead(v, p)) < 4)
-    # the row of the first pivot first: that fixes the order in which classes are found
-    lines = sorted(echelon(vectors, p), key=lambda v: -v[start])
+    lines = echelon(vectors, p)
+    if not lines[0][start]:  # the row of the first pivot first: that fixes the order of the classes
+        lines.reverse()
     # an element of the lattice that is ≡ y·e modulo p times it
     first, second = (hermite.divided(fmpz_mat([y]) * rows * e, divisor) for y in lines)
     along, across = (hermite.divided(y * f, divisor) for y in (first, second))

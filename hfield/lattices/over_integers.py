@@ -60,20 +60,16 @@ class Frame:
             x * (m * m) for x, m in zip(self.form.constants, self.scales, strict=True)
         )
         self.start = multiplication(field, field.one, 4)
-        self.constants = Constants(self.a, field.zero, self.b)
+        self.constants = Constants(self.a, 0, self.b)
         scalars = [multiplication(field, w, 4) for w in self.omega]
         self._right = [self._by_right(u) * scalar for u in range(4) for scalar in scalars]
 
     def _by_right(self, unit: int) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by e, I, J or IJ from the right."""
-        zero, one = self.field.zero, self.field.one
-        units: list[Any] = [[one if m == n else zero for n in range(4)] for m in range(4)]
-        products = [
-            multiply(self.constants, tuple(w * x for x in left), units[unit])
-            for left in units
-            for w in self.omega
-        ]
-        entries = [c for q in products for c in coordinate_rows(self.field, q).entries()]
+        units: list[Any] = [tuple(int(m == n) for n in range(4)) for m in range(4)]
+        products = [multiply(self.constants, left, units[unit]) for left in units]
+        elements = [w * x for q in products for w in self.omega for x in q]
+        entries = coordinate_rows(self.field, elements).entries()
         return flint.fmpq_mat(self.size, self.size, entries)
 
     def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:

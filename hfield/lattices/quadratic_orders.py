@@ -173,12 +173,7 @@ def represent(d: int, m: int) -> tuple[int, int] | None:
     """
     t = d % 2
     n = (t - d) // 4
-
-    def times(u: tuple[int, int], v: tuple[int, int]) -> tuple[int, int]:
-        (x, y), (z, w) = u, v
-        return x * z - n * y * w, x * w + y * z + t * y * w
-
-    found = 1, 0
+    x, y = 1, 0
     for p in SMALL:
         while m % p == 0:
             m //= p
@@ -188,11 +183,15 @@ def represent(d: int, m: int) -> tuple[int, int] | None:
                     return None
                 m //= p
                 root = (p, 0)
-            found = times(found, root)
+            x, y = x * root[0] - n * y * root[1], x * root[1] + y * root[0] + t * y * root[1]
     if m == 1:
-        return found
-    last = cornacchia(d, m) if likely(m) else None
-    return None if last is None else times(found, last)
+        return x, y
+    if not likely(m):
+        return None
+    last = cornacchia(d, m)
+    if last is None:
+        return None
+    return x * last[0] - n * y * last[1], x * last[1] + y * last[0] + t * y * last[1]
 
 
 @lru_cache(maxsize=1024)

@@ -58,8 +58,6 @@ class Regular:
         # the coordinates of a product, one after the other, as bilinear forms
         self._coordinates = [whole((q[c] for q in row) for row in left) for c in range(4)]
         self.form = whole(form)
-        self.traces = self.form.entries()[::4]
-        """The traces of the basis, ``scale`` times too large."""
         self._squares = [
             (m, n, self.form[m, n] // (2 if m == n else 1))
             for m in range(4)

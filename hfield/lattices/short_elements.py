@@ -44,8 +44,9 @@ def up_to(lattice: ZLattice, bound: int) -> Iterator[tuple[Row, int]]:
     Elements are rows over the denominator of the lattice.
     """
     rows, gram = lattice.reduced
-    for x, value in enumeration.short_vectors(gram, 2 * bound):
-        yield hermite.combination(x, rows), value // 2
+    a, b, c, d = hermite.tuples(rows)
+    for (p, q, r, s), value in enumeration.short_vectors(gram, 2 * bound):
+        yield tuple(p * a[n] + q * b[n] + r * c[n] + s * d[n] for n in range(4)), value // 2
 
 
 def least_norm(lattice: ZLattice) -> int:

@@ -69,9 +69,10 @@ class ZLattice:
     @cached_property
     def content(self) -> fmpz:
         """The gcd of all values of the norm, scaled."""
-        entries = self._gram.entries()
-        halves = [x // 2 for x in entries[::5]]
-        return fmpz_poly(entries + halves).content()  # the gcd of a list, as flint has it
+        g = self._gram
+        squares = [g[0, 0] // 2, g[1, 1] // 2, g[2, 2] // 2, g[3, 3] // 2]
+        mixed = [g[0, 1], g[0, 2], g[0, 3], g[1, 2], g[1, 3], g[2, 3]]
+        return fmpz_poly(squares + mixed).content()  # the gcd of a list, as flint has it
 
     def multiple(self, row: Sequence[int]) -> int:
         """Return the norm of a row over the denominator, as a multiple of that of the lattice."""
@@ -93,11 +94,13 @@ class ZLattice:
 
         In an indefinite algebra the basis is reduced for a positive definite form that majorises the norm.
         """
-        rows, gram = self.matrix, self.even
-        majorant = self.regular.majorant
-        form = gram if self.regular.definite else rows * majorant * rows.transpose()
-        _, steps = form.lll(transform=True, rep="gram")
-        reduced = steps * gram * steps.transpose()
+        r, gram = self.regular, self.even
+        if r.definite:
+            reduced, steps = gram.lll(transform=True, rep="gram")
+        else:
+            rows = self.matrix
+            _, steps = (rows * r.majorant * rows.transpose()).lll(transform=True, rep="gram")
+            reduced = steps * gram * steps.transpose()
         return steps * self.matrix, [list(row) for row in hermite.tuples(reduced)]
 
 
@@ -163,7 +166,9 @@ def add(first: ZLattice, second: ZLattice) -> ZLattice:
 def _joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return the rows of two square matrices over a common denominator."""
     den = math.lcm(d, e)
-    return den, fmpz_mat(8, 4, (m * (den // d)).entries() + (n * (den // e)).entries())
+    if d != e:
+        m, n = m * (den // d), n * (den // e)
+    return den, fmpz_mat(8, 4, m.entries() + n.entries())
 
 
 def meet(first: ZLattice, second: ZLattice) -> ZLattice:

@@ -49,11 +49,17 @@ class ZOrder(ZLattice):
         """The matrix of ``tr(x·conj(y))`` on the basis; the norm of an order is 1."""
         return hermite.tuples(self.even)
 
+    @cached_property
+    def _traces(self) -> tuple[int, ...]:
+        r = self.regular
+        column = (self.matrix * r.form).entries()[::4]
+        return tuple(int(x) // (r.scale * self.den) for x in column)
+
     def trace_and_norm(self, x: Sequence[int]) -> tuple[int, int]:
         """Return the trace and the norm of an element with these coordinates."""
-        r, row = self.regular, self.row(x)
-        trace = sum(int(c) * n for c, n in zip(r.traces, row, strict=True)) // (r.scale * self.den)
-        return trace, int(r.norm(row)) // (r.scale * self.den**2)
+        gram = self.gram
+        norm = sum(x[m] * x[n] * gram[m][n] for m in range(4) for n in range(4)) // 2
+        return sum(a * b for a, b in zip(x, self._traces, strict=True)), norm
 
     def row(self, x: Sequence[int]) -> tuple[int, ...]:
         """Return the row, over the denominator of the order, of an element with these coordinates."""
