@@ -17,7 +17,7 @@ from random import Random
 from typing import Any
 
 from hfield import QQ, QuaternionAlgebra
-from hfield.structure.rationals.hilbert_rationals import ramified_places_q
+from hfield.fields.rationals.symbols import ramified_places_q
 
 LIMIT = 10**6
 ROUNDS = 5

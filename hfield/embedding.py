@@ -11,13 +11,13 @@ import flint
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.local.completion import Completion
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.sums import evaluate, roots_in
 from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
-from hfield.rings.functions import FunctionField
-from hfield.rings.local.completion import Completion
-from hfield.rings.number_field import NumberField
-from hfield.rings.number_sums import evaluate, roots_in
 
 
 def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:

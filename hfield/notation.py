@@ -8,8 +8,8 @@ import re
 from collections.abc import Sequence
 
 from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
+from hfield.fields.names import ring
 from hfield.product import Constants, Scalar
-from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax.brackets import outside, split
 

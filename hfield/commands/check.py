@@ -185,9 +185,9 @@ def _pin(args: Namespace) -> Pin | None:
         raise UsageError("--claim names the statement and the algebra; give one or the other")
     everywhere = args.field is not None and args.field.strip().lower() in UNIVERSAL
     if args.claim is not None:
+        from hfield.fields.names import ring
         from hfield.ledger.findings import Computed
         from hfield.ledger.registry import find
-        from hfield.rings import ring
 
         claim = find(args.claim)
         if not claim.checkable:
@@ -228,7 +228,7 @@ def _pin(args: Namespace) -> Pin | None:
 
 def _in_words(pin: Pin, claim: str | None) -> str:
     """Say what the certificates have to be about."""
-    from hfield.rings import ring
+    from hfield.fields.names import ring
 
     what = f"claim {claim}" if claim else one_line(pin.statements[0])
     if pin.any_field:

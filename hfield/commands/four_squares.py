@@ -23,7 +23,7 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute, and print the squares in descending order."""
-    from hfield.rings import ring
+    from hfield.fields.names import ring
     from hfield.structure import four_squares
 
     n = int(ring("ZZ")(args.n))

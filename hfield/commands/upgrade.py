@@ -18,8 +18,8 @@ from hfield.certificates.rejection import Rejected
 from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError, add_output
 from hfield.errors import HFieldError, RingError, shorten
-from hfield.rings import ring, ring_of_data
-from hfield.rings.number_field import NumberField
+from hfield.fields.names import ring, ring_of_data
+from hfield.fields.number_fields.ring import NumberField
 
 HELP = (
     f"Write certificates {FIRST_SCHEMA} as {SCHEMA}: what was the name of a ring or a place becomes data, as "

@@ -136,8 +136,8 @@ def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str,
 
 def _remark(fields: list[str]) -> None:
     """Say what the verdicts over a ring that is no exact field are worth."""
+    from hfield.fields.names import ring
     from hfield.ledger.claim import NO_FIELD, UNIVERSAL
-    from hfield.rings import ring
 
     for name in fields:
         if name in (UNIVERSAL, NO_FIELD):

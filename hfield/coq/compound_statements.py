@@ -11,8 +11,9 @@ from hfield.coq.presented import Presentation, is_presentation, presentation
 from hfield.coq.rooms import room_of
 from hfield.coq.sentences import Proved
 from hfield.coq.terms import NotCoveredError
+from hfield.fields.names import ring
 from hfield.proving.statements.setting import Setting
-from hfield.rings import Ring, ring
+from hfield.rings import Ring
 from hfield.syntax.brackets import split
 
 LOGIC = ("every", "implies", "iff", "not-everywhere", "over", "angles", "citing")

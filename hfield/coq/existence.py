@@ -10,10 +10,10 @@ from hfield.coq.cofactors import MismatchError
 from hfield.coq.rooms import FIELDS, RINGS, Room, of_characteristic, room_of
 from hfield.coq.sentences import COMPUTED, Proved, Sentence
 from hfield.coq.terms import NotCoveredError, Terms
+from hfield.fields.names import ring_of_data
 from hfield.proving.existence.witness_terms import put_in
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.trees import substitute
-from hfield.rings import ring_of_data
 from hfield.syntax import Binary, Logic, Name, Node, Not, parse
 
 if TYPE_CHECKING:

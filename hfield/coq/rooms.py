@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import HFieldError, shorten
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.rings.base import Ring
 
 MAX_PRIME = 300  # of a field in which Coq computes; larger ones are any field of the characteristic

@@ -10,9 +10,9 @@ from hfield.coq.cofactors import MismatchError
 from hfield.coq.compound_statements import judge
 from hfield.coq.sentences import Proved
 from hfield.errors import HFieldError, TooLargeError, shorten
+from hfield.fields.names import ring, ring_of_data
 from hfield.notation import split_algebra
 from hfield.proving.statements.setting import UNNAMED, read_setting
-from hfield.rings import ring, ring_of_data
 
 MAX_PROOF = 3_000_000
 

@@ -19,8 +19,8 @@ from hfield.coq.rooms import (
 )
 from hfield.coq.sentences import COMPUTED, Proved, Sentence, computed
 from hfield.coq.terms import NotCoveredError
+from hfield.fields.names import ring_of_data
 from hfield.proving.statements.language import Sort, Statement
-from hfield.rings import ring_of_data
 
 if TYPE_CHECKING:
     from hfield.coq.judgement import Judgement

@@ -12,7 +12,7 @@ from hfield.lattices import hermite
 from hfield.primality import is_prime
 from hfield.quaternion import Parent, Quaternion
 from hfield.rings.rational import rational
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 
 def element_row(algebra: Parent, x: object) -> tuple[int, list[int]]:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.rings.number_field import NumberField
-from hfield.structure.number_fields.integral_basis import coordinate_rows, element_of
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
+from hfield.fields.number_fields.ring import NumberField
 
 if TYPE_CHECKING:
     from hfield.quaternion import Quaternion

@@ -24,7 +24,7 @@ from hfield.lattices.z_lattice import ZLattice, coordinates, includes, multiple
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
 from hfield.quaternion import Quaternion
-from hfield.structure.rationals.whole_numbers import sqrt_mod
+from hfield.rings.whole_numbers import sqrt_mod
 
 DOUBLINGS = 12
 LONGER = 20_000

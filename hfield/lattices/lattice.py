@@ -49,7 +49,7 @@ from hfield.lattices.short_elements import expect_definite
 from hfield.lattices.z_lattice import ZLattice, rows_json
 from hfield.lattices.z_order import ZOrder
 from hfield.quaternion import Parent, Quaternion
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""

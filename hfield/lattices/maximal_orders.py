@@ -19,7 +19,7 @@ from hfield.lattices.checked_arguments import expect_coprime
 from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 from hfield.lattices.z_lattice import ZLattice, hermite_form
 from hfield.lattices.z_order import ZOrder, order_of
-from hfield.structure.rationals.whole_numbers import crt
+from hfield.rings.whole_numbers import crt
 
 
 def radical(order: ZOrder, p: int) -> ZLattice:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import flint
 from flint import fmpz_mod_ctx, fmpz_mod_mat
 
-from hfield.structure.rationals.whole_numbers import sqrt_mod
+from hfield.rings.whole_numbers import sqrt_mod
 
 
 def echelon(rows: Sequence[Sequence[int]], p: int) -> list[list[int]]:

@@ -20,6 +20,7 @@ from flint import fmpz_mat
 
 from hfield.errors import CoercionError, LatticeError
 from hfield.factorisation import factorise
+from hfield.fields.rationals.residues import PrimePlace
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import expect_coprime, positive
@@ -32,9 +33,8 @@ from hfield.primality import is_prime
 from hfield.product import Constants, Coordinates, multiply
 from hfield.quaternion import Parent
 from hfield.rings.rational import fmpq
-from hfield.rings.residues.prime_numbers import PrimePlace
+from hfield.rings.whole_numbers import fraction
 from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise
-from hfield.structure.rationals.whole_numbers import fraction
 
 
 def maximal_order(algebra: Parent) -> ZOrder:

@@ -18,28 +18,28 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
-from hfield.primality import WORD
-from hfield.product import Constants, Scalar, multiply, norm
-from hfield.rings.number_field import NumberField
-from hfield.rings.number_orders import left_kernel
-from hfield.rings.number_primes import PrimeIdeal, primes_above
-from hfield.rings.quadratic import QuadraticField
-from hfield.rings.quadratic_as_number_field import (
+from hfield.fields.number_fields.integers import left_kernel
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
+from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
     from_number_field,
     into_number_field,
 )
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.residues import local_place
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.symbols import candidates, finite_ramified
+from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
+from hfield.primality import WORD
+from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.residue_polynomials import coefficients
-from hfield.rings.residues.number_ideals import local_place
 from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.number_fields.hilbert_number_fields import candidates, finite_ramified
-from hfield.structure.number_fields.integral_basis import coordinate_rows, element_of
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.dedekind_modules import PseudoBasis
     from hfield.quaternion import Quaternion
-    from hfield.rings.number_elements import FieldElement
 
 
 class Frame:

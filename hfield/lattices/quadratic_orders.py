@@ -29,7 +29,7 @@ from hfield.lattices.short_elements import expect_affordable, expect_definite, o
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_probable_prime, primes
 from hfield.quaternion import Quaternion
-from hfield.structure.rationals.whole_numbers import sqrt_mod
+from hfield.rings.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import Order

@@ -17,13 +17,13 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpq_mat, fmpz, fmpz_mat
 
 from hfield.errors import RingError
+from hfield.fields.rationals.places import INFINITE
+from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.lattices.hermite import integral
 from hfield.product import Constants, conjugate, multiply, trace
 from hfield.rings.rational import fmpq
-from hfield.rings.rational_places import INFINITE
+from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant
-from hfield.structure.rationals.hilbert_rationals import ramified_places_q
-from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
     from hfield.quaternion import Parent

@@ -11,7 +11,7 @@ from hfield.lattices import enumeration, hermite
 from hfield.lattices.checked_arguments import natural
 from hfield.lattices.z_lattice import ZLattice
 from hfield.quaternion import Quaternion
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 Row = tuple[int, ...]
 MANY = 10**6

@@ -128,7 +128,7 @@ def decide(claim: Claim, field: str) -> Row:
 
     ``field`` is the text of any field, ``"universal"``, or ``"-"`` for a claim about no field.
     """
-    from hfield.rings import ring
+    from hfield.fields.names import ring
 
     if claim.as_printed is None:
         return Row(claim, field, Decision(NOT_APPLICABLE, NOT_CHECKABLE, steps=(claim.note,)), None)

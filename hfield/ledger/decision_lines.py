@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from hfield.errors import shorten
+from hfield.fields.names import ring
 from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.matrix import Style
 from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.rings import ring
 
 _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from hfield.errors import HFieldError, NotationError, shorten
+from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Proposition
 from hfield.ledger.columns import split_columns
 from hfield.ledger.propositions import Every, Statement
 from hfield.proving.statements.setting import read_setting
-from hfield.rings import ring
 
 SCHEMA = "hfield-ledger/1"
 REQUIRED = ("id", "name", "section", "kind", "statement")
@@ -26,7 +26,11 @@ MAX_BYTES = 4_000_000
 
 
 class LedgerError(HFieldError, ValueError):
-    """A ledger that cannot be read; the message names the file, the line or the claim, and the key."""
+    """A ledger that cannot be read; the message names the file, the line or the claim, and the key.
+
+    >>> issubclass(LedgerError, ValueError)
+    True
+    """
 
 
 @dataclass(frozen=True)

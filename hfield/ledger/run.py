@@ -103,7 +103,7 @@ def contradictions(rows: Sequence[Row]) -> list[str]:
 
 
 def _is_field(name: str) -> bool:
-    from hfield.rings import ring
+    from hfield.fields.names import ring
 
     return name not in (UNIVERSAL, NO_FIELD) and ring(name).is_field
 

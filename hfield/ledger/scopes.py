@@ -15,9 +15,9 @@ from hfield.certificates.glossary import (
     UNDECIDED,
     WITNESS,
 )
+from hfield.fields.names import ring
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decision import Decision
-from hfield.rings import ring
 from hfield.rings.base import Ring
 
 TRUE = ("proved", "vacuous")

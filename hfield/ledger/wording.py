@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from hfield.errors import HFieldError, NotationError
+from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.notation import element_text
 from hfield.proving.statements.printing import to_unicode
-from hfield.rings import ring
 from hfield.syntax import parse
 
 STATED_FIELD = "F"  # the key of a witness that names the field it lives in

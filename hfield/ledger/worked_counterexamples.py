@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.ledger.wording import STATED_FIELD
 from hfield.notation import element_text
@@ -14,7 +15,6 @@ from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_unicode
 from hfield.proving.statements.setting import Setting, read_setting
 from hfield.proving.statements.trees import walk
-from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight
 

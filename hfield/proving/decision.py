@@ -19,7 +19,7 @@ from hfield.certificates.glossary import (
     VERDICTS,
 )
 from hfield.errors import UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 
 # The verdicts and scopes, which those who decide take from here.
 __all__ = [

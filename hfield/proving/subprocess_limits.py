@@ -8,10 +8,10 @@ import sys
 from typing import Any
 
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.proving.decision import UNDECIDED, Decision
 from hfield.proving.problem import Problem
 from hfield.proving.question import Question
-from hfield.rings import ring
 from hfield.rings.base import Ring
 
 MEMORY = 1 << 30

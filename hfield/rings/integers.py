@@ -152,7 +152,7 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
-    arithmetic = "rationals.arithmetic_rationals.RationalArithmetic"
+    arithmetic = "rationals.arithmetic.RationalArithmetic"
 
     def in_words(self) -> str:
         """Say what ℚ is."""
@@ -217,7 +217,7 @@ class Rationals(_Ordered):
 
     def completion(self, place: object) -> Ring:
         """Return ℚ_p, or RR at infinity."""
-        from hfield.rings.local.rationals import completion_of_rationals
+        from hfield.fields.rationals.completions import completion_of_rationals
 
         return completion_of_rationals(self, place)
 

@@ -37,7 +37,7 @@ MAX_TERMS = 200_000
 class PolynomialRing(Ring):
     """R[x, y, …] for R = ZZ, QQ or GF(p); elements are flint polynomials, ordered by degree.
 
-    >>> from hfield.rings import ring
+    >>> from hfield import ring
     >>> R = ring("ZZ[a,b]")
     >>> R.text(R("(a+b)^2"))
     'a^2+2*a*b+b^2'
@@ -80,7 +80,7 @@ class PolynomialRing(Ring):
     @property
     def fractions(self) -> Ring | None:
         """The rational functions, where they are offered: in one variable."""
-        from hfield.rings.functions import FunctionField
+        from hfield.fields.function_fields.ring import FunctionField
 
         if len(self.variables) > 1:
             return None

@@ -25,7 +25,6 @@ from .ramification import place as place
 from .ramification import places as places
 from .ramification import ramified_places as ramified_places
 from .ramification import reduced_discriminant as reduced_discriminant
-from .rationals.hilbert_rationals import from_ramification_q as from_ramification_q
 from .single_elements.properties import characteristic_polynomial as characteristic_polynomial
 from .single_elements.properties import conjugator as conjugator
 from .single_elements.properties import is_idempotent as is_idempotent

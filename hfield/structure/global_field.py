@@ -23,7 +23,7 @@ from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_p
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 if TYPE_CHECKING:
-    from hfield.rings.residues.finite_places import FinitePlace
+    from hfield.structure.finite_places import FinitePlace
 
 
 def global_field(ring: Ring) -> GlobalField | None:
@@ -48,7 +48,7 @@ def field_named_by(*things: object) -> Ring | None:
 @cache
 def _arithmetic(where: str) -> type[GlobalField]:
     module, _, name = where.rpartition(".")
-    return getattr(import_module(f"hfield.structure.{module}"), name)  # type: ignore[no-any-return]
+    return getattr(import_module(f"hfield.fields.{module}"), name)  # type: ignore[no-any-return]
 
 
 class GlobalField(ABC):
@@ -142,7 +142,7 @@ class GlobalField(ABC):
 
     @abstractmethod
     def residues(self, place: Any) -> FinitePlace | None:
-        """Return a finite place with its residue field, as in :mod:`hfield.rings.residues`.
+        """Return a finite place with its residue field, as in :mod:`hfield.structure.finite_places`.
 
         None for an infinite place of a number field, and where the residue field is not finite.
         """

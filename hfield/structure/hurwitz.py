@@ -13,7 +13,7 @@ from fractions import Fraction
 from hfield.errors import CoercionError, NotInvertibleError
 from hfield.product import Constants, conjugate, multiply, norm
 from hfield.rings.squares import two_squares
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 HAMILTON = Constants(Fraction(-1), Fraction(0), Fraction(-1))
 Vector = tuple[Fraction, Fraction, Fraction, Fraction]

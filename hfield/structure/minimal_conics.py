@@ -17,7 +17,7 @@ from hfield.product import Constants, Scalar
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
-    from hfield.rings.residues.finite_places import FinitePlace
+    from hfield.structure.finite_places import FinitePlace
 
 
 Vector = list[Any]

@@ -5,10 +5,10 @@ from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors, known_primes
+from hfield.fields.number_fields.quadratic.ring import common_quadratic_field
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
-from hfield.rings.quadratic import common_quadratic_field
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import field_named_by, global_field
 

@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from hfield.certificates.glossary import WITNESS
+from hfield.fields.names import ring
 from hfield.ledger.propositions import Every, Statement
 from hfield.proving.decision import REFUTED, Decision
-from hfield.rings import ring
 from hfield.rings.base import Ring
+from hfield.rings.whole_numbers import fraction
 from hfield.structure import four_squares
-from hfield.structure.rationals.whole_numbers import fraction
 
 
 @dataclass(frozen=True)

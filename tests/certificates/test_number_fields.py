@@ -15,7 +15,7 @@ from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.irreducible import check_irreducible
 from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
 from hfield.certificates.scalars.real_roots import real_roots
-from hfield.rings.number_primes import PrimeIdeal
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.structure.global_field import known_field
 from tests.certificates import ring_data
 from tests.certificates.cases import decided

@@ -18,7 +18,7 @@ from hfield.errors import (
     TooLargeError,
 )
 from hfield.lattices import enumeration
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 from tests.lattices.random_lattices import (
     algebra,
     box,

@@ -77,6 +77,6 @@ def test_a_lattice_that_is_no_ring_or_too_small_is_caught() -> None:
 def _integral(K: object, x: object) -> list:
     if hasattr(x, "minimal_polynomial"):
         return x.minimal_polynomial()
-    from hfield.rings.quadratic_places import integer_coordinates
+    from hfield.fields.number_fields.quadratic.places import integer_coordinates
 
     return [flint.fmpq(c.numerator, c.denominator) for c in integer_coordinates(K.d, x)]

@@ -13,10 +13,17 @@ from sympy import I, Pow, Rational, cos, exp, pi, sin, sqrt, tan
 from hfield.errors import HFieldError, NotInvertibleError
 from hfield.rings import ring
 from hfield.rings.balls import fingerprint, precision
-from hfield.rings.evaluate import evaluate, is_known
-from hfield.rings.heights import bounds
-from hfield.rings.radicals import surd_of, sympy_of
-from hfield.rings.surds import Surd, as_surd, from_rational, principal, root_near, sqrt_rational
+from hfield.rings.closed_fields.evaluate import evaluate, is_known
+from hfield.rings.closed_fields.heights import bounds
+from hfield.rings.closed_fields.radicals import surd_of, sympy_of
+from hfield.rings.closed_fields.surds import (
+    Surd,
+    as_surd,
+    from_rational,
+    principal,
+    root_near,
+    sqrt_rational,
+)
 
 L2, L3, L5, L7 = log(2), log(3), log(5), log(7)
 
@@ -395,7 +402,7 @@ def test_numbers_that_are_refused() -> None:
 
 
 def test_what_has_a_square_root() -> None:
-    from hfield.rings.number_field_roots import _is_square
+    from hfield.fields.number_fields.embeddings import _is_square
 
     for p, q in product(range(-30, 31), range(1, 31)):
         assert _is_square(flint.fmpq(p, q)) == (p > 0 and square(Fraction(p, q)))

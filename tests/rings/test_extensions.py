@@ -7,8 +7,8 @@ from random import Random
 import pytest
 
 from hfield.errors import HFieldError, NotInvertibleError
+from hfield.fields.function_fields.extensions import ExtensionElement, _divmod, stripped
 from hfield.rings import ring
-from hfield.rings.extensions import ExtensionElement, _divmod, stripped
 
 NAMES = (
     "GF(3)(t)[u]/(u^2-t^3+t)", "QQ(x)[u]/(u^3-x)", "QQ(x,y)[u]/(u^2-x*y)", "GF(4)(s,t)",

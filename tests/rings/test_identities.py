@@ -8,8 +8,9 @@ from sympy import I, Rational, cos, pi, root, sqrt
 
 from hfield import H
 from hfield.errors import HFieldError
-from hfield.rings import CC, RR, closed
-from hfield.rings.identities import vanishes_identically
+from hfield.rings import CC, RR
+from hfield.rings.closed_fields import closed_forms as closed
+from hfield.rings.closed_fields.identities import vanishes_identically
 from tests.steps import steps
 
 # an identity whose degree and height asked for more digits than are computed

@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, RingError
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.ring import NumberField
 from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
 from hfield.rings.finite import ExtensionField
-from hfield.rings.functions import FunctionField
-from hfield.rings.number_field import NumberField
 from hfield.rings.polynomials import PolynomialRing
-from hfield.rings.quadratic import QuadraticField
 from tests.steps import steps
 
 CANONICAL = {

@@ -11,7 +11,7 @@ from flint import arb
 from hfield import NumberField, QuaternionAlgebra, ring
 from hfield.embedding import embedding
 from hfield.errors import CoercionError, NotInvertibleError, RingError
-from hfield.rings.number_field_places import place_of_number_field
+from hfield.fields.number_fields.places import place_of_number_field
 from hfield.rings.printing import from_unicode
 from tests.structure.number_field_cases import cases, field, prime
 

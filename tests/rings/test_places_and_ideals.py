@@ -9,11 +9,24 @@ import flint
 import pytest
 
 from hfield.errors import HFieldError
-from hfield.rings import ring
-from hfield.rings.function_places import FunctionPlace, place_of_functions
-from hfield.rings.number_orders import LocalOrder, dedekind, integral_generator
-from hfield.rings.number_primes import by_other_generators
-from hfield.rings.number_sums import (
+from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
+from hfield.fields.number_fields.integers import LocalOrder, dedekind, integral_generator
+from hfield.fields.number_fields.prime_ideals import by_other_generators
+from hfield.fields.number_fields.quadratic.as_number_field import (
+    as_number_field,
+    from_number_field,
+    into_number_field,
+    place_in_number_field,
+)
+from hfield.fields.number_fields.quadratic.places import (
+    QuadraticPlace,
+    integer_coordinates,
+    integers_basis,
+    place_of_quadratic,
+    places_above,
+)
+from hfield.fields.number_fields.quadratic.ring import QuadraticField, common_quadratic_field
+from hfield.fields.number_fields.sums import (
     _newton_sums,
     common_root,
     evaluate,
@@ -21,23 +34,10 @@ from hfield.rings.number_sums import (
     roots_in,
     sums_of_roots,
 )
-from hfield.rings.quadratic import QuadraticField, common_quadratic_field
-from hfield.rings.quadratic_as_number_field import (
-    as_number_field,
-    from_number_field,
-    into_number_field,
-    place_in_number_field,
-)
-from hfield.rings.quadratic_places import (
-    QuadraticPlace,
-    integer_coordinates,
-    integers_basis,
-    place_of_quadratic,
-    places_above,
-)
-from hfield.rings.rational_places import place_of_q
+from hfield.fields.rationals.places import place_of_q
+from hfield.rings import ring
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
-from hfield.structure.rationals.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction
 
 PRIMES = (2, 3, 5, 7, 11, 13)
 QUADRATIC = (-1, -2, -3, -5, -6, -7, -11, -15, -23, 2, 3, 5, 6, 7, 10, 13, 17, 21, 33)

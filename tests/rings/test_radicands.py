@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, TooLargeError
 from hfield.rings import ring
-from hfield.rings.algebraic import CC, RR
-from hfield.rings.radicands import independent, odd, product, ratio, reduced
-from hfield.rings.surds import Surd
+from hfield.rings.closed_fields.algebraic import CC, RR
+from hfield.rings.closed_fields.radicands import independent, odd, product, ratio, reduced
+from hfield.rings.closed_fields.surds import Surd
 
 # Primes of 30 and 40 digits: a product of two is not factored (see tests/test_factorisation.py).
 P, Q, R, S = 10**29 + 319, 10**29 + 631, 10**39 + 3, 10**39 + 391

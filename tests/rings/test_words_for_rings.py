@@ -7,8 +7,8 @@ import pytest
 
 from hfield import GF, NumberField, Zmod
 from hfield.errors import CoercionError, RingError
+from hfield.fields.number_fields.places import place_of_number_field
 from hfield.rings import ring
-from hfield.rings.number_field_places import place_of_number_field
 from hfield.rings.printing import (
     blackboard,
     from_unicode,
@@ -207,7 +207,7 @@ def test_floats() -> None:
 
 @pytest.mark.parametrize("name", ["RR", "CC"])
 def test_closed_fields_say_so(name: str) -> None:
-    from hfield.rings.algebraic import AlgebraicNumbers
+    from hfield.rings.closed_fields.algebraic import AlgebraicNumbers
 
     made = AlgebraicNumbers(name)
     assert made.closure == {"RR": "real closed", "CC": "algebraically closed"}[name]

@@ -5,8 +5,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from hfield.rings.number_field import NumberField
-from hfield.rings.number_primes import PrimeIdeal
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from hfield.fields.number_fields.ring import NumberField
 
 VECTORS = Path(__file__).parents[1] / "vectors"
 

@@ -6,9 +6,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from hfield.factorisation import factorise, remove
-from hfield.structure.rationals.conic_rationals import solve_conic
-from hfield.structure.rationals.diagonal_forms import isotropic_vector
-from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramified_places_q
+from hfield.fields.rationals.conics import solve_conic
+from hfield.fields.rationals.diagonal_forms import isotropic_vector
+from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)
 

@@ -5,11 +5,11 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.fields.function_fields.inseparable import artin_schreier
 from hfield.product import Constants, multiply, norm, trace
 from hfield.rings import ring
 from hfield.structure import is_isomorphic, isomorphism
 from hfield.structure.forms import discriminant
-from hfield.structure.function_fields.inseparable import artin_schreier
 from hfield.structure.single_elements.square_roots import square_roots
 
 

@@ -5,11 +5,11 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.fields.function_fields.slots import common_slot_functions
 from hfield.product import Constants, multiply, norm, trace
 from hfield.rings import ring
 from hfield.structure import is_division, isomorphism, ramified_places
 from hfield.structure.forms import discriminant
-from hfield.structure.function_fields.slots_functions import common_slot_functions
 from hfield.structure.ramification import hilbert_symbol
 from hfield.structure.single_elements.square_roots import square_roots
 

@@ -8,14 +8,14 @@ from structure_cases import cases
 
 from hfield.errors import CoercionError, NotationError, RingError, UndecidedError
 from hfield.factorisation import factorise
-from hfield.structure import hilbert_symbol
-from hfield.structure.rationals.hilbert_rationals import (
+from hfield.fields.rationals.symbols import (
     discriminant_q,
     from_ramification_q,
     hilbert_symbol_q,
     place_of_q,
     ramified_places_q,
 )
+from hfield.structure import hilbert_symbol
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)
 rationals = st.builds(Fraction, nonzero, st.integers(1, 1000))

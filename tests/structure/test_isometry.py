@@ -5,13 +5,13 @@ from fractions import Fraction
 
 import pytest
 
-import hfield.structure.rationals.unimodular_lattice as lattices
+import hfield.fields.rationals.unimodular_lattice as lattices
 from hfield import QuaternionAlgebra
 from hfield.errors import RingError, UndecidedError
+from hfield.fields.rationals.embedding import traceless_root_rational
+from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
 from hfield.product import Constants, multiply
 from hfield.rings import QQ
-from hfield.structure.rationals.hilbert_rationals import hilbert_symbol_q, ramified_places_q
-from hfield.structure.rationals.rational_embedding import traceless_root_rational
 
 P, Q, R = (
     10**29 + 319,

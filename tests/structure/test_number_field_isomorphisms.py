@@ -7,11 +7,11 @@ import flint
 import pytest
 
 from hfield import QuaternionAlgebra, ring
+from hfield.fields.number_fields import unimodular_lattice
+from hfield.fields.number_fields.prime_ideals import primes_above
+from hfield.fields.number_fields.symbols import candidates
+from hfield.fields.number_fields.unimodular_lattice import unimodular_module
 from hfield.primality import WORD, power_root, primes
-from hfield.rings.number_primes import primes_above
-from hfield.structure.number_fields import unimodular_lattice
-from hfield.structure.number_fields.hilbert_number_fields import candidates
-from hfield.structure.number_fields.unimodular_lattice import unimodular_module
 
 FIELDS = [
     "QQ[s]/(s^4-5*s^2+5)", "QQ[s]/(s^5-s-1)", "QQ[s]/(s^6+2*s+2)", "QQ[s]/(s^8-2*s^7+4*s^5-4*s^4+3*s^2-2*s+1)"

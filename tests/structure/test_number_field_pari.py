@@ -14,7 +14,7 @@ import pytest
 
 from hfield import NumberField, QuaternionAlgebra, hilbert_symbol
 from hfield.errors import RingError
-from hfield.rings.number_primes import PrimeIdeal
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 
 SEED = os.environ.get("HFIELD_SEED", "1")
 DEGREES = range(3, 11)

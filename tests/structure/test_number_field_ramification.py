@@ -7,14 +7,14 @@ import pytest
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
 from hfield.errors import CoercionError, RingError, UndecidedError
+from hfield.fields.number_fields import walk
+from hfield.fields.number_fields.conics import solve_conic_number_field
+from hfield.fields.number_fields.places import ComplexPlace, RealPlace
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from hfield.fields.number_fields.residues import local_place
+from hfield.fields.number_fields.symbols import candidates
 from hfield.product import Constants
-from hfield.rings.number_field_places import ComplexPlace, RealPlace
-from hfield.rings.number_primes import PrimeIdeal
-from hfield.rings.residues.number_ideals import local_place
 from hfield.structure.minimal_conics import Conic, minimise, norm_form
-from hfield.structure.number_fields import walk
-from hfield.structure.number_fields.conic_number_fields import solve_conic_number_field
-from hfield.structure.number_fields.hilbert_number_fields import candidates
 from tests.steps import steps
 from tests.structure.number_field_cases import cases, field, prime
 

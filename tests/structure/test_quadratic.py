@@ -6,14 +6,14 @@ import pytest
 from structure_cases import cases, constants
 
 from hfield.errors import RingError, UndecidedError
-from hfield.product import norm
-from hfield.rings import ring
-from hfield.rings.quadratic import QuadraticField
-from hfield.structure import hilbert_symbol, is_division, zero_norm
-from hfield.structure.quadratic_fields.hilbert_quadratic import (
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.quadratic.symbols import (
     hilbert_symbol_quadratic,
     ramified_places_quadratic,
 )
+from hfield.product import norm
+from hfield.rings import ring
+from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.ramification import place, places, ramified_places
 
 

@@ -9,11 +9,10 @@ from structure_cases import constants
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import remove
-from hfield.primality import is_prime
-from hfield.product import Constants, multiply
-from hfield.rings import ring
-from hfield.rings.quadratic_places import places_above
-from hfield.rings.residues.prime_ideals import (
+from hfield.fields.number_fields.quadratic.conics import solve_conic_quadratic
+from hfield.fields.number_fields.quadratic.good_lattice import bad_primes, good_lattice
+from hfield.fields.number_fields.quadratic.places import places_above
+from hfield.fields.number_fields.quadratic.residues import (
     Inert,
     conjugate,
     coordinates,
@@ -21,17 +20,18 @@ from hfield.rings.residues.prime_ideals import (
     omega,
     primes_above,
 )
-from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
-from hfield.structure.minimal_conics import Conic
-from hfield.structure.quadratic_fields.conic_quadratic import solve_conic_quadratic
-from hfield.structure.quadratic_fields.good_lattice import bad_primes, good_lattice
-from hfield.structure.quadratic_fields.hilbert_quadratic import (
+from hfield.fields.number_fields.quadratic.slots import common_slot
+from hfield.fields.number_fields.quadratic.symbols import (
     hilbert_symbol_quadratic,
     integral,
     is_local_square,
     pair,
 )
-from hfield.structure.quadratic_fields.slots_quadratic import common_slot
+from hfield.primality import is_prime
+from hfield.product import Constants, multiply
+from hfield.rings import ring
+from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
+from hfield.structure.minimal_conics import Conic
 from hfield.structure.single_elements.square_roots import square_roots
 
 FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]

@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
@@ -17,7 +18,6 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import FALSE, implication
-from hfield.rings import ring
 from hfield.syntax import Compare, Logic, Name, Node, Number, parse
 
 MAX_ISOLATED = 40

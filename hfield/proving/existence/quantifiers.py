@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import (
     FIELD,
@@ -26,7 +27,6 @@ from hfield.proving.existence.witnesses import FEW, decide_closed
 from hfield.proving.methods import all_fields, universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.trees import conjunction
-from hfield.rings import ring
 from hfield.syntax import Not
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from hfield.errors import TooLargeError
+from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
 from hfield.proving.definedness import algebra_exists
@@ -14,7 +15,6 @@ from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators
-from hfield.rings import ring
 
 # Where a counterexample is looked for, in this order.
 FIELDS_TRIED = (

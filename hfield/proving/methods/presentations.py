@@ -11,6 +11,7 @@ from math import lcm
 from typing import Any
 
 from hfield.errors import NotationError
+from hfield.fields.names import ring
 from hfield.proving.clock import Clock
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
@@ -26,7 +27,6 @@ from hfield.proving.methods.algebra_tables import Table, find_table
 from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import MEMORY
-from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
 

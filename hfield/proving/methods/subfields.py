@@ -15,18 +15,19 @@ from typing import Any
 import flint
 
 from hfield.errors import HFieldError, TooLargeError
+from hfield.fields.local.element import LocalElement
+from hfield.fields.local.field import LocalField
+from hfield.fields.local.roots import square_root
+from hfield.fields.names import ring
+from hfield.fields.number_fields.ring import NumberField
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.proving.decision import PROVED, REFUTED, Decision
 from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem
-from hfield.rings import QQ, ring
+from hfield.rings import QQ
 from hfield.rings.base import Ring
-from hfield.rings.local.element import LocalElement
-from hfield.rings.local.field import LocalField
-from hfield.rings.local.roots import square_root
-from hfield.rings.number_field import NumberField
-from hfield.rings.radicands import reduced
+from hfield.rings.closed_fields.radicands import reduced
 from hfield.rings.roots import integral, irreducible_factors, near_root
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field

@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertibleError
+from hfield.fields.names import ring
 from hfield.notation import split_algebra
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import BASIS, QUATERNIONS, RESULT, generators
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import divides_in, substitute, walk
-from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.syntax import Call, Index, Name, Node, parse, weight
 

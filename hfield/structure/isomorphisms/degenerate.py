@@ -8,11 +8,11 @@ F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 
 from typing import Any
 
+from hfield.fields.function_fields.inseparable import artin_schreier
+from hfield.fields.function_fields.ring import FunctionField
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
 from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.function_fields.inseparable import artin_schreier
 from hfield.structure.global_field import known_field
 from hfield.structure.linear_algebra.centre import basis_of
 

@@ -16,7 +16,7 @@ from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norms import zero_norm
 
 if TYPE_CHECKING:
-    from hfield.rings.quotient import Quotient
+    from hfield.fields.function_fields.quotients import Quotient
 
 
 Point = Callable[[Constants], tuple[Any, Any, Any]]

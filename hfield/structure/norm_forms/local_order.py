@@ -23,7 +23,7 @@ from hfield.product import Constants, Scalar, norm
 from hfield.structure.minimal_conics import Vector, adapt, kernel_at
 
 if TYPE_CHECKING:
-    from hfield.rings.residues.finite_places import FinitePlace
+    from hfield.structure.finite_places import FinitePlace
 
 
 MAX_STEPS = 1_000

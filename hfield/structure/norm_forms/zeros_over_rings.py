@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
+from hfield.fields.function_fields.ring import FunctionField
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring, shared
-from hfield.rings.functions import FunctionField
 from hfield.rings.polynomials import PolynomialRing
+from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant, root_if_known
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
-from hfield.structure.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
     import flint

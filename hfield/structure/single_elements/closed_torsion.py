@@ -19,10 +19,10 @@ from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import factorise
 from hfield.rings.balls import precision
 from hfield.rings.base import Ring
-from hfield.rings.surds import Surd
+from hfield.rings.closed_fields.surds import Surd
 
 if TYPE_CHECKING:
-    from hfield.rings.closed import Closed
+    from hfield.rings.closed_fields.closed_forms import Closed
 
 
 SURDS = 240  # the orders of roots of unity that are quadratic over sums of square roots divide it
@@ -168,7 +168,7 @@ def _unit_root(*angles: Fraction) -> Surd | Closed:
     """Return the sum of the ``exp(2πi·r)``."""
     import sympy
 
-    from hfield.rings.closed import number
+    from hfield.rings.closed_fields.closed_forms import number
 
     total = sympy.Integer(0)
     if len(angles) == 2 and (angles[0] + angles[1]) % 1 == 0:

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.factorisation import factorise
+from hfield.fields.function_fields.ring import FunctionField
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
-from hfield.rings.functions import FunctionField
 from hfield.rings.integers import QQ
 from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.global_field import global_field

@@ -1,0 +1,185 @@
+"""Fields of rational functions k(t) as global fields, and ℚ(x), which is none but has residues."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable, Iterator, Mapping
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+from hfield.errors import UndecidedError
+from hfield.factorisation import Factors
+from hfield.fields.function_fields.conics import (
+    RamifiedError,
+    solve_conic_functions,
+)
+from hfield.fields.function_fields.inseparable import (
+    artin_schreier,
+    as_norm,
+    embed_even,
+    square_parts,
+)
+from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
+from hfield.fields.function_fields.residues import AtInfinity, ResidueField
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.function_fields.roots import traceless_root_functions
+from hfield.fields.function_fields.slots import common_slot_functions
+from hfield.fields.function_fields.slots_searched import searched_slot
+from hfield.fields.function_fields.specialised_evidence import specialised_evidence
+from hfield.fields.function_fields.symbols import (
+    ramified_places_functions,
+    same_class_rational_functions,
+    symbol,
+)
+from hfield.product import Constants, Coordinates, Scalar
+from hfield.rings.base import Ring
+from hfield.structure.forms import NormalForm, normal_form
+from hfield.structure.global_field import GlobalField
+from hfield.structure.isomorphisms.through_slots import (
+    conic_point,
+    generator_by_slot,
+    through_slot,
+)
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
+
+if TYPE_CHECKING:
+    from hfield.fields.function_fields.quotients import Quotient
+
+
+class FunctionArithmetic(GlobalField):
+    """The arithmetic of k(t): what k = GF(q), q odd or even, and k = ℚ have in common."""
+
+    ring: FunctionField
+
+    @classmethod
+    def of(cls, ring: Ring) -> FunctionArithmetic:
+        """Return the arithmetic of k(t) by the field of constants k."""
+        assert isinstance(ring, FunctionField)
+        if ring.base.order is None:
+            return OverRationals(ring)
+        return OverEven(ring) if ring.characteristic == 2 else OverOdd(ring)
+
+    def read_place(self, text: object) -> FunctionPlace:
+        """Return a monic irreducible polynomial or infinity."""
+        return place_of_functions(self.ring, text)
+
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
+        """Return the symbol by a residue; in characteristic 2 that of [a, b | F), where a may be 0."""
+        field = self.ring
+        a, b = self._nonzero(a, b)
+        v = self.read_place(place)
+        t = field.one if field.characteristic == 2 else field.zero
+        form = normal_form(field, Constants(a, t, b))
+        return self._symbol(form, v)
+
+    def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:
+        return symbol(self.ring, form, v)
+
+    def ramified(self, form: NormalForm) -> tuple[FunctionPlace, ...]:
+        """Return the places with a residue that is not trivial, by degree, infinity last."""
+        return ramified_places_functions(self.ring, form)
+
+    def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
+        """Return the product of the polynomials."""
+        one = self.ring.one.num
+        return self.ring.quotient(
+            prod((v.poly for v in ramified if v.poly is not None), start=one), one
+        )
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, found by minimising it at all places."""
+        w, x, y = solve_conic_functions(self.ring, c)
+        reason = "no place is ramified, and this is a zero divisor"
+        return found(self.ring, c, (w, x, y, self.ring.zero), "conic", reason)
+
+    def residues(self, place: FunctionPlace) -> ResidueField | None:
+        """Return k[t] modulo a polynomial, or k at infinity, for a finite k."""
+        if self.ring.base.order is None:
+            return None
+        return AtInfinity(self.ring) if place.poly is None else ResidueField(self.ring, place.poly)
+
+
+class OverOdd(FunctionArithmetic):
+    """The arithmetic of GF(q)(t), q odd: slots are built from local classes."""
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot and three conics."""
+        e = common_slot_functions(self.ring, outer, [outer.a, inner.a])
+        assert e is not None, "isomorphic algebras have a common slot"
+        return through_slot(self.ring, outer, inner, e, self._conic_point)
+
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
+        """Return x by a common slot of (a, b) for a and s; there is one if there is an x."""
+        c = Constants(form.a, self.ring.zero, form.b)
+        e = common_slot_functions(self.ring, c, [c.a, s])
+        return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
+
+    def _conic_point(self, c: Constants) -> tuple[Quotient, Quotient, Quotient]:
+        return solve_conic_functions(self.ring, c)
+
+
+class OverEven(FunctionArithmetic):
+    """The arithmetic of GF(q)(t), q even: every algebra contains all inseparable square roots."""
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a square root of b and one conic."""
+        return embed_even(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
+        """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
+        raise AssertionError("in characteristic 2 square roots are norms")
+
+    def square_parts(self, x: Quotient) -> tuple[Quotient, Quotient]:
+        """Return the even and the odd part of x, each under its root."""
+        return square_parts(self.ring, x)
+
+    def as_norm(self, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
+        """Return w and r by comparing parts."""
+        return as_norm(self.ring, x, s)
+
+    def artin_schreier(self, x: Quotient) -> Quotient | None:
+        """Return y from the leading terms down."""
+        return artin_schreier(self.ring, x)
+
+
+class OverRationals(FunctionArithmetic):
+    """The arithmetic of ℚ(x): residues decide up to an algebra over ℚ (Faddeev's exact sequence)."""
+
+    splits_if_unramified = False
+
+    def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:
+        raise UndecidedError(
+            f"the completions of {self.ring} are not local fields: the residue alone does not decide there"
+        )
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic, or the places where a value of the algebra ramifies over ℚ."""
+        try:
+            return super().unramified_zero(c, form)
+        except RamifiedError as error:
+            shown = ", ".join(map(str, error.place))
+            reason = (
+                "all residues are trivial, so the algebra comes from one over QQ, its value at a point of "
+                f"the line, and that one is ramified at {shown}"
+            )
+            return none("specialisation", reason, error.place, "Faddeev's exact sequence")
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+        """Yield values of the variable at which the algebra is a division algebra over ℚ."""
+        return specialised_evidence(c)
+
+    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+        """Compare the residues, and then the values at a point where both are unramified."""
+        return same_class_rational_functions(self.ring, form, other)
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by a common slot that is searched for."""
+        e = searched_slot(self.ring, outer, inner, self.same_class)
+        return through_slot(self.ring, outer, inner, e, functools.partial(conic_point, self.ring))
+
+    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
+        """Return x where a rational point of the line does not forbid it and one is found."""
+        found = traceless_root_functions(self.ring, form, s)
+        return None if found is None else (self.ring.zero, *found)

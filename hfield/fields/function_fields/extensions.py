@@ -1,0 +1,217 @@
+"""Finite extensions F[u]/(f) of fields of rational functions, as far as arithmetic goes."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.fields.several_variables.ring import RationalFunctions, listed
+from hfield.rings.base import Known, Ring, shared
+from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.operators import Element
+from hfield.rings.overfield import Overfield
+from hfield.rings.polynomials import build as build_polynomials
+from hfield.rings.printing import sum_text
+
+if TYPE_CHECKING:
+    from hfield.fields.function_fields.quotients import Quotient
+
+
+class ExtensionElement(Element):
+    """An element Σ cₙ·uⁿ of F[u]/(f): as many coefficients in F as the degree of f. Immutable."""
+
+    __slots__ = ("coefficients",)
+
+    field: SimpleExtension
+    coefficients: tuple[Any, ...]
+
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[Quotient]) -> None:
+        object.__setattr__(self, "field", field)
+        object.__setattr__(self, "coefficients", tuple(coefficients))
+
+    def plus(self, other: ExtensionElement) -> ExtensionElement:
+        """Return the sum."""
+        pairs = zip(self.coefficients, other.coefficients, strict=True)
+        return ExtensionElement(self.field, [x + y for x, y in pairs])
+
+    def __neg__(self) -> ExtensionElement:
+        return ExtensionElement(self.field, [-x for x in self.coefficients])
+
+    def times(self, other: ExtensionElement) -> ExtensionElement:
+        """Return the product."""
+        product = _product(self.coefficients, other.coefficients, self.field.base.zero)
+        return self.field.reduced(product)
+
+    def same(self, other: ExtensionElement) -> bool:
+        """Tell whether both are the same element."""
+        return self.coefficients == other.coefficients
+
+
+class SimpleExtension(Overfield[ExtensionElement]):
+    """F[u]/(f) for a field F of rational functions and an irreducible f; ``gen`` is the class of u.
+
+    >>> from hfield import ring
+    >>> F = ring("GF(3)(t)[u]/(u^2-t^3+t)")
+    >>> F("1/u"), F("u^2")
+    (1/(t^3+2*t)*u, t^3+2*t)
+    """
+
+    def __init__(
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Quotient]
+    ) -> None:
+        self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
+        self.characteristic = base.characteristic
+        self.parse_limit = base.parse_limit
+        self.modulus_coefficients = tuple(modulus)  # monic, low degree first
+        self.degree = len(modulus) - 1
+
+    def __reduce__(self) -> tuple[object, ...]:
+        below = self.base, self.gen_name, self.modulus_coefficients
+        return shared, (type(self), self.name, self._words, *below)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by the one below, the polynomial, low degree first, and the name of the root."""
+        modulus = [self.base.text(c) for c in self.modulus_coefficients]
+        own = {"modulus": modulus, "variable": self.gen_name}
+        return {"kind": "extension", "base": self.base.data, **own}
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return self._words
+
+    @property
+    def gen(self) -> ExtensionElement:
+        """The class of u."""
+        return self.reduced([self.base.zero, self.base.one])
+
+    def names(self) -> dict[str, ExtensionElement]:
+        """The names of the field below, and u."""
+        below = {name: self._constant(x) for name, x in self.base.names().items()}
+        return {**below, str(self.gen_name): self.gen}
+
+    def _constant(self, c: Quotient) -> ExtensionElement:
+        return self.reduced([c])
+
+    def reduced(self, coefficients: Sequence[Quotient]) -> ExtensionElement:
+        """Return the class of a polynomial in u, low degree first."""
+        out, n = list(coefficients), self.degree
+        while len(out) > n:
+            top = out.pop()
+            if not self.base.is_zero(top):
+                shift = len(out) - n
+                for m, c in enumerate(self.modulus_coefficients[:-1]):
+                    out[shift + m] = out[shift + m] - top * c
+        return ExtensionElement(self, [*out, *[self.base.zero] * (n - len(out))])
+
+    def from_below(self, x: object) -> ExtensionElement:
+        """Turn a number or an element of F into an element. Raises :class:`CoercionError`."""
+        return self._constant(self.base(x))
+
+    def is_zero(self, x: ExtensionElement) -> bool:
+        """Tell whether x is 0."""
+        return all(map(self.base.is_zero, x.coefficients))
+
+    def equal(self, x: ExtensionElement, y: ExtensionElement) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: ExtensionElement) -> Hashable:
+        """Return the keys of the coefficients."""
+        return tuple(map(self.base.key, x.coefficients))
+
+    def inverse(self, x: ExtensionElement) -> ExtensionElement:
+        """Return 1/x, by the extended Euclidean algorithm. Raises :class:`NotInvertibleError` for 0."""
+        base = self.base
+        if self.is_zero(x):
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        f, g = list(self.modulus_coefficients), stripped(base, x.coefficients)
+        u, v = [base.zero], [base.one]  # g = v·x modulo f throughout
+        while len(g) > 1:
+            quotient, rest = _divmod(base, f, g)
+            f, g = g, rest
+            product = _product(quotient, v, base.zero)
+            size = max(len(u), len(product))
+            padded = ([*p, *[base.zero] * (size - len(p))] for p in (u, product))
+            u, v = v, [r - s for r, s in zip(*padded, strict=True)]
+        scale = base.inverse(g[0])
+        return self.reduced([scale * c for c in v])
+
+    @property
+    def level(self) -> Known:
+        """1 where it is 1 below; else not known."""
+        known = self.base.level
+        if known.value == 1:
+            return Known(1, f"it is that of {self.base.name}; there {known.reason}")
+        return Known(None, f"nothing is known of the squares of {self.name}")
+
+    def minus_one_as_squares(self) -> tuple[ExtensionElement, ...]:
+        """Return a root of −1 from below."""
+        return (
+            tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
+        )
+
+    def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
+        """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
+        if all(map(self.base.is_zero, x.coefficients[1:])):
+            root = self.base.sqrt(x.coefficients[0])
+            if root is not None:
+                return self._constant(root)
+        raise UndecidedError(f"square roots in {self.name} are not decided")
+
+    def random(self, rng: Random) -> ExtensionElement:
+        """Return a random element; the same for the same seed."""
+        return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
+
+    def text(self, x: ExtensionElement, style: str = "plain") -> str:
+        """Write x as a polynomial in u."""
+        terms = (
+            (self.base.text(c, style), [(str(self.gen_name), n)])
+            for n, c in enumerate(x.coefficients)
+            if not self.base.is_zero(c)
+        )
+        return sum_text(reversed(list(terms)), style)
+
+
+def _product(f: Sequence[Quotient], g: Sequence[Quotient], zero: Quotient) -> list[Quotient]:
+    out = [zero] * (len(f) + len(g) - 1)
+    for m, x in enumerate(f):
+        for n, y in enumerate(g, m):
+            out[n] = out[n] + x * y
+    return out
+
+
+def stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
+    """Return the coefficients, low degree first, without zeros at the end."""
+    out = list(f)
+    while out and base.is_zero(out[-1]):
+        out.pop()
+    return out
+
+
+def _divmod(
+    base: Ring, f: list[Quotient], g: list[Quotient]
+) -> tuple[list[Quotient], list[Quotient]]:
+    """Return quotient and rest of polynomials without leading zeros, low degree first."""
+    rest, scale = list(f), base.inverse(g[-1])
+    quotient = [base.zero] * max(len(f) - len(g) + 1, 1)
+    for shift in range(len(f) - len(g), -1, -1):
+        c = rest[shift + len(g) - 1] * scale
+        quotient[shift] = c
+        for m, y in enumerate(g):
+            rest[shift + m] = rest[shift + m] - c * y
+    return quotient, stripped(base, rest)
+
+
+def over_extended_constants(
+    constants: ExtensionField, variables: tuple[str, ...]
+) -> SimpleExtension:
+    """Return GF(pⁿ)(s, t, …), as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
+    polynomials = build_polynomials(shared(PrimeField, constants.characteristic), variables)
+    base = shared(RationalFunctions, polynomials)
+    name = f"{constants.name}({','.join(variables)})"
+    words = f"rational functions in {listed(variables)} over {constants.name}"
+    modulus = tuple(base(c) for c in constants.coefficients)
+    return shared(SimpleExtension, name, words, base, constants.gen_name, modulus)

@@ -1,0 +1,304 @@
+"""Residue fields k[t]/π of a rational function field k(t), and the roots that are needed in them.
+
+Elements are polynomials of FLINT reduced modulo π; k is a finite field or ℚ.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.errors import UndecidedError
+from hfield.product import Scalar
+from hfield.rings.base import Ring
+from hfield.rings.finite import FiniteField
+
+if TYPE_CHECKING:
+    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.ring import FunctionField
+    from hfield.rings.flint_types import Polynomial, SparsePolynomial
+
+
+def valuation(x: Quotient, p: Polynomial) -> int:
+    """Return the order of a nonzero rational function at the irreducible polynomial p."""
+    return multiplicity(x.num, p) if x.num % p == 0 else -multiplicity(x.den, p)
+
+
+def multiplicity(poly: Polynomial | SparsePolynomial, p: Polynomial | SparsePolynomial) -> int:
+    """Return how often an irreducible polynomial divides another that is not 0."""
+    n = 0
+    while True:
+        quotient, rest = divmod(poly, p)
+        if rest != 0:
+            return n
+        poly, n = quotient, n + 1
+
+
+class ResidueField:
+    """k[t]/π for a monic irreducible π; with π = t the field k itself.
+
+    ``field`` is the ring k(t) (its elements have ``num`` and ``den``, its ``base`` is k).
+    """
+
+    def __init__(self, field: FunctionField, modulus: Polynomial) -> None:
+        self.field, self.modulus = field, modulus
+        self.base: Ring = field.base
+        self.degree = int(modulus.degree())
+        self.zero, self.one = self.scalar(self.base.zero), self.scalar(self.base.one)
+
+    @cached_property
+    def order(self) -> int | None:
+        """How many elements there are; None for infinitely many."""
+        return None if self.base.order is None else int(self.base.order) ** self.degree
+
+    @property
+    def even(self) -> bool:
+        """Whether the characteristic is 2."""
+        return self.base.characteristic == 2
+
+    @property
+    def uniformiser(self) -> Any:
+        """π as an element of k(t)."""
+        return self.lift(self.modulus)
+
+    @property
+    def inverse_uniformiser(self) -> Any:
+        """1/π."""
+        return self.field.quotient(self.field.one.num, self.modulus)
+
+    def lift(self, x: Polynomial) -> Any:
+        """Return a polynomial as an element of k(t)."""
+        return self.field.quotient(x, self.field.one.num)
+
+    def valuation(self, x: Any) -> int:
+        """Return the order of a nonzero rational function at π."""
+        return valuation(x, self.modulus)
+
+    def over_prime_field(self) -> list[Polynomial]:
+        """Return a basis over the prime field, where k is finite."""
+        k, t = self.base, self.field.gen.num
+        assert isinstance(k, FiniteField)
+        return [
+            self.scalar(k.power(k.gen, m) if m else k.one) * t**n
+            for m in range(k.degree)
+            for n in range(self.degree)
+        ]
+
+    def scalar(self, x: Scalar) -> Polynomial:
+        """Return an element of k as a polynomial."""
+        return self.field.constant(x).num
+
+    def reduce(self, x: Any) -> Polynomial:
+        """Return the class of a rational function without pole at π."""
+        return self.multiply(x.num % self.modulus, self.inverse(x.den % self.modulus))
+
+    def multiply(self, x: Polynomial, y: Polynomial) -> Polynomial:
+        """Return x·y."""
+        return x * y % self.modulus
+
+    def inverse(self, x: Polynomial) -> Polynomial:
+        """Return 1/x for x ≠ 0."""
+        if self.is_one(x):
+            return x
+        return x.xgcd(self.modulus)[1] % self.modulus
+
+    def is_one(self, x: Polynomial) -> bool:
+        """Tell whether x = 1."""
+        return bool(x == self.one)
+
+    def power(self, x: Polynomial, n: int) -> Polynomial:
+        """Return xⁿ for n ≥ 0."""
+        result = self.one
+        for bit in bin(n)[2:]:
+            result = self.multiply(result, result)
+            if bit == "1":
+                result = self.multiply(result, x)
+        return result
+
+    def is_square(self, x: Polynomial) -> bool:
+        """Tell whether x is a square."""
+        if self.order is None:
+            return self.sqrt(x) is not None
+        if self.order % 2 == 0 or x == 0:
+            return True
+        return self.is_one(self.power(x, (self.order - 1) // 2))
+
+    def sqrt(self, x: Polynomial) -> Polynomial | None:
+        """Return a square root of x, or None when there is none."""
+        if x == 0 or self.is_one(x):
+            return x
+        if self.order is None:
+            return _root_over_q(self, x)
+        if self.order % 2 == 0:
+            return self.power(x, self.order // 2)
+        return self._cipolla(x) if self.is_square(x) else None
+
+    def _cipolla(self, x: Polynomial) -> Polynomial:
+        """Return the square root of a nonzero square, as a power in the quadratic extension."""
+        rng = Random(1)
+        while True:
+            r = self.random(rng)
+            n = (r * r - x) % self.modulus
+            if n == 0:
+                return r
+            if not self.is_square(n):
+                break
+        # (r + w)^((Q + 1)/2) with w² = n is a square root of r² − n = x
+        u, v, s, w = self.one, self.zero, r, self.one
+        assert self.order is not None
+        exponent = (self.order + 1) // 2
+        while exponent:
+            if exponent & 1:
+                u, v = (
+                    (u * s + v * w % self.modulus * n) % self.modulus,
+                    (u * w + v * s) % self.modulus,
+                )
+            s, w = (s * s + w * w % self.modulus * n) % self.modulus, (s * w + w * s) % self.modulus
+            exponent >>= 1
+        return u
+
+    def artin_schreier(self, x: Polynomial) -> Polynomial | None:
+        """Return y with y² + y = x in a finite field of characteristic 2, or None."""
+        assert self.order is not None
+        n = self.order.bit_length() - 1
+        conjugates = [x]
+        for _ in range(n - 1):
+            conjugates.append(self.multiply(conjugates[-1], conjugates[-1]))
+        if sum(conjugates[1:], conjugates[0]) != 0:
+            return None
+        rng = Random(1)
+        while True:
+            u = self.random(rng)
+            traces = [u]
+            for _ in range(n - 1):
+                traces.append(self.multiply(traces[-1], traces[-1]))
+            if sum(traces[1:], traces[0]) == self.one:
+                break
+        # Σ over i < j of u^(2^j)·x^(2^i), for u of trace 1
+        y, tail = self.zero, self.zero
+        for i in range(n - 2, -1, -1):
+            tail = tail + traces[i + 1]
+            y = (y + tail * conjugates[i]) % self.modulus
+        return y
+
+    def quadratic_root(
+        self, a: Polynomial, b: Polynomial, c: Polynomial
+    ) -> tuple[Polynomial, Polynomial] | None:
+        """Return ``(x, y)`` ≠ (0, 0) with ``a·x² + b·xy + c·y² = 0``, or None."""
+        if a == 0:
+            return self.one, self.zero
+        if not self.even:
+            half = self.scalar(self.base.inverse(self.base(2)))
+            h = b * half % self.modulus
+            root = self.sqrt((h * h - a * c) % self.modulus)
+            return None if root is None else ((root - h) % self.modulus, a)
+        if b == 0:
+            return self.sqrt(self.multiply(c, self.inverse(a))), self.one
+        # x = (b/a)·y·z:  z² + z = ac/b²
+        inverse = self.inverse(b)
+        z = self.artin_schreier(
+            a * c % self.modulus * inverse % self.modulus * inverse % self.modulus
+        )
+        return None if z is None else (b * z % self.modulus, a)
+
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return the polynomial over a power of π, of the least degree, that is x up to πⁿ."""
+        k = -min(self.valuation(x), 0) if x.num != 0 else 0
+        if n + k <= 0:
+            return self.field.zero
+        power, scale = self.modulus ** (n + k), self.modulus**k
+        below = x.den // scale
+        return self.field.quotient(x.num * (below.xgcd(power)[1] % power) % power, scale)
+
+    def random(self, rng: Random) -> Polynomial:
+        """Return a random element."""
+        t = self.field.gen.num
+        x = self.zero
+        for _ in range(self.degree):
+            x = x * t + self.scalar(self.base.random(rng))
+        return x
+
+
+class AtInfinity(ResidueField):
+    """The place of k(t) at infinity, with residue field k and uniformiser 1/t."""
+
+    def __init__(self, field: FunctionField) -> None:
+        super().__init__(field, field.gen.num)
+
+    @property
+    def uniformiser(self) -> Any:
+        """1/t."""
+        return super().inverse_uniformiser
+
+    @property
+    def inverse_uniformiser(self) -> Any:
+        """The variable t."""
+        return super().uniformiser
+
+    def valuation(self, x: Quotient) -> int:
+        """Return the degree of the denominator less that of the numerator."""
+        return int(x.den.degree()) - int(x.num.degree())
+
+    def reduce(self, x: Quotient) -> Polynomial:
+        """Return the value at infinity of a rational function without pole there."""
+        if x.num == 0 or self.valuation(x) > 0:
+            return self.zero
+        return self.scalar(self.field.base_element(x.num.leading_coefficient()))
+
+    def truncated(self, x: Quotient, n: int) -> Quotient:
+        """Return the sum of the terms of x, a series in 1/t, before (1/t)ⁿ."""
+        t = self.field.gen.num
+        up, down = t ** max(n - 1, 0), t ** max(1 - n, 0)
+        return self.field.quotient(x.num * up // (x.den * down) * down, up)
+
+
+def _root_over_q(kappa: ResidueField, x: flint.fmpq_poly) -> flint.fmpq_poly | None:
+    """Return a square root in a number field ℚ[t]/π, or None.
+
+    For an x that generates the field, with minimal polynomial m, x is a square iff m(y²) is
+    reducible; then a factor g(y) = A(y²) + y·B(y²) of it gives the root −A(x)/B(x). Other x are
+    multiplied by squares until they generate.
+    """
+    if kappa.degree == 1:
+        root = kappa.base.sqrt(x[0])
+        return None if root is None else kappa.scalar(root)
+    shift = kappa.zero
+    for attempt in range(60):
+        s = (kappa.field.gen.num + shift) % kappa.modulus
+        factor = kappa.one if attempt == 0 else s
+        value = x * factor % kappa.modulus * factor % kappa.modulus
+        minimal = _minimal_polynomial(kappa, value)
+        if len(minimal) == kappa.degree + 1:
+            root = _root_of_generator(kappa, value, minimal)
+            return None if root is None else kappa.multiply(root, kappa.inverse(factor))
+        shift = shift + kappa.one
+    raise UndecidedError(f"no square multiple of {x} was found that generates the residue field")
+
+
+def _minimal_polynomial(kappa: ResidueField, x: flint.fmpq_poly) -> list[flint.fmpq]:
+    """Return the coefficients of the minimal polynomial over ℚ, low degree first, monic."""
+    n, t = kappa.degree, kappa.field.gen.num
+    rows = [x * t**m % kappa.modulus for m in range(n)]
+    return list(flint.fmpq_mat([[row[m] for m in range(n)] for row in rows]).minpoly().coeffs())
+
+
+def _root_of_generator(
+    kappa: ResidueField, x: flint.fmpq_poly, minimal: list[flint.fmpq]
+) -> flint.fmpq_poly | None:
+    t = kappa.field.gen.num
+    doubled = kappa.zero
+    for c in reversed(minimal):
+        doubled = doubled * t * t + kappa.scalar(c)
+    factors = doubled.factor()[1]
+    if len(factors) < 2:
+        return None
+    g = [kappa.base(c) for c in factors[0][0].coeffs()]
+    even, odd = kappa.zero, kappa.zero
+    for c in reversed(g[0::2]):
+        even = (even * x + kappa.scalar(c)) % kappa.modulus
+    for c in reversed(g[1::2]):
+        odd = (odd * x + kappa.scalar(c)) % kappa.modulus
+    return (kappa.zero - kappa.multiply(even, kappa.inverse(odd))) % kappa.modulus

@@ -1,0 +1,207 @@
+"""Fields of rational functions in one variable over QQ and over finite fields, on flint's polynomials.
+
+flint has polynomials over these fields but no fractions of them; :class:`Quotient` adds those, in
+lowest terms with monic denominator, so that equal functions have equal parts.
+"""
+
+from __future__ import annotations
+
+import atexit
+import gc
+from collections.abc import Callable, Hashable, Iterator
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
+from hfield.product import Constants
+from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.finite import ExtensionField
+from hfield.rings.holding import Holding
+from hfield.rings.printing import blackboard, quotient_text, sum_text
+from hfield.rings.residue_polynomials import polynomials_modulo
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Coefficient, Polynomial
+
+
+__all__ = ["FunctionField", "Quotient"]
+
+# python-flint frees a polynomial over GF(q) through its context. Where the collector clears a cycle
+# that holds both, the context may go first, and the process dies. So contexts live for ever, and
+# nothing is collected any more at exit.
+_CONTEXTS: dict[Ring, Any] = {}
+atexit.register(gc.freeze)
+
+
+class FunctionField(FractionField):
+    """F(t), the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
+
+    >>> from hfield import ring
+    >>> F = ring("QQ(x)")
+    >>> F("(x^2-1)/(2*x+2)")
+    1/2*x-1/2
+    """
+
+    arithmetic = "function_fields.arithmetic.FunctionArithmetic"
+
+    def __init__(self, base: Ring, variable: str) -> None:
+        self.base, self.gen_name = base, variable
+        self.name = functions_name(base, (variable,))
+        self.characteristic = base.characteristic
+        self._polynomial = _polynomials_over(base)
+        self._one = self._polynomial([base.one])
+        self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.base, self.gen_name)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its constants and its variable."""
+        return {"kind": "rational functions", "base": self.base.data, "variables": [self.gen_name]}
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
+
+    @property
+    def gen(self) -> Quotient:
+        """The variable."""
+        return self._gen
+
+    def names(self) -> dict[str, Quotient]:
+        """The variable and the generator of the base field."""
+        lifted = {name: self.constant(x) for name, x in self.base.names().items()}
+        return {**lifted, self.gen_name or "": self._gen}
+
+    def constant(self, c: Coefficient) -> Quotient:
+        """Return the constant function of an element of the base field."""
+        return Quotient(self, self._polynomial([c]), self._one)
+
+    def quotient(self, num: Polynomial, den: Polynomial) -> Quotient:
+        """Return num/den in lowest terms; den is not 0."""
+        common = num.gcd(den)
+        if not self.is_one(common):
+            num, den = num // common, den // common
+        lead = den.leading_coefficient()
+        if lead != 1:
+            scale = self._polynomial([self.base.inverse(self.base_element(lead))])
+            num, den = num * scale, den * scale
+        return Quotient(self, num, den)
+
+    def base_element(self, c: Coefficient) -> Coefficient:
+        """Return a coefficient as flint gives it as an element of the base field."""
+        return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
+
+    def from_below(self, x: object) -> Quotient:
+        """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
+        return self.constant(self.base(x))
+
+    def key(self, x: Quotient) -> Hashable:
+        """Return the coefficients of numerator and denominator."""
+        return tuple(
+            tuple(self.base.key(self.base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
+        )
+
+    def sqrt(self, x: Quotient) -> Quotient | None:
+        """Return some y with y² = x, or None: numerator, denominator and constant must be squares."""
+        if self.is_zero(x):
+            return x
+        lead = self.base_element(x.num.leading_coefficient())
+        c = self.base.sqrt(lead)
+        if c is None:
+            return None
+        monic = x.num * self._polynomial([self.base.inverse(lead)])
+        top, bottom = _root(monic), _root(x.den)
+        if top is None or bottom is None:
+            return None
+        return self.quotient(
+            top * self._polynomial([c]), bottom
+        )  # flint's root may be −(a monic one)
+
+    @property
+    def level(self) -> Known:
+        """The level of the base field: a sum of squares −1 in F(t) has one in F, at a pole-free point."""
+        known = self.base.level
+        if known.value == INFINITY:
+            return Known(
+                INFINITY, f"{self.name} has an ordering, with {self.gen_name} infinitely large"
+            )
+        shown = f"it is the level of {self.base.name}, for −1 is as many squares in F(t) as in F"
+        return Known(known.value, f"{shown}; there {known.reason}")
+
+    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
+        """Return constants whose squares add up to −1."""
+        return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
+
+    @property
+    def orderings(self) -> Known:
+        """Infinitely many over QQ, none over a finite field."""
+        if self.characteristic:
+            return super().orderings
+        return Known(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
+
+    def sign(self, x: Quotient, ordering: int = 0) -> int:
+        """Return the sign of x in the ordering in which the variable is infinitely large."""
+        if self.characteristic or ordering:
+            return super().sign(x, ordering)
+        return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
+
+    def random(self, rng: Random) -> Quotient:
+        """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
+        draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
+        return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
+
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as four polynomials over one."""
+        from hfield.fields.function_fields.held import RationalFunctions
+
+        return RationalFunctions(self, constants)
+
+    def places(self) -> Iterator[Hashable]:
+        """Run through the places over a finite field: infinity, then polynomials by degree."""
+        from hfield.fields.function_fields.places import all_places
+
+        return all_places(self)
+
+    def completion(self, place: object) -> Ring:
+        """Return a field of Laurent series, over a finite field of constants."""
+        from hfield.fields.function_fields.completions import completion_of_functions
+
+        return completion_of_functions(self, place)
+
+    def text(self, x: Quotient, style: str = "plain") -> str:
+        """Write x, such as ``(x+1)/(x^2+2)``."""
+        return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
+
+    def _sum(self, poly: Polynomial, style: str) -> str:
+        terms = [
+            (self.base.text(self.base_element(c), style), [(self.gen_name or "", n)])
+            for n, c in enumerate(poly.coeffs())
+            if c != 0
+        ]
+        return sum_text(reversed(terms), style)
+
+
+def _polynomials_over(base: Ring) -> Callable[[list[Coefficient]], Polynomial]:
+    """Return what makes flint polynomials over the field from coefficients, low degree first."""
+    if base.name == "QQ":
+        return flint.fmpq_poly  # type: ignore[no-any-return,unused-ignore]
+    if isinstance(base, ExtensionField):
+        if base not in _CONTEXTS:
+            _CONTEXTS[base] = flint.fq_default_poly_ctx(base.context)
+        return _CONTEXTS[base]  # type: ignore[no-any-return,unused-ignore]
+    return polynomials_modulo(base.characteristic)
+
+
+def _root(poly: Polynomial) -> Polynomial | None:
+    """Return the square root of a monic polynomial, or None."""
+    if poly.degree() % 2:
+        return None
+    try:
+        root = poly.sqrt()
+    except (ValueError, flint.utils.flint_exceptions.DomainError):  # flint raises either
+        return None
+    return root if root * root == poly else None

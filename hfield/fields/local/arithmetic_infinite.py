@@ -1,0 +1,86 @@
+"""The completions of number fields at infinite places: over ℝ two signs decide, over ℂ all algebras split."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Hashable
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from hfield.errors import UndecidedError
+from hfield.factorisation import Factors
+from hfield.fields.local.arithmetic_completion import CompletionArithmetic
+from hfield.fields.number_fields.infinite_completions import InfiniteCompletion
+from hfield.product import Constants, Coordinates, Scalar
+from hfield.structure.forms import NormalForm
+from hfield.structure.linear_algebra.centre import basis_of
+from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
+from hfield.structure.norm_forms.zero_norms import zero_norm
+
+if TYPE_CHECKING:
+    from hfield.fields.local.element import LocalElement
+
+
+class InfiniteArithmetic(CompletionArithmetic):
+    """The arithmetic of ℝ or ℂ with the elements of a number field in it.
+
+    What asks for elements is answered where the number field has them.
+    """
+
+    ring: InfiniteCompletion
+
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
+        """Return −1 if a and b are negative real numbers, else 1."""
+        self.read_place(place)
+        squares = map(self.ring.is_square, self._nonzero(a, b))
+        return 1 if any(squares) else -1
+
+    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
+        """Return the place, or nothing."""
+        return (self.ring.place,) if self.hilbert_symbol(form.a, form.b, None, None) < 0 else ()
+
+    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
+        """Say by which signs."""
+        a, b = (self.ring.text(x) for x in form.constants)
+        return f"{a} and {b} are negative real numbers in {self.ring}"
+
+    def discriminant(self, ramified: tuple[object, ...]) -> Any:
+        """Return 1: no prime ramifies."""
+        return self.ring.one
+
+    def residues(self, place: object) -> None:
+        """There is no residue field."""
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return an element of norm 0 over the number field, where it has one."""
+        answer = zero_norm(self.ring.global_field, Constants(*(x.value for x in c)))
+        if answer.element is None:
+            raise self._beyond("its elements of norm 0 have")
+        element = map(self.ring, answer.element)
+        return found(self.ring, c, element, answer.method, answer.reason)
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return multiples of two of i, j, k, where the number field has the square roots."""
+        ring, units = self.ring, basis_of(self.ring)[1:]
+        squares = (inner.a, inner.b, -inner.a * inner.b)
+        for m, n in itertools.permutations(range(3), 2):
+            with suppress(UndecidedError):
+                roots = [
+                    ring.sqrt(ring.divide(x, squares[k])) for x, k in ((outer.a, m), (outer.b, n))
+                ]
+                if None not in roots:
+                    i, j = ([x * u for u in units[k]] for x, k in zip(roots, (m, n), strict=True))
+                    return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
+        raise self._beyond("the images of i and j have")
+
+    def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
+        """Refuse: multiples of i, j, k have been tried."""
+        raise self._beyond("its square roots have")
+
+    def _beyond(self, what: str) -> UndecidedError:
+        return UndecidedError(
+            f"{what} coordinates in {self.ring} that are not in {self.ring.global_field}, or were not found; "
+            "only elements of that field have names here"
+        )

@@ -1,0 +1,192 @@
+"""Local fields as rings: ℚ_p, GF(q)((t)), and every completion of a global field at a finite place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.errors import CoercionError, UndecidedError
+from hfield.fields.local.completion import Completion
+from hfield.fields.local.element import LocalElement
+from hfield.fields.local.roots import minus_one, square_root
+from hfield.product import Scalar
+from hfield.rings.base import Known, Ring
+from hfield.rings.printing import is_sum, parentheses, power_text
+from hfield.rings.roots import integral, irreducible_factors, near_root
+
+if TYPE_CHECKING:
+    from collections.abc import Hashable
+
+
+DIGITS = 20  # to so many digits roots are found that no element of the global field is
+
+
+class LocalField(Completion[LocalElement]):
+    """The completion of a global field at a finite place, such as ℚ₅ or GF(9)((t)).
+
+    ``global_field`` and ``place`` say of what and where, ``residues`` is the place with its residue field
+    (:mod:`hfield.structure.finite_places`). Elements are :class:`LocalElement`: elements of the global
+    field, exact or up to O(πⁿ). Every decision hangs on a square class, hence on few digits; where they are
+    not known, :class:`UndecidedError` names how many are needed.
+
+    >>> from hfield import ring
+    >>> F = ring("Qp(5)")
+    >>> F("3/10"), F("2 + 3*5 + O(5^2)"), F.sqrt(F(-1))
+    (3/10, 17+O(5^2), 79753541295807+O(5^20))
+    """
+
+    arithmetic = "local.arithmetic.LocalArithmetic"
+
+    def __init__(
+        self, name: str, words: str, global_field: Ring, place: Hashable, residues: Any
+    ) -> None:
+        super().__init__(name, words, global_field, place)
+        self.residues = residues
+        self.pi = global_field(residues.uniformiser)
+        if self.characteristic == 0 and residues.index == 1:
+            self.pi = global_field(residues.below)
+
+    # --- what the place knows --------------------------------------------------------------------
+
+    @property
+    def doubling(self) -> int:
+        """The valuation of 2, 0 unless the residue field has characteristic 2; 0 in characteristic 2, too."""
+        return int(self.residues.index) if self.residues.even and not self.characteristic else 0
+
+    @property
+    def square_digits(self) -> int:
+        """How many digits of a nonzero element tell its square class, where the characteristic is not 2."""
+        return 2 * self.doubling + 1
+
+    def order_of(self, x: Scalar) -> int:
+        """Return the valuation of a nonzero element of the global field."""
+        return int(self.residues.valuation(x))
+
+    def pole(self, x: LocalElement) -> int:
+        """Return the greatest order of a pole that x may have, 0 for none."""
+        return max(0, -(x.least_valuation() or 0))
+
+    def truncated(self, x: Scalar, n: int) -> Scalar:
+        """Return the standard element of the global field that is x up to πⁿ."""
+        if self.global_field.is_zero(x):
+            return x
+        standard: Scalar = self.global_field(self.residues.truncated(x, n))
+        return standard
+
+    @cached_property
+    def uniformiser(self) -> LocalElement:
+        """An element of valuation 1."""
+        return LocalElement(self, self.pi)
+
+    def exact(self, value: Scalar) -> LocalElement:
+        """Return an element of the global field."""
+        return LocalElement(self, value)
+
+    # --- elements --------------------------------------------------------------------------------
+
+    def up_to(self, x: Scalar, n: int) -> LocalElement:
+        """Return ``x + O(πⁿ)``."""
+        return LocalElement(self, self(x).value, n)
+
+    def functions(self) -> dict[str, Callable[..., LocalElement]]:
+        """``O(x)``, everything that x divides; ``sqrt``; and what functions mean in the global field."""
+        return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
+
+    def _big_o(self, x: LocalElement) -> LocalElement:
+        precision = x.least_valuation()
+        return x if precision is None else LocalElement(self, self.global_field.zero, precision)
+
+    def _sqrt_here(self, x: LocalElement) -> LocalElement:
+        y = self.sqrt(x)
+        if y is None:
+            raise CoercionError(f"{self.text(x)} has no square root in {self.name}")
+        return y
+
+    def is_zero(self, x: LocalElement) -> bool:
+        """Tell whether x is 0. Raises :class:`UndecidedError` for O(πⁿ), which may be 0."""
+        if x.has_value:
+            return False
+        if x.precision is None:
+            return True
+        raise UndecidedError(
+            f"whether {x} is 0 is not decided: all digits that are known are 0, and more are needed, up to "
+            f"{self.big_o(x.precision + 1)} at least"
+        )
+
+    def vanishes(self, x: LocalElement) -> bool:
+        """Tell whether x is 0 as far as its digits are known."""
+        return not x.has_value
+
+    def inverse(self, x: LocalElement) -> LocalElement:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0 and for O(πⁿ)."""
+        return x.inverse()
+
+    def is_square(self, x: LocalElement) -> bool:
+        """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""
+        return square_root(self, x, 1) is not None
+
+    def sqrt(self, x: LocalElement) -> LocalElement | None:
+        """Return a square root, exact where the global field has it, else to some digits (Hensel's lemma).
+
+        None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
+        """
+        return square_root(self, x, DIGITS)
+
+    def roots(self, coefficients: Sequence[LocalElement]) -> list[LocalElement]:
+        """Return all roots of a polynomial over ℚ in ℚ_p, if these are rational.
+
+        Raises :class:`UndecidedError` where there are others, and over other fields.
+        """
+        if not all(x.is_exact and isinstance(x.value, flint.fmpq) for x in coefficients):
+            return super().roots(coefficients)
+        factors = irreducible_factors([x.value for x in coefficients])
+        for g in factors:
+            if g.degree() > 1 and near_root(integral(g), self.residues.below) is not None:
+                raise UndecidedError(f"{g} has roots in {self} that are no rational numbers")
+        return [self(-g[0]) for g in factors if g.degree() == 1]
+
+    def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
+        """Raise :class:`UndecidedError`, naming the digits, where fewer than ``needed`` are known of x."""
+        known = x.digits()
+        if known is None or (known >= needed and x.has_value):
+            return
+        start = x.least_valuation() or 0
+        raise UndecidedError(
+            f"{what} hangs on {needed} digit{'s' * (needed > 1)} of {x} from the first that is not 0, and "
+            f"{known if x.has_value else 0} are known: give it up to {self.big_o(start + needed)} at least"
+        )
+
+    @cached_property
+    def level(self) -> Known:
+        """1, 2 or 4: 4 only above 2, in odd degree over ℚ₂ (Lam, *Introduction to Quadratic Forms*, XI.2)."""
+        return minus_one(self)[0]
+
+    def minus_one_as_squares(self) -> tuple[LocalElement, ...]:
+        """Return as few elements as possible, not all of them exact, whose squares add up to −1."""
+        return minus_one(self)[1]
+
+    def key(self, x: LocalElement) -> Hashable:
+        """Return the key of the value, and the precision."""
+        return self.global_field.key(x.value), x.precision
+
+    def text(self, x: LocalElement, style: str = "plain") -> str:
+        """Write x, such as ``2+O(5^4)``."""
+        shown = self.global_field.text(x.value, style)
+        if x.precision is None:
+            return shown
+        return (
+            f"{shown}+{self.big_o(x.precision, style)}"
+            if x.has_value
+            else self.big_o(x.precision, style)
+        )
+
+    def big_o(self, n: int, style: str = "plain") -> str:
+        """Write O(πⁿ)."""
+        pi = self.global_field.text(self.pi, style)
+        if n not in (0, 1) and (is_sum(pi) or not pi.replace("_", "").isalnum()):
+            pi = parentheses(pi, style)
+        inside = "1" if n == 0 else power_text(pi, n, style)
+        return rf"O\left({inside}\right)" if style == "latex" else f"O({inside})"

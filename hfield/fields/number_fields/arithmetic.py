@@ -1,0 +1,120 @@
+"""Number fields of degree 3 and more, and all that are written QQ[s]/(…), as global fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, nullcontext
+from typing import Any
+
+from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.fields.number_fields.conics import solve_conic_number_field
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.places import Place, place_of_number_field
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal, by_other_generators
+from hfield.fields.number_fields.residues import LocalPlace, local_place
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.slots import (
+    from_ramification_number_field,
+    is_local_square,
+    partner,
+)
+from hfield.fields.number_fields.symbols import (
+    finite_ramified,
+    hilbert_symbol_number_field,
+    norms,
+    ramified_places_number_field,
+)
+from hfield.fields.number_fields.unimodular_lattice import embed_number_field
+from hfield.primality import WORD, primes
+from hfield.product import Constants, Coordinates, Scalar
+from hfield.structure.forms import NormalForm
+from hfield.structure.global_field import GlobalField
+from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+
+SMALL_PRIMES = 50
+GENERATORS = 30
+
+
+class NumberFieldArithmetic(GlobalField):
+    """The arithmetic of a number field of any degree."""
+
+    ring: NumberField
+
+    def __init__(self, ring: NumberField) -> None:
+        super().__init__(ring)
+        self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
+
+    def read_place(self, text: object) -> Place:
+        """Return a prime ideal or an infinite place."""
+        return place_of_number_field(self.ring, text)
+
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
+        """Return the symbol; nothing is factored."""
+        return hilbert_symbol_number_field(self.ring(a), self.ring(b), self.read_place(place))
+
+    def ramified(self, form: NormalForm) -> tuple[Place, ...]:
+        """Return the places with a symbol of −1; the norms of a and b are factored."""
+        return ramified_places_number_field(form.a, form.b)
+
+    def discriminant(self, ramified: tuple[Any, ...]) -> tuple[PrimeIdeal, ...]:
+        """Return the prime ideals, whose product it is."""
+        return tuple(v for v in ramified if v.is_finite)
+
+    def with_ramification(self, places: Iterable[Any]) -> tuple[FieldElement, FieldElement]:
+        """Return constants by local classes and one more prime ideal."""
+        return from_ramification_number_field(self.ring, list(places))
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[PrimeIdeal, ...]:
+        """Return the prime ideals above primes below 50 with a symbol of −1."""
+        return tuple(finite_ramified(form.a, form.b, set(primes(SMALL_PRIMES))))
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic ``z² = a·x² + b·y²``, searched within a bound."""
+        x, y, z = solve_conic_number_field(self.ring, form.a, form.b)
+        return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
+
+    def residues(self, place: Place) -> LocalPlace | None:
+        """Return the prime ideal with its residue field."""
+        return local_place(place) if isinstance(place, PrimeIdeal) else None
+
+    def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
+        """Yield the evidence; where ℤ[s] is not maximal at a place, in other generators as well."""
+        for place in places:
+            for data in super().evidence(c, [place]):
+                yield data
+                if isinstance(place, PrimeIdeal) and not place.order.plain:
+                    for other in by_other_generators(place, GENERATORS):
+                        yield {**data, "place": other}
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Share the primes of norms that are longer than a word."""
+        numbers = [n for form in forms for x in form.constants for n in norms(self.ring, x)]
+        if all(-WORD < n < WORD for n in numbers):
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by an isometry of the quaternions of trace 0."""
+        return embed_number_field(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: FieldElement) -> Coordinates | None:
+        """Return x in an algebra (s, e) that is isomorphic, unless s is a square at a ramified place."""
+        ramified = self.ramified(form)
+        if any(is_local_square(v, s) for v in ramified):
+            return None
+        c = Constants(form.a, self.ring.zero, form.b)
+        outer = Constants(s, self.ring.zero, partner(s, ramified))
+        return embed_number_field(self.ring, outer, c)[0]
+
+
+def _finite_orders(degree: int) -> Mapping[int, int]:
+    """Return the primes of a number that the order of every root of unity of such a degree divides."""
+    orders = {}
+    for p in primes(degree + 2):
+        k = 0
+        while p**k * (p - 1) <= degree:
+            k += 1
+        orders[p] = k
+    return orders

@@ -1,0 +1,162 @@
+"""Elements of number fields ℚ(s): polynomials of FLINT in s, reduced modulo the minimal polynomial of s."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import flint
+
+from hfield.rings.rational import rational
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.ring import NumberField
+
+
+class FieldElement:
+    """An element of a :class:`NumberField`: ``poly`` is flint's polynomial in s of least degree.
+
+    It is not to be changed: equal elements have equal polynomials, and hash alike.
+
+    >>> from hfield import ring
+    >>> K = ring("QQ[s]/(s^3-2)"); s = K.gen
+    >>> (1 + s).norm(), (1 + s).trace(), (1 + s).inverse()
+    (3, 3, 1/3-1/3*s+1/3*s^2)
+    """
+
+    __slots__ = ("field", "poly")
+
+    def __init__(self, field: NumberField, poly: flint.fmpq_poly) -> None:
+        self.field = field
+        self.poly = poly
+
+    def _other(self, x: object) -> flint.fmpq_poly | flint.fmpq | None:
+        """Return what to compute with in the place of x: a polynomial, a number of flint, or None."""
+        if type(x) is FieldElement:
+            return x.poly if x.field is self.field or x.field == self.field else None
+        number = rational(x)
+        return None if number is None else flint.fmpq(number.numerator, number.denominator)
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def __add__(self, other: object) -> FieldElement:
+        y = self._other(other)
+        return NotImplemented if y is None else FieldElement(self.field, self.poly + y)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: object) -> FieldElement:
+        y = self._other(other)
+        return NotImplemented if y is None else FieldElement(self.field, self.poly - y)
+
+    def __rsub__(self, other: object) -> FieldElement:
+        y = self._other(other)
+        return NotImplemented if y is None else FieldElement(self.field, y - self.poly)
+
+    def __neg__(self) -> FieldElement:
+        return FieldElement(self.field, -self.poly)
+
+    def __pos__(self) -> FieldElement:
+        return self
+
+    def __mul__(self, other: object) -> FieldElement:
+        field = self.field
+        if type(other) is FieldElement and other.field is field:
+            return FieldElement(field, self.poly * other.poly % field.polynomial)
+        y = self._other(other)
+        return (
+            NotImplemented if y is None else FieldElement(field, self.poly * y % field.polynomial)
+        )
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: object) -> FieldElement:
+        y = self._other(other)
+        return NotImplemented if y is None else self * self.field(other).inverse()
+
+    def __rtruediv__(self, other: object) -> FieldElement:
+        y = self._other(other)
+        return NotImplemented if y is None else self.inverse() * other
+
+    def __pow__(self, n: int) -> FieldElement:
+        return self.field.power(self, n)
+
+    def inverse(self) -> FieldElement:
+        """Return 1/self. Raises :class:`NotInvertibleError` for 0."""
+        inverse: FieldElement = self.field.inverse(self)
+        return inverse
+
+    # --- identity ------------------------------------------------------------------------------
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is FieldElement:
+            same = self.field is other.field or self.field == other.field
+            return same and bool(self.poly == other.poly)
+        number = rational(other)
+        if number is None:
+            return NotImplemented
+        return bool(self.poly == flint.fmpq(number.numerator, number.denominator))
+
+    def __hash__(self) -> int:
+        coefficients = self.poly.coeffs()
+        if len(coefficients) > 1:
+            return hash(tuple(coefficients))
+        return hash(coefficients[0]) if coefficients else 0
+
+    def __bool__(self) -> bool:
+        return bool(self.poly)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restore, (self.field, [(int(c.p), int(c.q)) for c in self.poly.coeffs()])
+
+    def __repr__(self) -> str:
+        return self.field.text(self)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.field.text(self, 'latex')}$"
+
+    # --- what it is ----------------------------------------------------------------------------
+
+    def is_rational(self) -> bool:
+        """Tell whether the number is rational."""
+        return bool(self.poly.degree() < 1)
+
+    def norm(self) -> flint.fmpq:
+        """Return the norm down to ℚ, the product of the conjugates."""
+        return self.field.polynomial.resultant(self.poly)
+
+    def trace(self) -> flint.fmpq:
+        """Return the trace down to ℚ, the sum of the conjugates."""
+        return sum(
+            (c * t for c, t in zip(self.poly.coeffs(), self.field.traces, strict=False)),
+            flint.fmpq(0),
+        )
+
+    def minimal_polynomial(self) -> list[flint.fmpq]:
+        """Return the coefficients of the minimal polynomial over ℚ, low degree first, monic."""
+        return list(self.field.multiplication(self).minpoly().coeffs())
+
+    def sqrt(self) -> FieldElement | None:
+        """Return the principal square root in the field, or None if there is none."""
+        root: FieldElement | None = self.field.sqrt(self)
+        return root
+
+    def sign(self, ordering: int = 0) -> int:
+        """Return the sign at a real place, numbered from 0 in the order of the roots."""
+        return self.field.sign(self, ordering)
+
+    def complex(self, place: int | None = None, digits: int = 15) -> flint.acb:
+        """Return the value at an infinite place, a complex ball of flint with so many correct digits.
+
+        Places are numbered as in :meth:`NumberField.infinite_places`; by default it is the embedding that
+        the names of the field suggest.
+
+        >>> from hfield import ring
+        >>> z = ring("QQ(zeta5)").gen.complex(digits=30)
+        >>> z.real.str(20), z.imag.str(20)
+        ('[0.30901699437494742410 +/- 2.30e-21]', '[0.95105651629515357212 +/- 3.57e-21]')
+        """
+        return self.field.embed(self, place, digits)
+
+
+def _restore(field: NumberField, pairs: list[tuple[int, int]]) -> FieldElement:
+    return FieldElement(field, flint.fmpq_poly([flint.fmpq(*pair) for pair in pairs]))

@@ -1,0 +1,142 @@
+"""Elements over a number field: ints where the degree is small, else polynomials over one denominator."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from math import gcd, lcm
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.product import Constants, Coordinates, Scalar
+from hfield.rings.held.compact import Compact
+from hfield.rings.held.fractions import Fractions
+from hfield.rings.held.numerators import Held, Numerators
+from hfield.straight_line import named
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.ring import NumberField
+
+UNROLLED = 3  # up to this degree, the product is written out in ints
+
+
+def holding(field: NumberField, constants: Constants) -> Compact:
+    """Return how elements over the field are held, by its degree."""
+    if field.degree > UNROLLED:
+        return IntegralPolynomials(field, constants)
+    scale = _scale(field)
+    powers = [scale**k for k in range(field.degree)]
+
+    def vector(x: FieldElement) -> tuple[flint.fmpq, ...]:
+        return tuple(x.poly[k] / c for k, c in enumerate(powers))
+
+    def element(*parts: Any) -> FieldElement:
+        numerators, d = parts[: field.degree], parts[field.degree :]
+        scaled = [n * c for n, c in zip(numerators, powers, strict=True)]
+        return FieldElement(field, flint.fmpq_poly(scaled, *d))
+
+    relation = [-int(c) for c in _integral_polynomial(field, scale).coeffs()[:-1]]
+    return Fractions(field, constants, tuple(relation), vector, element)
+
+
+def _scale(field: NumberField) -> int:
+    """Return an integer c such that c·s is an algebraic integer."""
+    return lcm(*(int(c.q) for c in field.polynomial.coeffs()))
+
+
+def _integral_polynomial(field: NumberField, scale: int) -> flint.fmpz_poly:
+    """Return the minimal polynomial of scale·s over ℤ."""
+    coefficients = field.polynomial.coeffs()
+    n = len(coefficients) - 1
+    return flint.fmpz_poly([int((c * scale ** (n - k)).p) for k, c in enumerate(coefficients)])
+
+
+class IntegralPolynomials(Numerators):
+    """Elements over ℚ(s) as four polynomials in c·s, an algebraic integer, over one denominator."""
+
+    relation = ("0",)
+
+    def __init__(self, ring: NumberField, constants: Constants) -> None:
+        super().__init__(ring, constants)
+        self._field, self._scale = ring, _scale(ring)
+        self._modulus = _integral_polynomial(ring, self._scale)
+        to_integral, back = flint.fmpq_poly([0, flint.fmpq(1, self._scale)]), [0, self._scale]
+        self._to_integral, self._back = to_integral, flint.fmpq_poly(back)
+        a, t, b = map(self._polynomial, constants)
+        self._m, self._k = lcm(int(a.denom()), int(t.denom())), int(b.denom())
+        integral = (a * self._m**2).numer(), (t * self._m).numer(), (b * self._k**2).numer()
+        self._constants = dict(zip("atb", integral, strict=True))
+        self.pattern = tuple(
+            (named(c, name, lambda x, n: x == n),) for name, c in self._constants.items()
+        )
+
+    def _polynomial(self, x: FieldElement) -> flint.fmpq_poly:
+        """Return x as a polynomial in c·s."""
+        return x.poly if self._scale == 1 else x.poly(self._to_integral)
+
+    def _element(self, numerator: flint.fmpz_poly, denominator: int) -> FieldElement:
+        poly = flint.fmpq_poly(numerator % self._modulus, denominator)
+        return FieldElement(self._field, poly if self._scale == 1 else poly(self._back))
+
+    def hold(self, coordinates: Coordinates) -> Held:
+        """Return the element with these coordinates in the field."""
+        scales = 1, self._m, self._k, self._m * self._k
+        every = [self._polynomial(c) / s for c, s in zip(coordinates, scales, strict=True)]
+        d = lcm(*(int(c.denom()) for c in every))
+        w, x, y, z = (c.numer() * (d // int(c.denom())) for c in every)
+        return self._lowest(w, x, y, z, d)
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Held:
+        """Hold four ints."""
+        if self._m != 1 or self._k != 1:
+            held: Held = super().whole(w, x, y, z)
+            return held
+        return (*(flint.fmpz_poly([c]) for c in (w, x, y, z)), 1)
+
+    def scalar(self, s: Scalar) -> Held:
+        """Hold s·e for an element s of the field."""
+        zero = flint.fmpz_poly()
+        numerator, d = self.fraction(s)
+        return numerator, zero, zero, zero, d
+
+    def fraction(self, s: Any) -> tuple[Any, int]:
+        """Return s as a polynomial in c·s over ℤ, and its denominator."""
+        poly = self._polynomial(s)
+        return poly.numer(), int(poly.denom())
+
+    def coordinates(self, held: Held) -> Coordinates:
+        """Return the four coordinates, elements of the field."""
+        w, x, y, z, d = held
+        m, k, element = self._m, self._k, self._element
+        return element(w, d), element(x * m, d), element(y * k, d), element(z * (m * k), d)
+
+    def names(self) -> dict[str, object]:
+        """Return the constants, and what puts fractions in lowest terms."""
+        tools = {"n": self._modulus, "element": self._element, "lowest": self._lowest}
+        return super().names() | self._constants | tools
+
+    def settle(self, names: list[str]) -> list[str]:
+        """Write how to reduce polynomials and return them over d in lowest terms."""
+        reduced = ", ".join(f"{name} % n" for name in names)
+        return [f"return lowest({reduced}, d)"]
+
+    def _lowest(
+        self, w: flint.fmpz_poly, x: flint.fmpz_poly, y: flint.fmpz_poly, z: flint.fmpz_poly, d: int
+    ) -> Held:
+        g = d
+        for f in (w, x, y, z):
+            if g == 1:
+                return w, x, y, z, d
+            g = gcd(g, int(f.content()))
+        return (w, x, y, z, d) if g == 1 else (w // g, x // g, y // g, z // g, d // g)
+
+    def source(self, operation: str) -> str:
+        """Return the text of an operation; the inverse goes through that of the norm."""
+        if operation == "inverse":
+            return "def inverse(p):\n    return by_norm(p)"
+        return super().source(operation)
+
+    def key(self, p: Held) -> tuple[Hashable, ...]:
+        """Return the coefficients and the denominator."""
+        return (*(tuple(map(int, f.coeffs())) for f in p[:4]), p[4])

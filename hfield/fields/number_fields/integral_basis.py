@@ -1,0 +1,47 @@
+"""Numbers of a number field by their coordinates in the integral basis, and back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
+import flint
+
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.integers import integral_generator
+from hfield.fields.number_fields.ring import NumberField
+
+
+@lru_cache(maxsize=64)
+def _integral(field: NumberField) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+    """Return the matrix from coordinates in the integral basis to powers of s, and its inverse."""
+    n = field.degree
+    rows = [c for w in field.integral_basis() for c in coefficients(w)]
+    matrix = flint.fmpq_mat(n, n, rows)
+    return matrix, matrix.inv()
+
+
+def coefficients(x: FieldElement) -> list[flint.fmpq]:
+    """Return the coefficients of an element at 1, s, s² …, as many as the degree of the field."""
+    found = x.poly.coeffs()
+    return [*found, *[flint.fmpq(0)] * (x.field.degree - len(found))]
+
+
+def coordinate_rows(field: NumberField, elements: Sequence[FieldElement]) -> flint.fmpq_mat:
+    """Return a matrix: the coordinates of elements in the integral basis, row by row."""
+    n = field.degree
+    entries = [c for x in elements for c in coefficients(x)]
+    return flint.fmpq_mat(len(elements), n, entries) * _integral(field)[1]
+
+
+def element_of(field: NumberField, row: list[flint.fmpq]) -> FieldElement:
+    """Return the element with the given coordinates in the integral basis."""
+    powers = flint.fmpq_mat(1, field.degree, row) * _integral(field)[0]
+    return FieldElement(field, flint.fmpq_poly(powers.entries()))
+
+
+def integral_multiple(x: FieldElement) -> int:
+    """Return a positive integer m for which m·x is an algebraic integer."""
+    scale, _ = integral_generator(x.field)
+    return math.lcm(*(int((c / flint.fmpq(scale) ** k).q) for k, c in enumerate(x.poly.coeffs())))

@@ -1,0 +1,106 @@
+"""The places of number fields: real and complex ones, prime ideals; listed, and read from their texts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from hfield.errors import HFieldError, RingError, shorten
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
+from hfield.primality import is_prime, primes
+
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.ring import NumberField
+
+
+@dataclass(frozen=True)
+class _InfinitePlace:
+    """A place at infinity: a root of the polynomial of the field, and its conjugate."""
+
+    field: NumberField
+    index: int
+
+    is_finite = False
+
+    def __str__(self) -> str:
+        return "inf" if self.field.embeddings.count == 1 else f"inf{self.index}"
+
+    def __repr__(self) -> str:
+        return str(self)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The place as JSON data."""
+        return {"kind": "real" if isinstance(self, RealPlace) else "complex", "number": self.index}
+
+    def value(self, x: FieldElement, digits: int = 15) -> flint.acb:
+        """Return the image of x, a complex ball of flint with so many correct digits."""
+        return self.field.embed(x, self.index, digits)
+
+
+class RealPlace(_InfinitePlace):
+    """A real place: ``index`` counts the real roots of the polynomial from 0, ascending."""
+
+    def sign(self, x: FieldElement) -> int:
+        """Return the sign of x there: −1, 0 or 1."""
+        return self.field.sign(x, self.index)
+
+
+class ComplexPlace(_InfinitePlace):
+    """A complex place; ``index`` goes on after the real ones."""
+
+
+Place = PrimeIdeal | RealPlace | ComplexPlace
+
+
+def all_places(field: NumberField) -> Iterator[Place]:
+    """Run through the places: infinite ones, then prime by prime."""
+    yield from field.infinite_places()
+    for p in primes():
+        yield from primes_above(field, p)
+
+
+def place_of_number_field(field: NumberField, place: object) -> Place:
+    """Read a place: a place of the field, its text, or a prime with a single place above it.
+
+    Raises :class:`RingError` for what is none, or a place of another field.
+    """
+    if isinstance(place, (PrimeIdeal, _InfinitePlace)):
+        if place.field == field:
+            return place  # type: ignore[return-value]
+        raise RingError(
+            f"{place} is a place of {shorten(place.field.name)}, not of {shorten(field.name)}"
+        )
+    text = "".join(str(place).split())
+    if text.startswith("inf"):
+        above: tuple[Place, ...] = field.infinite_places()
+    else:
+        inside = text[1:-1] if text.startswith("(") and text.endswith(")") else text
+        p, comma, second = inside.partition(",")
+        if not p.isdecimal() or not is_prime(int(p)) or (comma and inside == text):
+            raise RingError(
+                f"{shorten(place)!r} is not a place of {shorten(field.name)}: expected a prime, "
+                'such as "(2, s)" for the ideal of 2 and s, or "inf0"'
+            )
+        above = primes_above(field, int(p))
+        if second:
+            try:
+                pi = field(second)
+            except HFieldError as error:
+                raise RingError(f"the place {shorten(place)!r} cannot be read: {error}") from error
+            within = [P for P in primes_above(field, int(p)) if pi in P]
+            if len(within) == 1:
+                return within[0]
+        elif len(above) == 1:
+            return above[0]
+    for v in above:
+        if "".join(str(v).split()) == text:
+            return v
+    names = ", ".join(f'"{v}"' for v in above)
+    raise RingError(
+        f"{shorten(place)!r} names no single place of {shorten(field.name)}: there lie {names}"
+    )

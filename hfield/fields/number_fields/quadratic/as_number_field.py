@@ -1,0 +1,40 @@
+"""ℚ(√d) as ℚ[s]/(s² − d): the same field, elements and places there and back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import flint
+
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.places import Place
+from hfield.fields.number_fields.quadratic.places import QuadraticPlace
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.ring import NumberField
+
+if TYPE_CHECKING:
+    from hfield.rings.closed_fields.surds import Surd
+
+
+def as_number_field(field: QuadraticField) -> NumberField:
+    """Return ℚ[s]/(s² − d)."""
+    return NumberField(flint.fmpq_poly([-field.d, 0, 1]))
+
+
+def into_number_field(field: NumberField, x: Surd, d: int) -> FieldElement:
+    """Return u + v·√d as u + v·s."""
+    terms = x.terms
+    return FieldElement(field, flint.fmpq_poly([terms.get(1, 0), terms.get(d, 0)]))
+
+
+def from_number_field(field: QuadraticField, x: FieldElement) -> Surd:
+    """Return u + v·s as u + v·√d."""
+    return field(x.poly[0]) + field.gen * field(x.poly[1])
+
+
+def place_in_number_field(field: NumberField, place: QuadraticPlace) -> Place:
+    """Return the place where s goes to what √d goes to."""
+    if not place.prime:
+        return field.infinite_places()[place.index]
+    generator = into_number_field(field, place.generators[1], place.d)
+    return next(P for P in field.primes_above(place.p) if generator in P)

@@ -1,0 +1,173 @@
+"""Hilbert symbols over quadratic number fields ℚ(√d), d squarefree, elements as pairs (u, v) = u + v√d.
+
+Above an odd prime the symbol is tame and read off a residue field; above a split 2 the completion
+is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is one place above it, and
+the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from hfield.errors import RingError
+from hfield.factorisation import factorise, remove
+from hfield.fields.number_fields.quadratic.places import (
+    QuadraticPlace,
+    place_of_quadratic,
+    places_above,
+)
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.rationals.symbols import _symbol
+from hfield.rings.whole_numbers import fraction
+
+if TYPE_CHECKING:
+    from hfield.rings.closed_fields.surds import Surd
+
+
+Pair = tuple[Fraction, Fraction]
+
+
+def pair(field: QuadraticField, x: Surd) -> Pair:
+    """Return the coordinates of u + v√d."""
+    terms = field(x).terms
+    return fraction(terms.get(1, 0)), fraction(terms.get(field.d, 0))
+
+
+def norm(d: int, x: Pair) -> Fraction:
+    """Return the norm ``u² − d·v²`` down to ℚ."""
+    return x[0] * x[0] - d * x[1] * x[1]
+
+
+def multiply(d: int, x: Pair, y: Pair) -> Pair:
+    """Return the product of two pairs."""
+    return x[0] * y[0] + d * x[1] * y[1], x[0] * y[1] + x[1] * y[0]
+
+
+def sign(d: int, x: Pair | tuple[int, int], root: int) -> int:
+    """Return the sign of ``u + v√d`` under ``√d ↦ root·√|d|``, d > 0, root = ±1."""
+    u, v = x[0], x[1] * root
+    if u * v >= 0:
+        return (u + v > 0) - (u + v < 0)
+    larger = u * u > d * v * v
+    return (1 if u > 0 else -1) if larger else (1 if v > 0 else -1)
+
+
+def integral(x: Pair) -> tuple[int, int]:
+    """Return x times a square of an integer, with integer coordinates."""
+    if not (x[0] or x[1]):
+        raise RingError(
+            "a Hilbert symbol is defined for nonzero numbers only, and one of these is 0"
+        )
+    m = x[0].denominator * x[1].denominator
+    return int(x[0] * m * m), int(x[1] * m * m)
+
+
+def _local(v: QuadraticPlace, x: tuple[int, int]) -> tuple[int, int]:
+    """Return the valuation of x and a number in the residue class that decides its unit part.
+
+    At a split place the unit is a p-adic integer modulo 8 or p; at a ramified one modulo p with
+    respect to the uniformiser √d; at an inert one the norm of the unit is returned, which is a square
+    modulo p exactly when the unit is one in GF(p²).
+    """
+    p, d = v.prime, v.d
+    size = x[0] * x[0] - d * x[1] * x[1]
+    n, unit = remove(size, p)
+    if v.root is not None:
+        precision = n + 4
+        value = (x[0] + x[1] * p_adic_root(v, precision)) % p**precision
+        return remove(value, p)
+    if d % p:  # inert: n is even
+        return n // 2, unit % p
+    k, odd = divmod(n, 2)
+    leading = x[1] if odd else x[0]
+    return n, leading // p**k * pow(d // p, -k, p) % p
+
+
+def p_adic_root(v: QuadraticPlace, precision: int) -> int:
+    """Return the square root of d modulo ``p**precision`` (one digit less for p = 2)."""
+    p, d = v.prime, v.d
+    assert v.root is not None
+    r = v.root
+    if p == 2:
+        for k in range(3, precision + 1):
+            if (r * r - d) >> k & 1:  # r² ≡ d (mod 2ᵏ) becomes a congruence modulo 2ᵏ⁺¹
+                r += 1 << (k - 1)
+        return r
+    modulus = p
+    while modulus < p**precision:
+        modulus *= modulus
+        r = (r + d * pow(r, -1, modulus)) * pow(2, -1, modulus) % modulus
+    return r
+
+
+def is_dyadic(v: QuadraticPlace) -> bool:
+    """Tell whether this is the one place above a 2 that does not split."""
+    return v.prime == 2 and v.root is None
+
+
+def direct_symbol(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> int:
+    """Return the symbol of nonzero integers u + v√d at a place other than a lone one above 2."""
+    if not v.prime:
+        if v.root is None:
+            return 1
+        return -1 if sign(v.d, a, v.root) < 0 and sign(v.d, b, v.root) < 0 else 1
+    (alpha, u), (beta, w) = _local(v, a), _local(v, b)
+    if v.root is None and v.d % v.prime:  # inert: −1 is a square, and u, w are norms of units
+        value = (u if beta % 2 else 1) * (w if alpha % 2 else 1) % v.prime
+        return 1 if pow(value, (v.prime - 1) // 2, v.prime) == 1 else -1
+    return _symbol(v.prime, alpha, u, beta, w)
+
+
+def is_local_square(v: QuadraticPlace, x: tuple[int, int]) -> bool:
+    """Tell whether a nonzero integer u + v√d is a square in the completion at a place."""
+    p, d = v.prime, v.d
+    if not p:
+        return v.root is None or sign(d, x, v.root) > 0
+    if is_dyadic(v):
+        # of x times powers of 4 the one with valuation 2 or 3, or 4 to 7 where 2 ramifies: a root
+        # modulo 64 is close enough to one (Hensel)
+        x = 4 * x[0], 4 * x[1]
+        while (x[0] * x[0] - d * x[1] * x[1]) % 256 == 0:
+            x = x[0] // 4, x[1] // 4
+        return any(
+            (s * s + d * t * t - x[0]) % 64 == 0 == (2 * s * t - x[1]) % 64
+            for s, t in itertools.product(range(32), repeat=2)
+        )
+    n, unit = _local(v, x)
+    if n % 2:
+        return False
+    return unit % 8 == 1 if p == 2 else pow(unit, (p - 1) // 2, p) == 1
+
+
+def ramified_places_quadratic(
+    field: QuadraticField, a: Pair, b: Pair, known: Iterable[int] = ()
+) -> tuple[QuadraticPlace, ...]:
+    """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last.
+
+    ``known`` may name primes of the norms of a and b. Raises :class:`UnfactoredError`.
+    """
+    x, y, d = integral(a), integral(b), field.d
+    primes = {2}
+    for s in (x, y):
+        primes |= set(factorise(s[0] * s[0] - d * s[1] * s[1], known))
+    candidates = [v for p in (*sorted(primes), 0) for v in places_above(field, p)]
+    bad = [v for v in candidates if not is_dyadic(v) and direct_symbol(v, x, y) < 0]
+    lone = [v for v in candidates if is_dyadic(v)]
+    if len(bad) % 2:
+        assert lone, "the number of ramified places is even"
+        bad = lone + bad
+    return tuple(bad)
+
+
+def hilbert_symbol_quadratic(field: QuadraticField, a: Pair, b: Pair, place: object) -> int:
+    """Return the Hilbert symbol of two nonzero elements at a place of ℚ(√d).
+
+    Above a 2 that does not split the norms of a and b are factored. Raises :class:`UnfactoredError`.
+    """
+    v = place_of_quadratic(field, place)
+    if is_dyadic(v):
+        return -1 if v in ramified_places_quadratic(field, a, b) else 1
+    return direct_symbol(v, integral(a), integral(b))

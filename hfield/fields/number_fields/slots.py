@@ -1,0 +1,224 @@
+"""Numbers with given Hilbert symbols, and algebras from their ramification, over number fields.
+
+An e for which (a, e) ramifies at given places and nowhere else is looked for among the smallest numbers of
+a coset: it lies in the prime ideals where its valuation must be odd, has a class with the right symbol where
+that of a is odd, and the right signs. Left to luck are the symbols above 2, and those at the primes, small
+ones, that divide e besides; one of all these is right by the product formula.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import Any
+
+import flint
+
+from hfield.errors import RingError, UndecidedError, shorten
+from hfield.factorisation import remove
+from hfield.fields.number_fields.dyadic_symbol import DyadicPrime
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
+from hfield.fields.number_fields.places import Place, RealPlace, place_of_number_field
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.symbols import (
+    candidates,
+    hilbert_symbol_number_field,
+    ramified_places_number_field,
+)
+from hfield.primality import WORD, is_probable_prime
+from hfield.rings.balls import precision
+from hfield.rings.whole_numbers import crt
+from hfield.structure.lattice_reduction import combination, reduced
+
+TRIALS = 20_000
+TWOS = 2**5  # symbols above 2 of an e of valuation at most 1 hang on e modulo this
+
+
+def partner(a: FieldElement, ramified: Collection[Place]) -> FieldElement:
+    """Return an e with ``(a, e | K)`` ramified exactly at some places, even in number, where a is no square.
+
+    Raises :class:`UnfactoredError` where the norm of a is too hard to factor, and :class:`UndecidedError`
+    where, by bad luck, none was met.
+    """
+    field = a.field
+    above = {2}.union(candidates(field, a), (v.p for v in ramified if isinstance(v, PrimeIdeal)))
+    finite = [P for p in sorted(above) for P in primes_above(field, p)]
+    signs = [0 if v.sign(a) > 0 else -1 if v in ramified else 1 for v in field.real_places()]
+    for e in _lifts(field, _classes(a, finite, ramified), signs):
+        if any((hilbert_symbol_number_field(a, e, P) < 0) != (P in ramified) for P in finite):
+            continue
+        rest = abs(int(e.norm().p))
+        for p in above:
+            rest = remove(rest, p)[1]
+        if (rest < WORD or is_probable_prime(rest)) and set(
+            ramified_places_number_field(a, e)
+        ) == set(ramified):
+            return e
+    raise UndecidedError(
+        f"no number of {field.name} with the symbols asked for was found among {TRIALS} of fitting classes"
+    )
+
+
+def from_ramification_number_field(
+    field: NumberField, named: Sequence[Place | str]
+) -> tuple[FieldElement, FieldElement]:
+    """Return (a, b) such that ``(a, b | K)`` ramifies exactly at the places named.
+
+    Raises :class:`RingError` unless they are even in number, different, and none of them complex.
+    """
+    places = [place_of_number_field(field, v) for v in named]
+    if len(set(places)) < len(places):
+        raise RingError("the same place was named twice among the ramified places")
+    if not all(isinstance(v, (PrimeIdeal, RealPlace)) for v in places):
+        raise RingError(
+            "no algebra ramifies at a complex place: only prime ideals and real places may be named"
+        )
+    if len(places) % 2:
+        raise RingError(
+            f"an algebra over {shorten(field.name)} ramifies at an even number of places, and {len(places)} "
+            "were named: add or drop one"
+        )
+    if not places:
+        return field.one, field.one
+    rng = random.Random(1)
+    for trial in range(TRIALS):
+        a = _small(field, 1 + trial // 200, rng)
+        if a and all(not is_local_square(v, a) for v in places):
+            return a, partner(a, places)
+    raise UndecidedError(
+        f"no small number of {shorten(field.name)} that is a square at none of the places was found"
+    )
+
+
+def _small(field: NumberField, size: int, rng: random.Random) -> FieldElement:
+    x: FieldElement = field.zero
+    for w in field.integral_basis():
+        x = x + w * rng.randint(-size, size)
+    return x
+
+
+def is_local_square(place: Place, x: FieldElement) -> bool:
+    """Tell whether x ≠ 0 is a square in the completion at a place."""
+    if isinstance(place, RealPlace):
+        return place.sign(x) > 0
+    if not isinstance(place, PrimeIdeal):
+        return True
+    v, unit = place.unit_part(x)
+    if v % 2:
+        return False
+    if place.p == 2:
+        return _defect(place, unit) > 2 * place.e
+    residue = place.residue_of(unit)
+    if place.f == 1:
+        return int(flint.fmpz(int(residue[0])).jacobi(place.p)) == 1
+    return bool(residue.pow_mod((place.norm - 1) // 2, place.residue) == 1)
+
+
+def _classes(
+    a: FieldElement, finite: Sequence[PrimeIdeal], ramified: Collection[Place]
+) -> dict[PrimeIdeal, FieldElement]:
+    """Return the classes that e should have at some prime ideals; 0 where its valuation must be odd."""
+    classes: dict[PrimeIdeal, FieldElement] = {}
+    for P in finite:
+        v, unit = P.unit_part(a)
+        if v % 2 and P.p > 2:
+            classes[P] = _unit(a, P, -1 if P in ramified else 1)
+        elif P in ramified and v % 2 == 0 and _unramified_root(P, unit):
+            classes[P] = a.field.zero
+    return classes
+
+
+def _unramified_root(P: PrimeIdeal, unit: FieldElement) -> bool:
+    """Tell whether the square root of a unit is unramified at P."""
+    return P.p > 2 or _defect(P, unit) >= 2 * P.e
+
+
+def _defect(P: PrimeIdeal, unit: FieldElement) -> int:
+    return DyadicPrime(P).defect(P.order.truncated(P.integral(unit), TWOS * 2))[0]
+
+
+def _unit(a: FieldElement, P: PrimeIdeal, wanted: int) -> FieldElement:
+    """Return an integer whose symbol with a, of odd valuation, is the one wanted at an odd prime ideal."""
+    rng = random.Random(1)
+    e: FieldElement = a.field.one
+    while not e or P.valuation(e) or hilbert_symbol_number_field(a, e, P) != wanted:
+        e = P.order.element(rng.randrange(P.p) for _ in range(a.field.degree))
+    return e
+
+
+def _lifts(
+    field: NumberField, classes: Mapping[PrimeIdeal, FieldElement], signs: Sequence[int]
+) -> Iterator[FieldElement]:
+    """Run through numbers with the given classes, and signs at the real places, at random but small."""
+    import numpy as np
+
+    rng, places = random.Random(1), field.infinite_places()
+    rows, short = _reduced_ideal(field, classes)
+    inverse, start = np.linalg.inv(np.array(short)), _representative(field, classes)
+    offset = (start * flint.fmpq_mat(rows).inv()).entries()
+    tail = np.array([float(x - x.floor()) for x in offset])
+    seen = set()
+    for trial in range(TRIALS):
+        # a point with the right signs, and a number of the coset next to it
+        size = 1 + trial / 500
+        target: list[float] = []
+        for v, sign in zip(places, [*signs, *[0] * len(places)], strict=False):
+            target.append(rng.uniform(0.2, 1) * sign * size if sign else rng.uniform(-size, size))
+            if not isinstance(v, RealPlace):
+                target.append(rng.uniform(-size, size))
+        steps = tuple(int(x) for x in np.rint(np.array(target) @ inverse - tail))
+        if steps in seen:
+            continue
+        seen.add(steps)
+        whole = [k - int(x.floor()) for k, x in zip(steps, offset, strict=True)]
+        row = [x + y for x, y in zip(start.entries(), combination(whole, rows), strict=True)]
+        e = element_of(field, row)
+        if e and all(v.sign(e) == s for v, s in zip(field.real_places(), signs, strict=True) if s):
+            yield e
+
+
+def _representative(field: NumberField, classes: Mapping[PrimeIdeal, FieldElement]) -> Any:
+    """Return the coordinates in the integral basis of a number with the given classes."""
+    n, residues = field.degree, []
+    for p in {P.p for P in classes}:
+        e: FieldElement = field.zero
+        for P, part in classes.items():
+            if P.p == p:
+                e = P.order.truncated(e + P.idempotent * P.order.truncated(part, p), p)
+        coordinates = coordinate_rows(field, [e]).entries()
+        residues.append([(int(c.p) * pow(int(c.q), -1, p) % p, p) for c in coordinates])
+    return flint.fmpq_mat(1, n, [crt(r[k] for r in residues)[0] for k in range(n)])
+
+
+def _reduced_ideal(
+    field: NumberField, primes: Collection[PrimeIdeal]
+) -> tuple[list[list[int]], list[list[float]]]:
+    """Return a reduced basis of the product of some prime ideals, and its values at the infinite places.
+
+    The basis is by coordinates in the integral basis; the values are real, or real and imaginary parts, the
+    largest of size 1.
+    """
+    n, basis = field.degree, list(field.integral_basis())
+    for P in primes:
+        both = [x * y for x in basis for y in P.generators]
+        rows = (coordinate_rows(field, both).numer_denom()[0]).hnf().tolist()[:n]
+        basis = [element_of(field, row) for row in rows]
+    size = max(int(c.p).bit_length() for x in basis for c in x.poly.coeffs())
+    bits, places = 2 * size + 128, field.infinite_places()
+    with precision(bits):
+        parts = []
+        for x in basis:
+            values = [field.embeddings.value(x.poly, v.index, bits) * 2**64 for v in places]
+            row = [
+                t
+                for v, z in zip(places, values, strict=True)
+                for t in ([z.real] if isinstance(v, RealPlace) else [z.real, z.imag])
+            ]
+            parts.append([int(t.mid().floor().unique_fmpz()) for t in row])
+    short, steps = reduced(parts)
+    largest = max(abs(t) for row in short for t in row)
+    basis = [combination(u, [[x] for x in basis])[0] for u in steps]
+    rows = [[int(c.p) for c in row] for row in coordinate_rows(field, basis).tolist()]
+    return rows, [[t / largest for t in row] for row in short]

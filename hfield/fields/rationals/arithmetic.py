@@ -1,0 +1,85 @@
+"""ℚ as a global field."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
+from fractions import Fraction
+from typing import TYPE_CHECKING, ClassVar
+
+from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.fields.rationals.conics import solve_conic
+from hfield.fields.rationals.embedding import embed_rational, traceless_root_rational
+from hfield.fields.rationals.places import INFINITE, Place, place_of_q
+from hfield.fields.rationals.residues import PrimePlace
+from hfield.fields.rationals.symbols import (
+    discriminant_q,
+    hilbert_symbol_q,
+    ramified_places_q,
+)
+from hfield.primality import WORD, primes
+from hfield.product import Constants, Coordinates, Scalar
+from hfield.rings.whole_numbers import fraction, square_class
+from hfield.structure.forms import NormalForm
+from hfield.structure.global_field import GlobalField
+from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+
+if TYPE_CHECKING:
+    import flint
+
+
+class RationalArithmetic(GlobalField):
+    """The arithmetic of ℚ: symbols by formula, places as primes and ``"inf"``."""
+
+    # a root of unity of degree at most 2 has order 1, 2, 3, 4 or 6
+    finite_orders: ClassVar[Mapping[int, int]] = {2: 2, 3: 1}
+
+    def read_place(self, text: object) -> Place:
+        """Return a prime or ``"inf"``."""
+        return place_of_q(text)
+
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
+        """Return the symbol by formula; nothing is factored."""
+        a, b = (self.ring(x) if isinstance(x, str) else x for x in (a, b))
+        return hilbert_symbol_q(a, b, place)
+
+    def ramified(self, form: NormalForm) -> tuple[Place, ...]:
+        """Return the primes, and ``"inf"``, with a symbol of −1."""
+        return ramified_places_q(form.a, form.b)
+
+    def discriminant(self, ramified: tuple[int, ...]) -> int:
+        """Return the product of the primes."""
+        return discriminant_q(ramified)
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[int, ...]:
+        """Return the primes below 200 with a symbol of −1."""
+        return tuple(p for p in primes(200) if hilbert_symbol_q(form.a, form.b, p) < 0)
+
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return a point of the conic ``z² = a·x² + b·y²``."""
+        x, y, z = (self.ring(u) for u in solve_conic(form.a, form.b))
+        return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
+
+    def residues(self, place: Place) -> PrimePlace | None:
+        """Return ℤ/p."""
+        return None if place == INFINITE else PrimePlace(int(place))
+
+    def _exact(self, c: Constants) -> tuple[Constants, Scalar]:
+        return Constants(*(fraction(x) for x in c)), Fraction(1)
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Share the primes of constants that are longer than a word."""
+        numbers = [square_class(x) for form in forms for x in form.constants]
+        if all(-WORD < n < WORD for n in numbers):
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J by an isometry of lattices."""
+        return embed_rational(self.ring, outer, inner)
+
+    def traceless_root(self, form: NormalForm, s: flint.fmpq) -> Coordinates | None:
+        """Return x by an isometry with an algebra (s, e) of the same ramification."""
+        return traceless_root_rational(self.ring, Constants(form.a, self.ring.zero, form.b), s)

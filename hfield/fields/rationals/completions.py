@@ -1,0 +1,33 @@
+"""The completions of ℚ: the p-adic numbers, and RR."""
+
+from __future__ import annotations
+
+from hfield.errors import RingError, shorten
+from hfield.factorisation import factorise
+from hfield.fields.local.field import LocalField
+from hfield.fields.rationals.places import INFINITE, place_of_q
+from hfield.fields.rationals.residues import PrimePlace
+from hfield.rings.base import Ring
+from hfield.rings.closed_fields.algebraic import RR
+from hfield.rings.printing import SUBSCRIPTS
+
+
+def p_adic_numbers(rationals: Ring, p: str) -> LocalField:
+    """Return ℚ_p, given ℚ and the text of a prime p. Raises :class:`RingError`."""
+    if not p.isdecimal() or not p.isascii():
+        raise RingError(f"Qp({shorten(p)}): expected a prime number, as in Qp(5)")
+    number = int(p)
+    try:
+        place = place_of_q(number)
+    except RingError:
+        shown = " * ".join(f"{q}^{n}" if n > 1 else f"{q}" for q, n in factorise(number).items())
+        why = f"{number} = {shown} is not a prime" if number > 1 else f"{number} is not a prime"
+        raise RingError(f"Qp({number}): {why}; expected one, as in Qp(5)") from None
+    words = f"the {place}-adic numbers ℚ{str(place).translate(SUBSCRIPTS)}"
+    return LocalField(f"Qp({place})", words, rationals, place, PrimePlace(number))
+
+
+def completion_of_rationals(rationals: Ring, place: object) -> Ring:
+    """Return ℚ_p, or RR: the real algebraic numbers satisfy what all real numbers satisfy."""
+    v = place_of_q(place)
+    return RR if v == INFINITE else p_adic_numbers(rationals, str(v))

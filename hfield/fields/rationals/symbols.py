@@ -1,0 +1,158 @@
+"""Hilbert symbols over ℚ, and what follows from them: ramified places and the discriminant.
+
+The symbol ``(a, b)_v`` is 1 when ``z² = a·x² + b·y²`` has a nonzero solution in the completion at
+v, and −1 otherwise. The formulas are those of Serre, *A Course in Arithmetic*, chapter III,
+theorem 1; that a rational quaternion algebra is known by the even set of places where the symbol
+is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from flint import fmpz
+
+from hfield.errors import RingError
+from hfield.factorisation import Factors, factorise, known_primes, remove
+from hfield.fields.rationals.places import INFINITE, Place, place_of_q
+from hfield.primality import WORD, is_prime
+from hfield.rings.whole_numbers import crt, square_class
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import Rational
+
+
+_LEAST = -WORD
+
+
+def hilbert_symbol_q(a: Rational, b: Rational, place: object) -> int:
+    """Return the Hilbert symbol of two nonzero rationals at a place of ℚ: 1 or −1.
+
+    Raises :class:`RingError` for a 0 or for a place that is none, :class:`CoercionError` for
+    arguments that are not rational. Nothing is factored.
+    """
+    v = place_of_q(place)
+    m, n = square_class(a), square_class(b)
+    if v == INFINITE:
+        return -1 if m < 0 and n < 0 else 1
+    assert isinstance(v, int)
+    return _symbol(v, *remove(m, v), *remove(n, v))
+
+
+def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
+    """Return the symbol of ``pᵅ·u`` and ``pᵝ·v`` at p, for u and v prime to p."""
+    if p == 2:
+        sign = (u & v) >> 1 & 1
+        if alpha & 1:
+            sign ^= v % 8 in (3, 5)
+        if beta & 1:
+            sign ^= u % 8 in (3, 5)
+        return -1 if sign else 1
+    if alpha & 1:
+        u = -u * v if beta & 1 else v
+    elif not beta & 1:
+        return 1
+    return int(fmpz(u).jacobi(p))
+
+
+def ramified_places_q(
+    a: Rational, b: Rational, factors: Factors | None = None
+) -> tuple[Place, ...]:
+    """Return the places of ℚ where ``(a, b | ℚ)`` is a division algebra, primes first, ascending.
+
+    ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
+    :class:`UnfactoredError`.
+    """
+    m = a if type(a) is int and a else square_class(a)
+    n = b if type(b) is int and b else square_class(b)
+    m_, n_ = fmpz(m), fmpz(n)
+    if factors is None and _LEAST < m < WORD and _LEAST < n < WORD:
+        in_m, in_n = m_.factor(), n_.factor()
+    else:
+        with known_primes(factors, ""):
+            in_m, in_n = _prime_powers(m), _prime_powers(n)
+    # the odd primes p; the number of ramified places is even (reciprocity), which decides about 2
+    if not m & 1:
+        del in_m[0]
+    if not n & 1:
+        del in_n[0]
+    primes = []
+    symbol = n_.jacobi
+    for p, alpha in in_m:
+        sign = symbol(p)
+        if sign < 0:
+            if alpha & 1:
+                primes.append(int(p))
+        elif not sign:  # p divides both
+            p = int(p)
+            if _symbol(p, *remove(m, p), *remove(n, p)) < 0:
+                primes.append(p)
+    symbol = m_.jacobi
+    for p, beta in in_n:
+        if beta & 1 and symbol(p) < 0:
+            primes.append(int(p))
+    infinite = m < 0 and n < 0
+    if len(primes) & 1 != infinite:
+        primes.append(2)
+    primes.sort()
+    return (*primes, INFINITE) if infinite else tuple(primes)
+
+
+def _prime_powers(n: int) -> list[tuple[Any, int]]:
+    """Return the primes of n, as FLINT's integers, with their exponents, ascending."""
+    return [(fmpz(p), e) for p, e in sorted(factorise(n).items())]
+
+
+def discriminant_q(places: Iterable[Place]) -> int:
+    """Return the product of the ramified primes, the reduced discriminant over ℚ."""
+    return math.prod(p for p in places if isinstance(p, int))
+
+
+def from_ramification_q(primes: Iterable[object], infinite: bool | None) -> tuple[int, int]:
+    """Return integers (a, b) such that ``(a, b | ℚ)`` ramifies exactly at the places named.
+
+    ∞ is one where it stands among them or is said to be, and where neither is said as often as it takes.
+    Raises :class:`RingError` unless the primes are distinct primes and the places even in number.
+    The construction is that of Voight, *Quaternion Algebras*, section 14.2: b is the product of the
+    primes up to sign, and a is, up to sign, 1 or a prime in a suitable residue class.
+    """
+    places = [place_of_q(p) for p in primes]
+    wanted = [p for p in places if p != INFINITE]
+    if len(places) > len(wanted):
+        if infinite is False or len(places) > len(wanted) + 1:
+            raise RingError(
+                "the infinite place stands among the places, and is denied or named twice"
+            )
+        infinite = True
+    elif infinite is None:
+        infinite = len(wanted) % 2 == 1
+    if len(set(wanted)) != len(wanted):
+        raise RingError("the same prime was named twice among the ramified places")
+    if (len(wanted) + bool(infinite)) % 2:
+        raise RingError(
+            f"an algebra over QQ ramifies at an even number of places, and {len(wanted) + infinite} were "
+            "named: add or drop one (infinite=True counts as one)"
+        )
+    ps = sorted(int(p) for p in wanted)
+    target = (*ps, *((INFINITE,) if infinite else ()))
+    sign = -1 if infinite else 1
+    b = sign * math.prod(ps)
+    for size in (1, 2, 3, 5, 7, 11, 13):
+        for a in (-size, size):
+            if (a < 0) == infinite and ramified_places_q(a, b, [*ps, 2]) == target:
+                return a, b
+    # a is a non-residue at each odd prime, and modulo 8 unramified or not at 2 as wanted
+    conditions = [(5 if 2 in ps else 1, 8)]
+    conditions += [(non_residue(p), p) for p in ps if p != 2]
+    start, step = crt(conditions)
+    q = start if sign > 0 else step - start
+    while not is_prime(q) or q in ps:
+        q += step
+    return sign * q, b
+
+
+def non_residue(p: int) -> int:
+    """Return the least quadratic non-residue modulo an odd prime."""
+    return next(r for r in range(2, p) if fmpz(r).jacobi(p) == -1)

@@ -1,0 +1,129 @@
+"""Fields of rational functions in several variables over QQ and GF(p), on flint's ``mpoly`` types."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
+from hfield.rings.base import INFINITY, Known, shared
+from hfield.rings.polynomials import PolynomialRing
+from hfield.rings.printing import blackboard, quotient_text
+
+if TYPE_CHECKING:
+    from hfield.rings.flint_types import SparsePolynomial
+
+
+class RationalFunctions(FractionField):
+    """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`Quotient`.
+
+    Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
+    coefficient 1.
+
+    >>> from hfield import ring
+    >>> F = ring("QQ(x,y)")
+    >>> F("(x^2-y^2)/(2*x+2*y)"), F("x/y + y/x")
+    (1/2*x-1/2*y, (x^2+y^2)/(x*y))
+    """
+
+    arithmetic = "several_variables.arithmetic.SeveralArithmetic"
+
+    def __init__(self, polynomials: PolynomialRing) -> None:
+        self.polynomials, self.base = polynomials, polynomials.base
+        self.variables = polynomials.variables
+        self.name = functions_name(self.base, self.variables)
+        self.characteristic = self.base.characteristic
+        self.gen_name = self.variables[0]
+        self.parse_limit = polynomials.parse_limit
+        self._one = polynomials.one
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.polynomials)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its constants and its variables."""
+        variables = list(self.variables)
+        return {"kind": "rational functions", "base": self.base.data, "variables": variables}
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"rational functions in {listed(self.variables)} over {blackboard(self.base.name)}"
+
+    @property
+    def gen(self) -> Quotient:
+        """The first variable."""
+        return Quotient(self, self.polynomials.gen, self._one)
+
+    def names(self) -> dict[str, Quotient]:
+        """The variables."""
+        gens = self.polynomials.names()
+        return {name: Quotient(self, x, self._one) for name, x in gens.items()}
+
+    def quotient(self, num: SparsePolynomial, den: SparsePolynomial) -> Quotient:
+        """Return num/den in lowest terms; den is not 0."""
+        common = num.gcd(den)
+        if not self.is_one(common):
+            num, den = num // common, den // common
+        lead = den.leading_coefficient()
+        if lead != 1:
+            scale = self.polynomials.inverse(self.polynomials.constant(lead))
+            num, den = num * scale, den * scale
+        return Quotient(self, num, den)
+
+    def from_below(self, x: object) -> Quotient:
+        """Turn a number, or an element of k or k[x, y, …], into one. Raises :class:`CoercionError`."""
+        return Quotient(self, self.polynomials(x), self._one)
+
+    def key(self, x: Quotient) -> Hashable:
+        """Return the terms of numerator and denominator."""
+        return self.polynomials.key(x.num), self.polynomials.key(x.den)
+
+    def sqrt(self, x: Quotient) -> Quotient | None:
+        """Return some y with y² = x, or None: numerator times denominator must be a square."""
+        root = self.polynomials.sqrt(x.num * x.den)
+        return None if root is None else self.quotient(root, x.den)
+
+    @property
+    def level(self) -> Known:
+        """The level of k: a sum of squares −1 has one in k, at a point without poles."""
+        known = self.base.level
+        if known.value == INFINITY:
+            return Known(
+                INFINITY, f"{self.name} has an ordering, with the variables infinitely large"
+            )
+        shown = f"it is the level of {self.base.name}, for −1 is as many squares in {self.name} as there"
+        return Known(known.value, f"{shown}; there {known.reason}")
+
+    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
+        """Return constants whose squares add up to −1."""
+        return tuple(self(c) for c in self.base.minus_one_as_squares())
+
+    @property
+    def orderings(self) -> Known:
+        """Infinitely many over QQ, none over GF(p)."""
+        return super().orderings if self.characteristic else self.polynomials.orderings
+
+    def sign(self, x: Quotient, ordering: int = 0) -> int:
+        """Return the sign in the ordering by leading coefficients, the first variable the largest."""
+        if self.characteristic or ordering:
+            return super().sign(x, ordering)
+        return self.polynomials.sign(x.num)
+
+    def random(self, rng: Random) -> Quotient:
+        """Return a random fraction of polynomials of few terms; the same for the same seed."""
+        num, den = self.polynomials.random(rng), self.polynomials.random(rng)
+        return self.quotient(num, den if den != 0 else self._one)
+
+    def text(self, x: Quotient, style: str = "plain") -> str:
+        """Write x, such as ``(x+y)/(x^2+2)``."""
+        return quotient_text(
+            self.polynomials.text(x.num, style), self.polynomials.text(x.den, style), style
+        )
+
+
+def listed(names: tuple[str, ...]) -> str:
+    """Return ``x, y and z``."""
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last

@@ -1,0 +1,198 @@
+"""RR and CC: the real and the complex algebraic numbers, exact, and what else can be told from 0.
+
+Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree, nested roots, cosines,
+π) is a :class:`Closed` form, which sympy holds and which is imported when the first one is met.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield import syntax
+from hfield.errors import CoercionError, NotInvertibleError, shorten
+from hfield.product import Scalar
+from hfield.rings.base import INFINITY, Known
+from hfield.rings.closed_fields.radicals import FUNCTIONS
+from hfield.rings.closed_fields.surds import Surd, from_rational
+from hfield.rings.printing import from_unicode
+from hfield.rings.rational import rational, unwrap
+from hfield.rings.values import ValueRing
+
+if TYPE_CHECKING:
+    from hfield.rings.closed_fields.closed_forms import Closed
+
+
+_I = Surd({-1: flint.fmpq(1)})
+
+
+class AlgebraicNumbers(ValueRing):
+    """The algebraic numbers, real or complex. Elements are ``Surd`` or ``Closed``, both hashable.
+
+    >>> RR("1/(sqrt(2)-1)")
+    1+sqrt(2)
+    >>> RR("sqrt(2)+sqrt(3)") == RR("sqrt(5+2*sqrt(6))")
+    True
+    """
+
+    characteristic = 0
+    is_field = True
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.is_real = name == "RR"
+        self.gen_name = None if self.is_real else "I"
+        self.closure = "real closed" if self.is_real else "algebraically closed"
+
+    def __reduce__(self) -> str:
+        return self.name
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its kind."""
+        return {"kind": "reals" if self.is_real else "complexes"}
+
+    @property
+    def gen(self) -> Surd | Closed:
+        """The imaginary unit of CC; RR has no generator."""
+        return super().gen if self.is_real else _I
+
+    def names(self) -> dict[str, Surd | Closed]:
+        """The number π, and in CC the imaginary unit I."""
+        from hfield.rings.closed_fields.closed_forms import PI
+
+        return {"pi": PI} if self.is_real else {"I": _I, "pi": PI}
+
+    def functions(self) -> dict[str, Callable[..., Surd | Closed | None]]:
+        """``sqrt``, ``cbrt``, ``root(x, n)``, and ``cos sin tan cosh sinh tanh exp log``."""
+        from hfield.rings.closed_fields import closed_forms as closed
+
+        return {
+            "sqrt": self._sqrt_here,
+            "cbrt": lambda x: self._root(x, 3),
+            "root": self._root,
+            **{name: closed.function(name) for name in FUNCTIONS},
+        }
+
+    def parse(self, text: str) -> Surd | Closed:
+        """Read a number; within RR the intermediate values may be complex."""
+        names = {"I": _I, **self.names()}
+        functions = {"/": self.divide, "**": self.power, **self.functions()}
+        reader = syntax.Reader(CC, names, functions, self.name, self.parse_limit)
+        return self(reader.read(from_unicode(text)))
+
+    def __call__(self, x: object) -> Surd | Closed:
+        """Turn a rational number, a surd, a closed form or a sympy number into an element; read a text.
+
+        Raises :class:`CoercionError` for what is not in the field, and :class:`UndecidedError` for a
+        transcendental number that cannot be told from 0.
+        """
+        x = unwrap(x)
+        if isinstance(x, str):
+            return self.parse(x)
+        if isinstance(x, Surd):
+            if self.is_real and not x.is_real():
+                raise self.refuse(x, "it is not real; CC has it")
+            return x
+        number = rational(x)
+        if number is not None:
+            return from_rational(number)
+        kind = type(x).__module__
+        if kind == "hfield.rings.closed_fields.closed_forms" or kind.partition(".")[0] == "sympy":
+            from hfield.rings.closed_fields import closed_forms as closed
+
+            if x is closed.PI:
+                return x
+            value = x if isinstance(x, closed.Closed) else closed.from_sympy(x)
+            if isinstance(value, Surd):
+                return self(value)
+            if value is not None and (not self.is_real or value.is_real()):
+                # A transcendental number is let in when it can be told from 0.
+                return from_rational(0) if value.bounds is None and value.is_zero() else value
+            raise self.refuse(x, "it is not real; CC has it" if value is not None else "")
+        raise self.refuse(x)
+
+    def is_zero(self, x: Surd | Closed) -> bool:
+        """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
+        return not x.terms if isinstance(x, Surd) else x.is_zero()
+
+    def inverse(self, x: Surd | Closed) -> Surd | Closed:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if self.is_zero(x):
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        return x.inverse()
+
+    def sqrt(self, x: Surd | Closed) -> Surd | Closed | None:
+        """Return the principal root; None for x < 0 in RR."""
+        if self.is_real and self.sign(x) < 0:
+            return None
+        root = x.sqrt() if isinstance(x, Surd) else None
+        if root is not None:
+            return root
+        from hfield.rings.closed_fields.closed_forms import root as closed_root
+
+        return closed_root(x, 2)
+
+    def _sqrt_here(self, x: Surd | Closed) -> Surd | Closed | None:
+        return CC.sqrt(x)
+
+    def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
+        """Return the n-th root: the real one, positive if there are two, of a real number that has one.
+
+        Of all others the principal one; so a text means one number in RR and CC.
+        """
+        if isinstance(n, Surd) and n.terms.keys() <= {1}:
+            n = n.terms.get(1, 0)
+        degree = None if isinstance(n, Surd) else rational(n)
+        if not isinstance(degree, int) or not 1 <= degree <= 64:
+            raise CoercionError(f"root(x, n) takes an integer n from 1 to 64, not {shorten(n)}")
+        from hfield.rings.closed_fields.closed_forms import root
+
+        negative = degree % 2 == 1 and not x.ball(64).real > 0 and x.is_real() and RR.sign(x) < 0
+        return -root(-x, degree) if negative else root(x, degree)
+
+    @property
+    def level(self) -> Known:
+        """∞ in RR, where squares are not negative; 1 in CC."""
+        if self.is_real:
+            return Known(INFINITY, "squares of real numbers are not negative")
+        return Known(1, "−1 = I^2")
+
+    def minus_one_as_squares(self) -> tuple[Surd | Closed, ...]:
+        """Return (I,) in CC, () in RR."""
+        return () if self.is_real else (_I,)
+
+    @property
+    def orderings(self) -> Known:
+        """One in RR, for the positive numbers are the squares; none in CC."""
+        if self.is_real:
+            return Known(1, "the positive numbers are the squares")
+        return super().orderings
+
+    def sign(self, x: Surd | Closed, ordering: int = 0) -> int:
+        """Return −1, 0 or 1, in RR. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
+        if not self.is_real:
+            return super().sign(x, ordering)
+        self.check_ordering(ordering)
+        return int(x.sign())
+
+    def random(self, rng: Random) -> Surd | Closed:
+        """Return a small random number of ℚ(√2, √3), with I in CC; the same for the same seed."""
+        roots = (1, 2, 3) if self.is_real else (1, 2, -1, -3)
+        terms = {n: flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2))) for n in roots}
+        return Surd({n: c for n, c in terms.items() if c != 0})
+
+    def text(self, x: Surd | Closed, style: str = "plain") -> str:
+        """Write x, such as ``1/2+3*sqrt(2)`` or ``I*root(2,3)``."""
+        return str(x.text(style))
+
+
+RR = AlgebraicNumbers("RR")
+CC = AlgebraicNumbers("CC")

@@ -1,1 +1,0 @@
-"""Quaternion algebras over local fields: the completions of global fields."""
