@@ -24,12 +24,12 @@ from hfield.factorisation import factorise, remove
 from hfield.lattices import hermite, z_lattice
 from hfield.lattices.class_number import local_factor
 from hfield.lattices.maximal_orders import (
+    Line,
     above,
     left_multiples,
     maximal_at,
+    small_lines,
     with_two_roots,
-    zero_divisor,
-    zero_on_line,
 )
 from hfield.lattices.modulo_primes import echelon, lead
 from hfield.lattices.z_lattice import (
@@ -222,16 +222,14 @@ def random_ideal(order: ZOrder, n: int, rng: random.Random) -> ZLattice:
             raise LatticeError(
                 f"random ideals have a norm prime to the discriminant, and {p} divides both"
             )
-    multiples = left_multiples(order, primes, partial(_random_zero_divisor, rng))
-    return above(order, multiples, n)
+    return above(order, left_multiples(order, primes, partial(_random_lines, rng)), n)
 
 
-def _random_zero_divisor(rng: random.Random, order: ZOrder, p: int, e: int) -> list[int]:
+def _random_lines(rng: random.Random, q: int) -> Iterator[Line]:
+    """Yield some random lines modulo q, and then small ones."""
     for _ in range(200):
         n = rng.randrange(4)
-        v = [rng.randrange(p**e) for _ in range(4)]
+        v = [rng.randrange(q) for _ in range(4)]
         v[n] = 0
-        found = zero_on_line(order, v, n, p, e)
-        if found is not None:
-            return found
-    return zero_divisor(order, p, e)
+        yield n, v
+    yield from small_lines()

@@ -132,10 +132,8 @@ def _from_prime(
             a += 1
             continue
         ratio = _ratio(ideal, gamma * f.beta, gamma * s * f.beta, norm)
-        if ratio is None:
-            continue
-        found = _strong_approximation(f, norm, prime, ratio, rng)
-        if found is not None:
+        found = ratio and _strong_approximation(f, norm, prime, ratio, rng)
+        if found:
             mu, b = found
             return gamma * mu, a + b
     return None

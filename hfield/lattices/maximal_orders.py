@@ -8,7 +8,7 @@ is a field, or a product of two, and one of its two maximal ideals has a maximal
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from itertools import product
+from itertools import count, product
 
 from flint import fmpz_mat
 
@@ -20,6 +20,9 @@ from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 from hfield.lattices.z_lattice import ZLattice, hermite_form
 from hfield.lattices.z_order import ZOrder, order_of
 from hfield.rings.whole_numbers import crt
+
+Line = tuple[int, list[int]]
+"""A coordinate, and values for the others with 0 in its place."""
 
 
 def radical(order: ZOrder, p: int) -> ZLattice:
@@ -101,49 +104,41 @@ def eichler_suborder(order: ZOrder, level: int) -> ZOrder:
     Raises :class:`LatticeError` when the level is not prime to the discriminant.
     """
     expect_coprime(level, order.discriminant)
-    rows = left_multiples(order, factorise(level), zero_divisor).entries()
+    rows = left_multiples(order, factorise(level), lambda q: small_lines()).entries()
     return ZOrder.of(above(order, fmpz_mat(5, 4, [*rows, order.den, 0, 0, 0]), level))
 
 
 def left_multiples(
-    order: ZOrder, primes: Mapping[int, int], choose: Callable[[ZOrder, int, int], list[int]]
+    order: ZOrder, primes: Mapping[int, int], lines: Callable[[int], Iterator[Line]]
 ) -> fmpz_mat:
-    """Return the rows of the basis times an x that is ``choose(order, p, e)`` modulo each pᵉ.
+    """Return the basis times an x that is, modulo each pᵉ, a zero divisor on one of ``lines(pᵉ)``.
 
-    They are over the denominator of the order.
+    They are rows over the denominator of the order.
     """
-    found = [(choose(order, p, e), p**e) for p, e in sorted(primes.items())]
+    found = [(zero_divisor(order, p, e, lines(p**e)), p**e) for p, e in sorted(primes.items())]
     x = [crt((y[n], q) for y, q in found)[0] for n in range(4)]
     r = order.regular
     return hermite.divided(order.matrix * r.right_matrix(order.row(x)), order.den * r.scale)
 
 
-def zero_divisor(order: ZOrder, p: int, e: int) -> list[int]:
-    """Return coordinates of an element of O, not in p·O, whose norm pᵉ divides; O is M₂(ℤₚ)."""
-    for n, rest in _lines():
-        found = zero_on_line(order, [*rest[:n], 0, *rest[n:]], n, p, e)
-        if found is not None:
-            return found
+def zero_divisor(order: ZOrder, p: int, e: int, lines: Iterable[Line]) -> list[int]:
+    """Return coordinates of an element of O, not in p·O, whose norm pᵉ divides; O is M₂(ℤₚ).
+
+    On a line the norm is a quadratic polynomial, and its simple roots give no element of p·O.
+    """
+    gram = order.gram
+    for n, v in lines:
+        b = sum(gram[n][m] * v[m] for m in range(4))
+        root = simple_root(gram[n][n] // 2, b, order.trace_and_norm(v)[1], p, e)
+        if root is not None:
+            return [*v[:n], root, *v[n + 1 :]]
     raise AssertionError("the norm form modulo p is that of 2 × 2 matrices, which has such zeros")
 
 
-def zero_on_line(order: ZOrder, v: list[int], n: int, p: int, e: int) -> list[int] | None:
-    """Return v with another n-th coordinate in place of 0, not in p·O, whose norm pᵉ divides; or None.
-
-    The norm is a quadratic polynomial in that coordinate, and its simple roots give no element of p·O.
-    """
-    gram = order.gram
-    b = sum(gram[n][m] * v[m] for m in range(4))
-    root = simple_root(gram[n][n] // 2, b, order.trace_and_norm(v)[1], p, e)
-    return None if root is None else [*v[:n], root, *v[n + 1 :]]
-
-
-def _lines() -> Iterator[tuple[int, tuple[int, ...]]]:
+def small_lines() -> Iterator[Line]:
     """Run through a coordinate and small values for the others, growing without end."""
-    size = 1
-    while True:
+    for size in count(1):
         for rest in product(range(-size, size + 1), repeat=3):
             if max(map(abs, rest)) == size:
                 for n in range(4):
-                    yield n, rest
-        size += 1
+                    yield n, [*rest[:n], 0, *rest[n:]]

@@ -115,23 +115,22 @@ def hermite_form(algebra: Parent, den: int, rows: fmpz_mat) -> ZLattice:
 def spanned(algebra: Parent, elements: Iterable[object]) -> ZLattice:
     """Return the lattice that elements span. Raises :class:`LatticeError` when its rank is below 4."""
     regular(algebra)
-    den, rows, number = element_rows(algebra, listed(elements))
-    found = hermite.hermite(den, rows) if number else None
+    den, rows = element_rows(algebra, listed(elements))
+    found = hermite.hermite(den, rows)
     if found is None:
-        rank = rows.rank() if number else 0
         raise LatticeError(
-            f"these {number} elements span a lattice of rank {rank}, and lattices here have "
+            f"these {rows.nrows()} elements span a lattice of rank {rows.rank()}, and lattices here have "
             "rank 4: give four independent elements"
         )
     return ZLattice(algebra, *found)
 
 
-def element_rows(algebra: Parent, elements: list[object]) -> tuple[int, fmpz_mat, int]:
-    """Return elements as the rows of an integer matrix over a denominator, and how many they are."""
+def element_rows(algebra: Parent, elements: list[object]) -> tuple[int, fmpz_mat]:
+    """Return elements as the rows of an integer matrix over a denominator."""
     found = [element_row(algebra, x) for x in elements]
     den = math.lcm(*(d for d, _ in found))
     entries = [x * (den // d) for d, row in found for x in row]
-    return den, fmpz_mat(len(found), 4, entries), len(found)
+    return den, fmpz_mat(len(found), 4, entries)
 
 
 def _restore(kind: type[ZLattice], algebra: Parent, den: int, rows: hermite.Rows) -> ZLattice:

@@ -177,7 +177,7 @@ def checked_ring(lattice: ZLattice) -> ZOrder:
 def generated(algebra: Parent, elements: Iterable[object]) -> ZOrder:
     """Return the ring that elements generate. Raises :class:`LatticeError` where it is no order."""
     r = regular(algebra)
-    den, letters, _ = element_rows(algebra, [1, *listed(elements)])
+    den, letters = element_rows(algebra, [1, *listed(elements)])
     span = hermite.span(den, letters)
     while True:
         words_den, words = span
@@ -228,7 +228,7 @@ def generated_ideal(order: ZOrder, generators: list[object], side: str) -> ZLatt
     """Return the ideal that elements generate on a side. Raises :class:`LatticeError` for a rank below 4."""
     if not generators:
         raise LatticeError("an ideal has at least one generator, and none was given")
-    den, rows, _ = element_rows(order.algebra, generators)
+    den, rows = element_rows(order.algebra, generators)
     r = order.regular
     products = r.products(*((order.matrix, rows) if side != "right" else (rows, order.matrix)))
     scale = r.scale * order.den * den
