@@ -180,14 +180,17 @@ class ClassSet(Certified, Hinted):
         if not all(is_maximal_or_eichler(order, p, e) for p, e in parts):
             return types_by_isomorphism(self)
         ideals = [two_sided_prime(order, p) for p, _ in sorted(parts)]
-        known = [-1] * len(self)
+        known, kinds = [-1] * len(self), 0
         for start in range(len(self)):
-            kind, todo = max(known) + 1, [start]
-            while known[start] < 0 or todo:
+            if known[start] >= 0:
+                continue
+            todo = [start]
+            while todo:
                 n = todo.pop()
                 if known[n] < 0:
-                    known[n] = kind
+                    known[n] = kinds
                     todo += [self._index(product(self._lattices[n], ideal)) for ideal in ideals]
+            kinds += 1
         return known
 
     @property
