@@ -24,7 +24,7 @@ from .functions import conj as conj
 from .functions import inv as inv
 from .functions import norm as norm
 from .functions import trace as trace
-from .lattices.classes import ClassSet as ClassSet
+from .lattices.lattice import ClassSet as ClassSet
 from .lattices.lattice import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
 from .lattices.lattice import Order as Order

@@ -15,13 +15,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.hints import CLASSES, Hinted
 from hfield.lattices import brandt, certificates, enumeration, hermite
 from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import positive, prime
@@ -33,6 +32,7 @@ from hfield.lattices.ideals_of_norm import (
     right_subideals,
     two_sided_prime,
 )
+from hfield.lattices.isomorphic_orders import isomorphism
 from hfield.lattices.short_elements import expect_definite, theta_series
 from hfield.lattices.z_lattice import (
     ZLattice,
@@ -43,10 +43,8 @@ from hfield.lattices.z_lattice import (
     rows_json,
     scaled,
 )
+from hfield.lattices.z_order import ZOrder, order_of
 from hfield.primality import is_prime, primes
-
-if TYPE_CHECKING:
-    from hfield.lattices.lattice import Ideal, Order
 
 Key = tuple[int, ...]
 
@@ -74,23 +72,13 @@ MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
-class ClassSet(Certified, Hinted):
-    """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+class Classes(Certified):
+    """The classes as values: their lattices, units and neighbours."""
 
-    >>> from hfield import QuaternionAlgebra
-    >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
-    >>> len(C), C.mass, C.type_number
-    (2, Fraction(5, 6), 2)
-    >>> C.brandt_matrix(2)
-    [[1, 2], [3, 0]]
-    """
-
-    elsewhere = CLASSES
-
-    def __init__(self, order: Order) -> None:
-        expect_definite(order.value, "class_set()")
-        self.order = order
-        self.mass = mass(order.value)
+    def __init__(self, ring: ZOrder) -> None:
+        expect_definite(ring, "class_set()")
+        self.ring = ring
+        self.mass = mass(ring)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(
                 f"there are more than {MOST_CLASSES} classes; A.class_number(N) counts them by "
@@ -105,8 +93,8 @@ class ClassSet(Certified, Hinted):
 
     def _enumerate(self) -> None:
         left = self.mass
-        left -= self._add(*key_and_units(self.order.value))
-        discriminant = self.order.value.discriminant
+        left -= self._add(*key_and_units(self.ring))
+        discriminant = self.ring.discriminant
         for p in primes():
             if not left:  # the rows of an earlier prime lack the classes found since
                 known = self._rows.items()
@@ -130,43 +118,26 @@ class ClassSet(Certified, Hinted):
 
     def _add(self, key: Key, units: int) -> Fraction:
         self._keys[key] = len(self._lattices)
-        self._lattices.append(ZLattice(self.order.algebra, key[0], fmpz_mat(4, 4, key[1:])))
+        self._lattices.append(ZLattice(self.ring.algebra, key[0], fmpz_mat(4, 4, key[1:])))
         self.unit_counts.append(units)
         return Fraction(2, units)
 
     def _neighbours(self, lattice: ZLattice, p: int) -> Iterator[tuple[Key, int]]:
-        return map(key_and_units, right_subideals(lattice, self.order.value, p))
+        return map(key_and_units, right_subideals(lattice, self.ring, p))
 
     # --- the classes -------------------------------------------------------------------------------
 
     def __len__(self) -> int:
         return len(self._lattices)
 
-    def __getitem__(self, n: int) -> Ideal:
-        """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
+    def _representative(self, n: int) -> ZLattice:
+        """Return the lattice of class n, made integral and primitive."""
         found = self._lattices[n]
-        return self.order.ideal(scaled(found, 1 / divisor(self.order.value, found)), "right")
-
-    def __iter__(self) -> Iterator[Ideal]:
-        return (self[n] for n in range(len(self)))
-
-    def left_ideals(self) -> Iterator[Ideal]:
-        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
-        return (I.conjugate() for I in self)
-
-    def index(self, ideal: object) -> int:
-        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        found = self.order.checked_right_ideal(ideal)
-        if not found.is_invertible():
-            raise LatticeError(f"{shorten(found)} is not invertible, and belongs to no class")
-        return self._index(found.value)
+        return scaled(found, 1 / divisor(self.ring, found))
 
     def _index(self, lattice: ZLattice) -> int:
+        """Return the number of the class of an invertible right ideal."""
         return self._keys[key_and_units(lattice)[0]]
-
-    def left_orders(self) -> list[Order]:
-        """Return the left orders of the representatives, one a class."""
-        return [I.left_order() for I in self]
 
     @cached_property
     def types(self) -> list[int]:
@@ -175,7 +146,7 @@ class ClassSet(Certified, Hinted):
         For a maximal or an Eichler order they are the orbits of the two-sided ideals on the classes (Voight,
         *Quaternion Algebras*, section 17.4).
         """
-        order = self.order.value
+        order = self.ring
         parts = factorise(order.discriminant).items()
         if not all(is_maximal_or_eichler(order, p, e) for p, e in parts):
             return types_by_isomorphism(self)
@@ -207,7 +178,7 @@ class ClassSet(Certified, Hinted):
         """
         p = prime(p)
         if p not in self._rows:
-            if self.order.discriminant() % p:
+            if self.ring.discriminant % p:
                 self._rows[p] = [
                     Counter(self._keys[key] for key, _ in self._neighbours(lattice, p))
                     for lattice in self._lattices
@@ -221,7 +192,7 @@ class ClassSet(Certified, Hinted):
 
         In an ideal of a norm prime to p they are its intersections with those in the order.
         """
-        local = of_prime_power_norm(self.order.value, p, e)
+        local = of_prime_power_norm(self.ring, p, e)
         around = (prime_to(lattice, p) for lattice in self._lattices)
         return [Counter(self._index(meet(J, K)) for K in local) for J in around]
 
@@ -282,37 +253,31 @@ class ClassSet(Certified, Hinted):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certificates.of_class_set(self.order.value, self._lattices)
+        return certificates.of_class_set(self.ring, self._lattices)
 
     @property
     def evidence(self) -> dict[str, object]:
         """What a program needs to check the class set: representatives, units, and the mass."""
         return {
             "kind": "class-set",
-            "algebra": str(self.order.algebra),
-            "order": rows_json(self.order.value),
-            "discriminant": self.order.discriminant(),
+            "algebra": str(self.ring.algebra),
+            "order": rows_json(self.ring),
+            "discriminant": self.ring.discriminant,
             "mass": str(self.mass),
             "classes": [
-                {**rows_json(I.value), "units": units}
-                for I, units in zip(self, self.unit_counts, strict=True)
+                {**rows_json(self._representative(n)), "units": units}
+                for n, units in enumerate(self.unit_counts)
             ],
         }
 
-    def _repr_latex_(self) -> str:
-        mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
-        return rf"$h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}$"
 
-    def __repr__(self) -> str:
-        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
-
-
-def types_by_isomorphism(classes: ClassSet) -> list[int]:
+def types_by_isomorphism(classes: Classes) -> list[int]:
     """Return the number of the type of each class, of any order, found by comparing left orders in pairs."""
-    found: list[Order] = []
+    found: list[ZOrder] = []
     kinds: list[int] = []
-    for order in classes.left_orders():
-        known = next((n for n, other in enumerate(found) if order.isomorphism(other)), None)
+    for n in range(len(classes)):
+        order = order_of(classes._representative(n), "left")
+        known = next((n for n, other in enumerate(found) if isomorphism(order, other)), None)
         if known is None:
             known = len(found)
             found.append(order)

@@ -1,14 +1,14 @@
-"""Lattices, orders and ideals as a user holds them: values of this room, with what can be asked of them.
+"""Lattices, orders, ideals and class sets as a user holds them: values of this room, and what one asks of them.
 
-They stand in one module because they make one another: a lattice its orders, an order its ideals, an ideal
-its order. What takes an algorithm is a function on values in a module below.
+They stand in one module because they make one another: a lattice its orders, an order its ideals and its
+classes, an ideal its order. What takes an algorithm is a function on values in a module below.
 """
 
 from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Self, overload
@@ -16,7 +16,7 @@ from typing import Any, Self, overload
 from flint import fmpq
 
 from hfield.errors import LatticeError, MixedParentsError, shorten
-from hfield.hints import IDEAL, LATTICE, ORDER, Hinted
+from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices import (
     certificates,
     class_number,
@@ -43,7 +43,7 @@ from hfield.lattices.checked_arguments import (
     prime,
 )
 from hfield.lattices.checked_arguments import prime as checked_prime
-from hfield.lattices.classes import ClassSet
+from hfield.lattices.classes import Classes
 from hfield.lattices.quadratic_orders import Embeddings
 from hfield.lattices.short_elements import expect_definite
 from hfield.lattices.z_lattice import ZLattice, rows_json
@@ -417,25 +417,13 @@ class Order(Certified, Lattice):
         """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` for a rank below 4."""
         return Ideal.generated(self, generators, "two-sided")
 
-    def ideal(self, value: ZLattice, side: str) -> Ideal:
-        """Return a value that is known to be an ideal of this order."""
-        return Ideal(value, side, self)
-
-    def checked_right_ideal(self, ideal: object) -> Ideal:
-        """Return a right ideal of this order, perhaps given as a lattice. Raises :class:`LatticeError`."""
-        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
-            return Ideal.like(ideal, self, "right")
-        if not isinstance(ideal, Ideal) or ideal.side == "left" or ideal.order != self:
-            raise LatticeError(f"{shorten(repr(ideal))} is not a right ideal of {shorten(self)}")
-        return ideal
-
     def two_sided_prime(self, p: int) -> Ideal:
         """Return the two-sided ideal at a prime that generates, with the numbers, all those there.
 
         Its square is pᵉ·O, the part of the discriminant at p; it is p·O where p does not divide that.
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
         """
-        return self.ideal(ideals_of_norm.two_sided_prime(self.value, prime(p)), "two-sided")
+        return Ideal(ideals_of_norm.two_sided_prime(self.value, prime(p)), "two-sided", self)
 
     def ideals_of_norm(self, n: int, side: str = "left") -> list[Ideal]:
         """Return all invertible integral ideals of norm n on a side: p + 1 where p is off the discriminant.
@@ -443,7 +431,7 @@ class Order(Certified, Lattice):
         Raises :class:`LatticeError`, and :class:`TooLargeError` for more than 10⁵.
         """
         norm, side = positive(n, "norm"), checked_side(side)
-        found = [self.ideal(J, "right") for J in ideals_of_norm.ideals_of_norm(self.value, norm)]
+        found = [Ideal(J, "right", self) for J in ideals_of_norm.ideals_of_norm(self.value, norm)]
         return found if side == "right" else [J.conjugate() for J in found]
 
     def random_ideal(self, n: int, side: str = "left", seed: int | None = None) -> Ideal:
@@ -453,7 +441,7 @@ class Order(Certified, Lattice):
         """
         norm, side = positive(n, "norm"), checked_side(side)
         lattice = ideals_of_norm.random_ideal(self.value, norm, random.Random(seed))
-        found = self.ideal(lattice, "left")
+        found = Ideal(lattice, "left", self)
         return found if side == "left" else found.conjugate()
 
     def connecting_ideal(self, other: Order) -> Ideal:
@@ -462,7 +450,7 @@ class Order(Certified, Lattice):
         Raises :class:`LatticeError` unless both are Eichler orders of one level.
         """
         found = isomorphic_orders.connecting_ideal(self.value, self._order_like(other))
-        return self.ideal(found, "left")
+        return Ideal(found, "left", self)
 
     def isomorphism(self, other: Order) -> Answer:
         """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
@@ -732,6 +720,59 @@ class Ideal(Certified, Lattice):
         p = checked_prime(prime)
         c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
         return Ideal.of(self * c, "left", self.order), c, e
+
+
+class ClassSet(Classes, Hinted):
+    """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
+    >>> len(C), C.mass, C.type_number
+    (2, Fraction(5, 6), 2)
+    >>> C.brandt_matrix(2)
+    [[1, 2], [3, 0]]
+    """
+
+    elsewhere = CLASSES
+
+    def __init__(self, order: Order) -> None:
+        super().__init__(order.value)
+        self.order = order
+
+    def __getitem__(self, n: int) -> Ideal:
+        """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
+        return Ideal(self._representative(n), "right", self.order)
+
+    def __iter__(self) -> Iterator[Ideal]:
+        return (self[n] for n in range(len(self)))
+
+    def left_ideals(self) -> Iterator[Ideal]:
+        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
+        return (I.conjugate() for I in self)
+
+    def index(self, ideal: object) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        found = ideal
+        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
+            found = Ideal.like(ideal, self.order, "right")
+        if not isinstance(found, Ideal) or found.side == "left" or found.order != self.order:
+            raise LatticeError(
+                f"{shorten(repr(ideal))} is not a right ideal of {shorten(self.order)}"
+            )
+        if not found.is_invertible():
+            raise LatticeError(f"{shorten(found)} is not invertible, and belongs to no class")
+        return self._index(found.value)
+
+    def left_orders(self) -> list[Order]:
+        """Return the left orders of the representatives, one a class."""
+        return [I.left_order() for I in self]
+
+    def _repr_latex_(self) -> str:
+        mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
+        return rf"$h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}$"
+
+    def __repr__(self) -> str:
+        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
 
 
 def _is_number(x: object) -> bool:
