@@ -1,4 +1,4 @@
-"""Lattices, orders, ideals and class sets as a user holds them: values of this room, and what one asks of them.
+"""Lattices, orders, ideals and class sets as a user holds them: values, with what one asks of them.
 
 They stand in one module because they make one another: a lattice its orders, an order its ideals and its
 classes, an ideal its order. What takes an algorithm is a function on values in a module below.
