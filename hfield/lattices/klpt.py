@@ -20,7 +20,7 @@ from hfield.lattices import hermite
 from hfield.lattices.modulo_primes import kernel
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, in_frame, represent
 from hfield.lattices.short_elements import expect_definite, least_norm, up_to
-from hfield.lattices.z_lattice import ZLattice, coordinates, includes, multiple
+from hfield.lattices.z_lattice import ZLattice, element_rows, includes, multiple
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
 from hfield.quaternion import Quaternion
@@ -141,8 +141,10 @@ def _from_prime(
 
 def _ratio(ideal: ZLattice, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
     """Return (C, D) ≠ 0 modulo N with C·u + D·v in the ideal, which contains N·O."""
+    den, both = element_rows(ideal.algebra, [u, v])
+    inside, d = hermite.in_coordinates(ideal.matrix, both)
     # coordinates over the ideal have the denominator N
-    rows = [[int(c * norm) for c in coordinates(ideal, q)] for q in (u, v)]
+    rows = [[int(x) * ideal.den * norm // (d * den) for x in row] for row in inside.tolist()]
     found = kernel(list(zip(*rows, strict=True)), norm)
     return (found[0][0], found[0][1]) if len(found) == 1 else None
 
