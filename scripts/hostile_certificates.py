@@ -78,7 +78,7 @@ def _peak() -> float:
 
 def measured(name: str, small: bool, work: float) -> Found:
     """Check one file in a process of its own."""
-    from tests.adversary.hostile import HOSTILE
+    from tests.adversary.hostile.files import HOSTILE
 
     make, few, many = HOSTILE[name]
     command = [sys.executable, __file__, "--judge", str(work)]
@@ -101,7 +101,7 @@ def main() -> int:
     if args.judge is not None:
         judge(args.judge)
         return 0
-    from tests.adversary.hostile import HOSTILE
+    from tests.adversary.hostile.files import HOSTILE
 
     names = [name for name in HOSTILE if args.only in name]
     worst: dict[tuple[str, int], Found] = {}
