@@ -2,10 +2,25 @@
 
 from typing import Any
 
-from tests.adversary.hostile.writing import IDENTITY, LENGTH, LONG, Hostile, joined, number, proved, ratio, repeated
+from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS
+from tests.adversary.hostile.rings import GF_64, close_roots
+from tests.adversary.hostile.writing import (
+    IDENTITY,
+    LENGTH,
+    LONG,
+    Hostile,
+    joined,
+    number,
+    proved,
+    ratio,
+    repeated,
+)
+from tests.certificates.cases import Field
+from tests.certificates.ring_data import QQ, ZZ, Data, completion, functions, polynomials, quadratic
+from tests.certificates.ring_data import number as at_number
 
 
-def tried(field: str, statement: str, count: int) -> str:
+def tried(field: Field, statement: str, count: int) -> str:
     return proved(statement, {"kind": "exhaustion", "cases": count}, field)
 
 
@@ -52,12 +67,82 @@ def reduction(n: int) -> str:
     return proved(f"{goal} != 1", proof, "ZZ")
 
 
-def subfield(n: int) -> str:
-    evidence = {
-        "kind": "subfield", "field": "QQ(sqrt(-41))", "root": str(number(n)),
-        "witness": {"kind": "witness", "field": "QQ(sqrt(-41))", "values": {"s": ["1"]}},
-    }  # fmt: skip
-    return proved("s == 0", evidence, "Qp(3)", verdict="refuted", method="counterexample")
+def complex_root(n: int) -> str:
+    text = joined(f"({number(9, k)}+t)*s**{k}" for k in range(1, 900))
+    goal = repeated("t*s", "+", n, 5_000)
+    return proved(
+        f"exists s: s**950+{text} == {goal}",
+        {"kind": "complex root"},
+        "CC",
+        method="witness",
+        assumes=[COMPLEX_ROOT],
+    )
+
+
+def odd_degree(n: int) -> str:
+    text = repeated("(s+t)**99", "+", n)
+    evidence = {"kind": "real root", "by": "odd degree"}
+    statement = f"exists s: {text} == 1"
+    return proved(statement, evidence, "RR", method="witness", assumes=[ODD_DEGREE])
+
+
+def real_square(n: int) -> str:
+    text = f"({'+'.join(f'{v}**2' for v in 'tyxz')})**{n}"
+    evidence = {"kind": "real root", "by": "square"}
+    return proved(
+        f"exists s: s**2 == {text}", evidence, "RR", method="witness", assumes=[REAL_ROOTS]
+    )
+
+
+def from_fractions(n: int) -> str:
+    goal = repeated("(s+t+y)**9", "+", n)
+    evidence = {"kind": "fractions", "ring": functions(QQ, "x"), "proof": IDENTITY}
+    return proved(f"{goal} == {goal}", evidence, polynomials(ZZ, "x"), method="identity")
+
+
+def subfield(data: Data, root: str, statement: str, verdict: str, n: int) -> str:
+    """Values in a number field that lies in ℚ₃."""
+    values = {"s": [repeated("sqrt(-41)" if data == quadratic(-41) else "g", "+", n)]}
+    witness = {"kind": "witness", "ring": data, "values": values}
+    evidence = {"kind": "subfield", "ring": data, "root": root, "witness": witness}
+    ring = completion(QQ, at_number(3))
+    method = "witness" if verdict == "proved" else "identity"
+    return proved(statement, evidence, ring, verdict=verdict, method=method)
+
+
+def long_root(n: int) -> str:
+    return subfield(quadratic(-41), str(3 * number(n) + 1), "s == 0", "refuted", 1)
+
+
+def root_of_high_degree(n: int) -> str:
+    """Of X⁴⁰ − 7·(aX − 1)², at what is nearly 1/a."""
+    root = ratio(n)
+    return subfield(close_roots(10), root, "exists s: s == s", "proved", n)
+
+
+def none_exists(n: int) -> str:
+    goal = repeated("(s+t+y)**9", "+", n, LENGTH // 2)
+    evidence = {"kind": "none exists", "ring": functions(GF_64, "u"), "proof": IDENTITY}
+    statement = f"exists s, t, y: {goal} != {goal}"
+    return proved(statement, evidence, verdict="refuted", method="identity")
+
+
+def place(n: int) -> str:
+    """Nothing exists for long values."""
+    values = {"t": [ratio(n)], "p": [ratio(n, k) for k in range(4)]}
+    inner = {"kind": "none exists", "proof": IDENTITY}
+    goal = repeated("(p*t*s)[0]", "+", n)
+    evidence = {"kind": "place", "values": values, "proof": inner}
+    statement = f"exists s: {goal} != {goal}"
+    return proved(statement, evidence, "QQ", verdict="refuted", method="identity")
+
+
+def never(n: int) -> str:
+    """Hypotheses that are never true, and something to exist."""
+    goal = repeated("(s+t+y)**9", "+", n, LENGTH // 2)
+    evidence = {"kind": "unsatisfiable", "proof": IDENTITY}
+    statement = f"{goal} != {goal} => (exists x: x == 1)"
+    return proved(statement, evidence, verdict="vacuous", method="identity")
 
 
 def multilinear(n: int) -> str:
@@ -93,7 +178,9 @@ def presented(statement: str, proofs: Any, relations: Any, goals: Any) -> str:
 
 
 def read_words(n: int) -> str:
-    return presented(f"{repeated('(i+j)**12', '+', n)} == 0 => i == 0", [], [], [])
+    unit = [[1, "i"]]
+    proofs = [{"cofactors": [], "denominator": 1}]
+    return presented(f"{repeated('(i+j)**12', '+', n)} == 0 => i == 0", proofs, [unit], [unit])
 
 
 def long_words(n: int) -> str:
@@ -163,7 +250,15 @@ FILES: dict[str, Hostile] = {
     "real root: a change of sign": (real_root, 2, LONG),
     "quaternion root: high": (quaternion_root, 2, 400),
     "reduction: again and again": (reduction, 2, 1_900),
-    "subfield: a long root": (subfield, 30, LONG),
+    "complex root: many terms": (complex_root, 3, 1_000),
+    "real root: of odd degree": (odd_degree, 2, 1_900),
+    "real root: a square": (real_square, 2, 90),
+    "fractions: long": (from_fractions, 2, 1_800),
+    "subfield: a long root": (long_root, 30, LONG),
+    "subfield: of high degree": (root_of_high_degree, 3, LONG),
+    "none exists: long": (none_exists, 2, 900),
+    "place: long values": (place, 2, LONG // 2),
+    "unsatisfiable: existence": (never, 2, 900),
     "multilinear: long sides": (multilinear, 4, 2_000),
     "multilinear: many degrees": (degrees, 1, 200),
     "unsatisfiable: long": (unsatisfiable, 2, 1_800),

@@ -2,7 +2,15 @@
 
 from functools import partial
 
-from tests.adversary.hostile.writing import IDENTITY, LENGTH, Hostile, joined, number, proved, repeated
+from tests.adversary.hostile.writing import (
+    IDENTITY,
+    LENGTH,
+    Hostile,
+    joined,
+    number,
+    proved,
+    repeated,
+)
 
 
 def filled(unit: str, n: int) -> str:

@@ -4,10 +4,13 @@ from functools import partial
 from typing import Any
 
 from tests.adversary.hostile.writing import LONG, Hostile, joined, number, proved, ratio
+from tests.certificates.cases import Field
+from tests.certificates.ring_data import cyclotomic
+from tests.certificates.ring_data import number as at_number
 
 
 def implied(
-    statement: str, items: list[Any], field: str | None = None, facts: Any = (), **changes: Any
+    statement: str, items: list[Any], field: Field = None, facts: Any = (), **changes: Any
 ) -> str:
     evidence = {"kind": "implication", "facts": list(facts), "items": items}
     return proved(statement, evidence, field, **changes)
@@ -96,7 +99,8 @@ def cofactor(text: str) -> str:
 def cofactors(unit: str, sign: str, n: int) -> str:
     """Cofactors that are long texts."""
     text = sign.join([unit] * min(n, 900_000 // (len(unit) + 1)))
-    return implied("s == 0 => t == 0", [item(["s"], [text])] * max(1, n * len(unit) // 900_000))
+    items = [item(["s-sqrt(2)"], [text])] * max(1, n * len(unit) // 900_000)
+    return implied("s == sqrt(2) => t == 0", items, "RR")
 
 
 def many_factors(n: int) -> str:
@@ -156,11 +160,10 @@ def cases(n: int) -> str:
     return implied("s*y == 0 => t == 0", [opposite([], steps, ["s"])])
 
 
-def relations(field: str, constant: str, n: int) -> str:
-    own = [f"{constant}**65535-{constant}**65536" for _ in range(n)]
-    return implied(
-        f"s == {constant} => t == 0", [item(["s"], ["0"] * (n + 1), relations=own)], field
-    )
+def relations(field: str, constant: str, relation: str, n: int) -> str:
+    own = [relation.format(constant)] * n
+    items = [item([f"s-{constant}"], ["0"] * (n + 1), relations=own)]
+    return implied(f"s == {constant} => t == 0", items, field)
 
 
 def choices(n: int) -> str:
@@ -172,14 +175,30 @@ def choices(n: int) -> str:
 def algebra_facts(n: int) -> str:
     """Facts about norms, the constants of whose algebras are long."""
     facts = [
-        {"form": "norm", "by": "place", "place": "3", "algebra": f"(-{number(100, k)},-1|QQ)",
+        {"form": "norm", "by": "place", "place": at_number(3), "algebra": f"(-{number(100, k)},-1|QQ)",
          "u": [ratio(900, m) for m in range(4)], "j": [ratio(900, m) for m in range(4)]}
         for k in range(n)
     ]  # fmt: skip
     return implied("s == 0 => t == 0", [item(["s"], ["0"])], "QQ", facts)
 
 
+def norms(n: int) -> str:
+    """The norm form of a long sum, which is to be 0."""
+    facts = [{"form": "norm", "by": "ordering"}]
+    terms = [f"{number(n, k)}*s**{k}+t**{n}" for k in range(1, 5)]
+    steps = [step("norm", ["0"], terms=terms), step("contradiction", ["0"] * 5)]
+    return implied("s == 0 => t == 0", [opposite([], steps, ["s"])], "QQ", facts)
+
+
+def levels(n: int) -> str:
+    """Whether −1 is a sum of two squares in a field of high degree."""
+    facts = [{"form": "squares", "by": "level", "most": 3, "positive": False}]
+    return implied("s == 0 => t == 0", [item(["s"], ["0"])], cyclotomic(n), facts)
+
+
 FILES: dict[str, Hostile] = {
+    "implication: long terms of a norm": (norms, 3, LONG),
+    "implication: a level": (levels, 7, 31),
     "implication: divisors of all zeros": (divisors_and_zeros, 20, 3_000),
     "implication: divided again and again": (long_division, 8, 200),
     "implication: items for many clauses": (many_items, 50, 19_000),
@@ -202,9 +221,21 @@ FILES: dict[str, Hostile] = {
     "implication: polynomials without roots": (rootless, 3, 300),
     "implication: candidates for roots": (rooted, 1, 2_000),
     "implication: cases in cases": (cases, 6, 64),
-    "implication: relations of QQ(ζ₄₁)": (partial(relations, "QQ(zeta41)", "zeta41"), 1, 9_000),
-    "implication: relations of RR": (partial(relations, "RR", "sqrt(2)"), 2, 9_000),
-    "implication: relations of QQ(x)": (partial(relations, "QQ(x)", "x"), 2, 9_000),
+    "implication: relations of QQ(ζ₄₁)": (
+        partial(relations, "QQ(zeta41)", "zeta41", "{0}**65535-{0}**65494"),
+        1,
+        9_000,
+    ),
+    "implication: relations of RR": (
+        partial(relations, "RR", "sqrt(2)", "{0}**4096-4*{0}**4092"),
+        2,
+        9_000,
+    ),
+    "implication: relations of QQ(x)": (
+        partial(relations, "QQ(x)", "x", "{0}**65535-{0}**65536"),
+        2,
+        9_000,
+    ),
     "implication: many choices": (choices, 20, 19_000),
     "implication: facts": (algebra_facts, 1, 30),
 }

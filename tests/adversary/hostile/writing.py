@@ -1,11 +1,14 @@
 """How hostile certificates are written: long numbers, long terms, and a file around them."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from random import Random
 from typing import Any
 
-from tests.certificates.cases import certified
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_ring
+from tests.certificates.cases import Field, certified
+from tests.certificates.ring_data import Data
 
 Hostile = tuple[Callable[[int], str], int, int]  # a file of a size, a small one, and a large one
 
@@ -41,7 +44,31 @@ def written(data: Any) -> str:
     return json.dumps(data, separators=(",", ":"))
 
 
-def proved(statement: str, evidence: Any, field: str | None = None, **changes: Any) -> str:
+def proved(statement: str, evidence: Any, field: Field = None, **changes: Any) -> str:
+    """Return a file about one ring, by its data or a name that the package reads, or about all."""
     algebra = changes.pop("algebra", None)
     method = changes.pop("method", evidence["kind"])
     return written({**certified(statement, field, method, evidence, algebra), **changes})
+
+
+def certificate(statement: str, evidence: Any, method: str = "identity", **changes: Any) -> str:
+    """Return a file about all fields, whatever rings the statement names."""
+    data = certified("s == s", None, method, evidence)
+    return written({**data, "statement": statement, **changes})
+
+
+def fact_about_norms(reasons: Sequence[Data], data: Data, constant: str = "0") -> str:
+    """Return an implication with facts about the norms of some algebras over a ring."""
+    facts = [{"form": "norm", **reason} for reason in reasons]
+    own = {"characteristic": 0, "zero": ["s"], "relations": [], "member": "0"}
+    items = [{**own, "cofactors": ["0"], "denominator": 1}]
+    evidence = {"kind": "implication", "facts": facts, "items": items}
+    return proved(f"s == {constant} => t == 0", evidence, data)
+
+
+def name_of(data: Data) -> str:
+    """Return the name that the checker writes; any, if these are the data of no ring."""
+    try:
+        return read_ring(data).name
+    except Rejected:
+        return "F"

@@ -1,0 +1,133 @@
+"""Dear certificates exercise what they mean: each kind occurs, none is rejected for its form, few take long.
+
+scripts/hostile_certificates.py measures them where they are as dear as the format allows.
+"""
+
+import json
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import pytest
+
+from hfield.certificates.anisotropy import KEYS
+from hfield.certificates.check import check_text
+from hfield.certificates.kinds import checks
+from hfield.certificates.orders.words import CHECKS as LATTICES
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import KINDS
+from hfield.certificates.vocabulary.logic import LOGIC, SPECIAL
+from hfield.certificates.work import Work
+from tests.adversary.hostile.files import HOSTILE
+
+LITTLE = 0.3  # million units
+FILES = [name for name in HOSTILE if not name.startswith("file:")]
+PLACES = {
+    "number", "split", "prime ideal", "other generator", "prime polynomial", "infinity", "real",
+}  # fmt: skip
+# What a certificate may be rejected for when all of its evidence has been read.
+MEANT = (
+    *("takes more work", "has grown too large", "too many square roots in one number"),
+    *("does not hold by expanding", "is not covered by the evidence", "is true for the values"),
+    *("is false in one of the cases", "for some values nothing exists"),
+    *("a sum of cofactors", "a relation does not hold", "a sum of multiples of the relations"),
+    *("are not those of the statement", "the sides at eee", "is not linear in each unknown"),
+    *("do not add up", "the sign does not change", "no single monomial"),
+    *("the norm of the element is a square", "the norm is not that number"),
+    *("the element is 0", "a choice of the roots satisfies", "are not decided here"),
+    *("is not decided here", "has a root among the residues", "the norm of j has not"),
+    *("this is no order", "there is nothing to run through", "are in one class"),
+    *("the element is not in the order", "the element does not", "an element carries"),
+    *("it is not shown that this order is maximal", "both orders have 48 elements"),
+    *("is not so near a root", "the evidence does not say which rings"),
+    *("floats are taken only where", "quotients of floats"),
+)
+# … and what data of rings may be, when all of them have been read.
+MEANT_OF_RINGS = (
+    *("is not taken apart here", "is no prime number", "is too large to be proved prime"),
+    *("the degree is from 2 to 40", "should be a prime is reducible"),
+    *("the real place number 0 is not known", "functions are over QQ or a finite field"),
+)
+
+
+@cache
+def certificate(name: str) -> dict[str, Any]:
+    """Return a small file as data."""
+    make, small, _ = HOSTILE[name]
+    found: dict[str, Any] = json.loads(make(small))
+    return found
+
+
+def objects(value: Any) -> Iterator[dict[str, Any]]:
+    """Run through all objects inside."""
+    if isinstance(value, dict):
+        yield value
+    for x in value.values() if isinstance(value, dict) else value:
+        if isinstance(x, (dict, list)):
+            yield from objects(x)
+
+
+def everything() -> list[dict[str, Any]]:
+    return [x for name in FILES for x in objects(certificate(name))]
+
+
+def rejection(name: str) -> str:
+    """Return why a small file is rejected, '' if it is not."""
+    make, small, _ = HOSTILE[name]
+    try:
+        check_text(make(small), work=Work(LITTLE))
+    except Rejected as error:
+        return str(error)
+    return ""
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_only_for_what_it_says(name: str) -> None:
+    said = rejection(name)
+    meant = MEANT + MEANT_OF_RINGS * name.startswith("ring:")
+    assert not said or any(text in said for text in meant), said
+
+
+@pytest.mark.parametrize("name", HOSTILE.keys() - FILES)
+def test_files_that_are_long(name: str) -> None:
+    make, small, _ = HOSTILE[name]
+    with pytest.raises(Rejected, match="unknown key 'x'"):
+        check_text(make(small))
+
+
+def test_every_kind_of_evidence_is_there() -> None:
+    said = {x.get("kind") for x in everything()}
+    assert {kind for _, _, kind in checks()} <= said
+    shown = {
+        (_word(c["statement"]), c["verdict"], c["evidence"]["kind"])
+        for c in map(certificate, FILES)
+    }
+    assert LATTICES.keys() <= shown
+
+
+def test_every_word_is_there() -> None:
+    said = {
+        word for name in FILES for word in re.findall("[a-z-]+", certificate(name)["statement"])
+    }
+    assert LOGIC.keys() | SPECIAL.keys() <= said
+
+
+def test_every_kind_of_ring_and_of_place_is_there() -> None:
+    rings = [x["ring"] for x in everything() if x.get("ring")]
+    rings += [ring for x in everything() for ring in x.get("rings", ())]
+    assert KINDS.keys() <= {x.get("kind") for x in objects(rings)}
+    places = [x["place"] for x in everything() if isinstance(x.get("place"), dict)]
+    assert {x["kind"] for x in places} == PLACES
+
+
+def test_every_step_and_fact_is_there() -> None:
+    steps = {x.get("step") for x in everything()}
+    assert {"contradiction", "norm", "squares", "binary form", "no root", "cases"} <= steps
+    facts = [x for x in everything() if "form" in x]
+    assert {x["form"] for x in facts} == {"norm", "squares", "roots"}
+    assert {x["by"] for x in facts} >= {*KEYS, "factors"}
+
+
+def _word(statement: str) -> str:
+    return str(statement.partition("{")[0])
