@@ -68,7 +68,7 @@ RINGS: dict[str, tuple[Data, Callable[[int], str]]] = {
     "QQ(ζ₄₁)": (cyclotomic(41), partial(in_powers, "zeta41", 40, 200)),
     "QQ(c₇₉)": (C_79, partial(in_powers, "c79", 39, 200)),
     "QQ(root(2,25))": (root_field(2, 25), partial(in_powers, "root(2,25)", 25, 200)),
-    "QQ[g]/(f), long": (long_modulus(200), partial(in_powers, "g", 40, 200)),
+    "QQ[g]/(f), long": (long_modulus(60), partial(in_powers, "g", 40, 200)),
     "QQ(x)": (
         functions(QQ, "x"),
         lambda n: f"({in_powers('x', n, 20, n)})/({in_powers('x', n, 30, n)})",

@@ -253,7 +253,7 @@ FILES: dict[str, Hostile] = {
                 lambda n: completion(
                     functions(finite(2), "t"), prime_polynomial(finite(2), n)
                 ),
-                199,
+                20,
                 199,
             ),
             (
