@@ -68,8 +68,8 @@ def reduction(n: int) -> str:
 
 
 def complex_root(n: int) -> str:
-    text = joined(f"({number(9, k)}+t)*s**{k}" for k in range(1, 900))
-    goal = repeated("t*s", "+", n, 5_000)
+    text = joined(f"({number(9, k)}+t)*s**{k}" for k in range(1, 800))
+    goal = repeated("t*s", "+", n, 900)
     return proved(
         f"exists s: s**950+{text} == {goal}",
         {"kind": "complex root"},
@@ -95,7 +95,7 @@ def real_square(n: int) -> str:
 
 
 def from_fractions(n: int) -> str:
-    goal = repeated("(s+t+y)**9", "+", n)
+    goal = repeated("(s+t+y)**9", "+", n, LENGTH // 2)
     evidence = {"kind": "fractions", "ring": functions(QQ, "x"), "proof": IDENTITY}
     return proved(f"{goal} == {goal}", evidence, polynomials(ZZ, "x"), method="identity")
 

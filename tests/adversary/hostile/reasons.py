@@ -21,7 +21,12 @@ MEANT = (
 # … and what data of rings may be, when all of them have been read.
 MEANT_OF_RINGS = (
     *("is not taken apart here", "is no prime number", "is too large to be proved prime"),
-    *("the degree is from 2 to 40", "should be a prime is reducible"),
+    *(
+        "the degree is from 2 to 40",
+        "are not parted here",
+        "are not found here",
+        "should be a prime is reducible",
+    ),
     *("the real place number 0 is not known", "functions are over QQ or a finite field"),
 )
 
