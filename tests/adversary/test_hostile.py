@@ -16,11 +16,12 @@ from hfield.certificates.check import check_text
 from hfield.certificates.kinds import checks
 from hfield.certificates.orders.words import CHECKS as LATTICES
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import KINDS
+from hfield.certificates.scalars.fields import KINDS, read_ring
 from hfield.certificates.vocabulary.logic import LOGIC, SPECIAL
-from hfield.certificates.work import Work
+from hfield.certificates.work import Work, bounded
 from tests.adversary.hostile.files import HOSTILE
 from tests.adversary.hostile.reasons import is_meant
+from tests.adversary.hostile.rings import long_modulus
 
 LITTLE = 0.3  # million units
 FILES = [name for name in HOSTILE if not name.startswith("file:")]
@@ -97,6 +98,11 @@ def test_every_step_and_fact_is_there() -> None:
     facts = [x for x in everything() if "form" in x]
     assert {x["form"] for x in facts} == {"norm", "squares", "roots"}
     assert {x["by"] for x in facts} >= {*KEYS, "factors"}
+
+
+def test_work_that_ends_where_a_prime_is_tried_is_said_to_end() -> None:
+    with pytest.raises(Rejected, match="takes more work"), bounded(Work(0.001)):
+        read_ring(long_modulus(1))
 
 
 def _word(statement: str) -> str:

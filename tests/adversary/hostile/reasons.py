@@ -2,7 +2,12 @@
 
 # What a certificate may be rejected for when all of its evidence has been read.
 MEANT = (
-    *("takes more work", "has grown too large", "too many square roots in one number"),
+    *(
+        "takes more work",
+        "has too many clauses",
+        "has grown too large",
+        "too many square roots in one number",
+    ),
     *("does not hold by expanding", "is not covered by the evidence", "is true for the values"),
     *("is false in one of the cases", "for some values nothing exists"),
     *("a sum of cofactors", "a relation does not hold", "a sum of multiples of the relations"),
