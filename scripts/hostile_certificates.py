@@ -4,7 +4,7 @@
 
 Each is checked in a process of its own. For each kind of evidence the worst are printed: seconds of processor
 time, megabytes, units of work, and how long and how large a unit was; --all prints every file. Exit status 1
-if one takes more than 30 seconds or a gigabyte, or ends in anything but a verdict.
+if one takes more than 30 seconds or a gigabyte, ends in anything but a verdict, or is rejected for its form.
 """
 
 import argparse
@@ -41,7 +41,7 @@ class Found(NamedTuple):
     @property
     def is_bad(self) -> bool:
         much = self.seconds > SECONDS or self.megabytes > MEGABYTES
-        return much or self.verdict.startswith("fault")
+        return much or self.verdict.startswith(("fault", "form"))
 
     def __str__(self) -> str:
         unit = f"{self.seconds * 1e6 / max(self.units, 1):6.2f} µs/unit"
@@ -64,7 +64,7 @@ def judge(work: float) -> None:
     except Exception as error:
         verdict = f"fault: {error!r}"
     seconds = time.process_time() - begun
-    print(json.dumps([seconds, _peak(), spent.spent, verdict[:70]]))
+    print(json.dumps([seconds, _peak(), spent.spent, verdict]))
 
 
 def _peak() -> float:
@@ -78,7 +78,8 @@ def _peak() -> float:
 
 def measured(name: str, small: bool, work: float) -> Found:
     """Check one file in a process of its own."""
-    from tests.adversary.hostile import HOSTILE
+    from tests.adversary.hostile.files import HOSTILE
+    from tests.adversary.hostile.reasons import is_meant
 
     make, few, many = HOSTILE[name]
     command = [sys.executable, __file__, "--judge", str(work)]
@@ -86,7 +87,11 @@ def measured(name: str, small: bool, work: float) -> Found:
     done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
     if done.returncode:
         return Found(name, STOP_SECONDS, 0, 0, f"fault: ended with {done.returncode}")
-    return Found(name, *json.loads(done.stdout))
+    *figures, verdict = json.loads(done.stdout)
+    kind, _, reason = verdict.partition(": ")
+    if kind == "rejected" and not is_meant(name, reason):
+        kind = "form"
+    return Found(name, *figures, f"{kind}: {reason}"[:70])
 
 
 def main() -> int:
@@ -101,7 +106,7 @@ def main() -> int:
     if args.judge is not None:
         judge(args.judge)
         return 0
-    from tests.adversary.hostile import HOSTILE
+    from tests.adversary.hostile.files import HOSTILE
 
     names = [name for name in HOSTILE if args.only in name]
     worst: dict[tuple[str, int], Found] = {}

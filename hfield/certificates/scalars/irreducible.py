@@ -48,7 +48,8 @@ def check_irreducible(f: list[int], name: str) -> None:
 def _is_irreducible_modulo(p: int, f: list[int]) -> bool:
     try:
         Quotient(Residues(p, True, f"GF({p})"), [c % p for c in f])
-    except Rejected:
+    except Rejected:  # it is reducible; or there was no work left
+        charge(0)
         return False
     return True
 

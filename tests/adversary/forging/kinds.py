@@ -274,7 +274,11 @@ KINDS: tuple[Callable[[Target, random.Random, Pool], Any], ...] = (
     ),
     *(identity, multilinear, reused, reused, reused_part, reused_part, unsatisfiable, wrapped),
 )
-FITTING = {
+FITTING: dict[tuple[str, bool], tuple[Callable[[Target, random.Random, Pool], Any], ...]] = {
+    ("proved", False): (
+        *(lie, lie, lie, lie, lie, lie, exhaustion, identity, multilinear),
+        *(reused, reused_part, wrapped),
+    ),
     ("proved", True): (terms, terms, witness, exhaustion, wrapped, reused),
     ("refuted", False): (witness, witness, witness, wrapped, reused),
     ("refuted", True): (none_exists, none_exists, none_exists, wrapped, reused),

@@ -169,6 +169,40 @@ def evidence(rng: random.Random, depth: int = 0) -> Any:
     return rng.choice(plain)
 
 
+# The kinds of evidence that a word takes; a statement of no word takes others.
+FITTING = {
+    "division": ("anisotropic", "zero norm"),
+    "level-above": ("level", "squares"),
+    "formally-real": ("level", "squares"),
+    "norm-criterion": ("ordering", "witness"),
+    "modulus-exists": ("closed", "identity", "no root"),
+    "modulus-law": ("unique roots", "ordering", "square roots", "pure subgroup", "all choices"),
+    "centre": ("minor",),
+    "basis": ("determinant", "count"),
+    "determined-by": ("basis tuples", "left out"),
+    "curried-linear": ("identity",),
+    "last-argument": ("identity",),
+    "every": ("parts", "part"),
+    "angles": ("parts", "part", "identity", "exhaustion", "witness"),
+    "implies": ("conclusion", "hypothesis", "both", "lemmas", "over"),
+    "iff": ("both", "lemmas", "over"),
+    "not-everywhere": ("over",),
+    "": ("identity", "exhaustion", "witness", "implication", "unsatisfiable", "none exists"),
+}
+
+
+def fitting(text: str, rng: random.Random) -> Any:
+    """Return evidence that is more often than not of a kind that the statement takes."""
+    while text.startswith(("over{", "citing{")):
+        text = text.partition(";")[2].strip()
+    word = text.partition("{")[0].strip("} ")
+    kinds = FITTING[word if word in FITTING else ""]
+    found = evidence(rng)
+    while found["kind"] not in kinds and rng.random() < 0.99:
+        found = evidence(rng)
+    return found
+
+
 METHODS = (
     *(
         "level",
@@ -196,7 +230,7 @@ def forged(rng: random.Random) -> Certificate:
     field = rng.choice((None, *FIELDS))
     made = Target(statement(rng), field)
     verdict = rng.choice(("proved", "proved", "refuted", "vacuous"))
-    data = made.certificate(evidence(rng), rng.choice(METHODS), verdict=verdict)
+    data = made.certificate(fitting(made.statement, rng), rng.choice(METHODS), verdict=verdict)
     if rng.random() < 0.1:  # rings that are not those that the statement names
         said = [any_data(rng.choice(FIELDS)) for _ in range(rng.randint(0, 2))]
         data["evidence"] = {"kind": "rings", "rings": said, "evidence": data["evidence"]}
