@@ -13,11 +13,9 @@ from hfield.errors import (
     CoercionError,
     MixedParentsError,
     NotFiniteError,
-    RingError,
     shorten,
 )
 from hfield.fields.names import ring as read_ring
-from hfield.fields.rationals.symbols import from_ramification_q
 from hfield.invariants import Invariants
 from hfield.notation import BASIS
 from hfield.order_makers import OrderMakers
@@ -70,19 +68,12 @@ class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
         ((2, s), inf0)
         """
         F = read_ring(ring)
-        named = list(primes)
-        if F.name != "QQ":
-            from hfield.structure.global_field import global_field
+        from hfield.structure.global_field import global_field, no_flag
 
-            field = global_field(F)
-            if field is None or infinite is not None:
-                raise RingError(
-                    f"algebras over {shorten(F.name)} are not made from ramified primes and a flag: expected "
-                    "QQ, or a number field and its places, infinite ones too"
-                )
-            return cls(F, *field.with_ramification(named))
-        a, b = from_ramification_q(named, len(named) % 2 == 1 if infinite is None else infinite)
-        return cls(F, a, b)
+        field = global_field(F)
+        if field is None:
+            raise no_flag(F)
+        return cls(F, *field.with_ramification(list(primes), infinite))
 
     @cached_property
     def holding(self) -> Holding:

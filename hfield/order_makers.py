@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.factorisation import Factors, known_primes
 from hfield.quaternion import Parent
+from hfield.rings.base import WithIntegers
 
 if TYPE_CHECKING:
     from hfield.lattices.hurwitz_order import HurwitzOrder
@@ -59,7 +60,9 @@ class OrderMakers(Parent):
         from hfield.lattices.over_integers import maximal_order_over_integers
 
         with known_primes(factors):
-            if self.ring.arithmetic and self.ring.name != "QQ" and not self.ring.characteristic:
+            F = self.ring
+            over_z = isinstance(F, WithIntegers) and F.degree == 1
+            if F.arithmetic and not F.characteristic and not over_z:
                 return maximal_order_over_integers(self)
             return maximal_order(self)
 

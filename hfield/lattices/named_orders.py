@@ -8,6 +8,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import CoercionError
+from hfield.fields.rationals.maximal_orders import maximal_basis
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import expect_coprime, positive
@@ -16,7 +17,6 @@ from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order
 from hfield.lattices.regular_representation import regular
 from hfield.quaternion import Parent
-from hfield.structure.clifford import maximal_basis
 
 
 def maximal_order(algebra: Parent) -> Order:

@@ -12,9 +12,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib import import_module
 from random import Random
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
 
 from hfield import syntax
 from hfield.errors import (
@@ -47,6 +48,16 @@ INFINITY = float("inf")
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
 
 
+@cache
+def of_fields(where: str) -> Any:
+    """Return what a module of :mod:`hfield.fields` has: ``rationals.arithmetic.RationalArithmetic``.
+
+    So a ring names what lies above it, which is imported when it is asked for.
+    """
+    module, _, name = where.rpartition(".")
+    return getattr(import_module(f"hfield.fields.{module}"), name)
+
+
 @dataclass(frozen=True)
 class Known:
     """A fact about a ring with its reason: ``value`` is None where it is not known."""
@@ -57,6 +68,18 @@ class Known:
     def __str__(self) -> str:
         shown = {None: "not known", INFINITY: "∞"}.get(self.value, self.value)
         return f"{shown}, because {self.reason}" if self.reason else str(shown)
+
+
+@runtime_checkable
+class WithIntegers(Protocol):
+    """ℚ and the number fields, which have integers; ``degree`` is that over ℚ."""
+
+    @property
+    def degree(self) -> int:
+        """The degree over ℚ."""
+
+    def integral_basis(self) -> Sequence[Any]:
+        """Return a basis over ℤ of the integers, 1 first."""
 
 
 class Ring(ABC, Generic[E]):
@@ -73,7 +96,8 @@ class Ring(ABC, Generic[E]):
     is_field: bool = False
     gen_name: str | None = None
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
-    arithmetic: str = ""  # what in hfield.structure knows the places of a field that has some
+    arithmetic: str = ""  # what in hfield.fields knows the theory of a field with places
+    completions: str = ""  # what in hfield.fields completes it at a place
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
     # --- what an adapter must give -------------------------------------------------------------
@@ -166,6 +190,16 @@ class Ring(ABC, Generic[E]):
         """
         raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
 
+    def is_rootless(self, coefficients: Sequence[E]) -> bool:
+        """Tell whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
+        if len(coefficients) != 3 or self.characteristic == 2 or self.is_zero(coefficients[2]):
+            return False
+        c, b, a = coefficients
+        try:
+            return self.sqrt(b * b - self(4) * a * c) is None
+        except UndecidedError:
+            return False
+
     def euclid(self, x: E, y: E) -> tuple[E, E]:
         """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
 
@@ -252,9 +286,12 @@ class Ring(ABC, Generic[E]):
         >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
         (Qp(5), QQ(I)_(5, I-2), RR)
         """
-        raise UndecidedError(
-            f"{self.name} is not a global field: it has no places to complete it at"
-        )
+        if not self.completions:
+            raise UndecidedError(
+                f"{self.name} is not a global field: it has no places to complete it at"
+            )
+        completed: Ring = of_fields(self.completions)(self, place)
+        return completed
 
     def vanishes(self, x: E) -> bool:
         """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
@@ -273,6 +310,29 @@ class Ring(ABC, Generic[E]):
     def fractions(self) -> Ring | None:
         """The field of fractions of an integral domain that is no field, where it has a name."""
         return None
+
+    @property
+    def constants(self) -> Ring | None:
+        """The ring k of constants of k(x) and k[x, …], None for any other ring."""
+        return None
+
+    def as_constant(self, x: E) -> Any:
+        """Return the element of the ring of constants that x is, or None."""
+        return None
+
+    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+        """Return the map of a ring into this one where texts would not do, or None.
+
+        Raises :class:`CoercionError` where there is no map.
+        """
+        return None
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return what the names of this ring mean in another, where its own names would not tell.
+
+        Raises :class:`CoercionError` where they mean nothing there.
+        """
+        return {}
 
     def modulo(self, n: int) -> Ring | None:
         """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""

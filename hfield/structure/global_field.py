@@ -7,16 +7,14 @@ A kind is a class of rings that names, as its ``arithmetic``, the class of :clas
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from functools import cache
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from hfield.errors import RingError, UndecidedError
+from hfield.errors import RingError, UndecidedError, shorten
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, of_fields
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
@@ -28,7 +26,8 @@ if TYPE_CHECKING:
 
 def global_field(ring: Ring) -> GlobalField | None:
     """Return the arithmetic of a field with places, or None for a ring of any other kind."""
-    return _arithmetic(ring.arithmetic).of(ring) if ring.arithmetic else None
+    kind: type[GlobalField] | None = of_fields(ring.arithmetic) if ring.arithmetic else None
+    return None if kind is None else kind.of(ring)
 
 
 def known_field(ring: Ring) -> GlobalField:
@@ -40,15 +39,23 @@ def known_field(ring: Ring) -> GlobalField:
 
 
 def field_named_by(*things: object) -> Ring | None:
-    """Return the field with places that the first of some elements and places belongs to."""
+    """Return the field with places that the first of some elements and places belongs to.
+
+    Numbers of no field say what finds a common one. Raises :class:`RingError` where there is none.
+    """
     fields = (getattr(x, "field", None) for x in things)
-    return next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
+    named = next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
+    finders = (x.common_field for x in things if hasattr(x, "common_field"))
+    finder = None if named else next(finders, None)
+    return of_fields(finder)(*things) if finder else named
 
 
-@cache
-def _arithmetic(where: str) -> type[GlobalField]:
-    module, _, name = where.rpartition(".")
-    return getattr(import_module(f"hfield.fields.{module}"), name)  # type: ignore[no-any-return]
+def no_flag(ring: Ring) -> RingError:
+    """Return the error for ramification that is given by primes and a flag, over a ring other than ℚ."""
+    return RingError(
+        f"algebras over {shorten(ring.name)} are not made from ramified primes and a flag: expected QQ, or a "
+        "number field and its places, infinite ones too"
+    )
 
 
 class GlobalField(ABC):
@@ -117,11 +124,16 @@ class GlobalField(ABC):
             f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
         )
 
-    def with_ramification(self, places: Iterable[object]) -> tuple[Scalar, Scalar]:
+    def with_ramification(
+        self, places: Sequence[Any], infinite: bool | None = None
+    ) -> tuple[Scalar, Scalar]:
         """Return constants (a, b) of an algebra that ramifies exactly at the places.
 
-        Raises :class:`RingError` where the field does not know how, or where there is none.
+        ``infinite`` may say over ℚ whether ∞ is one. Raises :class:`RingError` where the field does not know
+        how, or where there is none.
         """
+        if infinite is not None:
+            raise no_flag(self.ring)
         raise RingError(
             f"algebras are made from their ramification over number fields, not over {self.ring}"
         )

@@ -85,7 +85,7 @@ def minimise(conic: Conic, lattice: Lattice, place: FinitePlace) -> bool:
     """Change the lattice at a place until the half-discriminant is a unit there, and return True.
 
     Where the place is ramified that is impossible: then the half-discriminant is left with
-    valuation 1, and the answer is False. ``place`` is a :class:`ResidueField` or a :class:`PrimePlace`.
+    valuation 1, and the answer is False.
     """
     pi = place.uniformiser
     inverse = place.inverse_uniformiser

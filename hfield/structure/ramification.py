@@ -5,7 +5,6 @@ from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors, known_primes
-from hfield.fields.number_fields.quadratic.ring import common_quadratic_field
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
@@ -31,7 +30,7 @@ def hilbert_symbol(
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
     """
-    field = field_named_by(a, b, place) or common_quadratic_field(a, b) or QQ
+    field = field_named_by(a, b, place) or QQ
     known = global_field(field)
     assert known is not None, "only fields with places are named"
     return known.hilbert_symbol(a, b, place, factors)

@@ -72,6 +72,19 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return shared, (type(self), self.name, self._words, *below)
 
     @property
+    def expanded_in(self) -> tuple[str, ...]:
+        """The variables of k(x, y, …), if the root is one of a polynomial over k."""
+        if not isinstance(self.base, RationalFunctions):
+            return ()
+        c = self.modulus_coefficients
+        constant = all(x.num.is_constant() and x.den.is_constant() for x in c)
+        return self.base.variables if constant else ()
+
+    def parts(self, x: ExtensionElement) -> list[Quotient]:
+        """Return the coefficients of x that are not 0."""
+        return [c for c in x.coefficients if c.num != 0]
+
+    @property
     def data(self) -> dict[str, Any]:
         """The field by the one below, the polynomial, low degree first, and the name of the root."""
         modulus = [self.base.text(c) for c in self.modulus_coefficients]

@@ -53,6 +53,10 @@ class Completion(Overfield[E]):
         """
         return self.exact(self.global_field(x))
 
+    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+        """Return the inclusion of the global field."""
+        return self if source == self.global_field else None
+
     @abstractmethod
     def exact(self, value: Scalar) -> E:
         """Return an element of the global field as one of this field."""

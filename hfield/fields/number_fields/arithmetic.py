@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
@@ -28,7 +28,7 @@ from hfield.fields.number_fields.unimodular_lattice import embed_number_field
 from hfield.primality import WORD, primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField
+from hfield.structure.global_field import GlobalField, no_flag
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 
 SMALL_PRIMES = 50
@@ -62,8 +62,12 @@ class NumberFieldArithmetic(GlobalField):
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.is_finite)
 
-    def with_ramification(self, places: Iterable[Any]) -> tuple[FieldElement, FieldElement]:
+    def with_ramification(
+        self, places: Sequence[Any], infinite: bool | None = None
+    ) -> tuple[FieldElement, FieldElement]:
         """Return constants by local classes and one more prime ideal."""
+        if infinite is not None:
+            raise no_flag(self.ring)
         return from_ramification_number_field(self.ring, list(places))
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[PrimeIdeal, ...]:

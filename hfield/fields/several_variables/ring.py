@@ -56,6 +56,15 @@ class RationalFunctions(FractionField):
         """The first variable."""
         return Quotient(self, self.polynomials.gen, self._one)
 
+    @property
+    def expanded_in(self) -> tuple[str, ...]:
+        """The variables, in which elements have leading terms."""
+        return self.variables
+
+    def parts(self, x: Quotient) -> list[Quotient]:
+        """Return x itself, of which leading terms are asked."""
+        return [x]
+
     def names(self) -> dict[str, Quotient]:
         """The variables."""
         gens = self.polynomials.names()

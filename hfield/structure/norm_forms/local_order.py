@@ -47,8 +47,8 @@ class Halves:
 def unit_and_prime(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vector, Vector] | None:
     """Return quaternions u, j in M: u generates its residue field, and N(j) is divisible by the prime once.
 
-    None says that the norm form has a zero over the completion. ``place`` is a :class:`ResidueField` or a
-    :class:`PrimePlace` with a finite residue field, and ``one`` the 1 of its field.
+    None says that the norm form has a zero over the completion. The residue field is finite; ``one`` is the
+    1 of the field.
     """
     found = _enlarged(place, c, one)
     if not isinstance(found, Halves) or _zero_of_halves(place, c, found) is not None:

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 
 from hfield.errors import UndecidedError
-from hfield.fields.several_variables.leading_terms import by_leading_terms
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.global_field import global_field
+from hfield.structure.norm_forms.leading_terms import by_leading_terms
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
 from hfield.factorisation import Factors, known_primes
@@ -31,7 +31,7 @@ from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.integers import QQ
 from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField
+from hfield.structure.global_field import GlobalField, no_flag
 from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 
@@ -67,8 +67,12 @@ class QuadraticArithmetic(GlobalField):
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
 
-    def with_ramification(self, places: Iterable[object]) -> tuple[Surd, Surd]:
+    def with_ramification(
+        self, places: Sequence[object], infinite: bool | None = None
+    ) -> tuple[Surd, Surd]:
         """Return constants found in ℚ[s]/(s² − d), which is the same field."""
+        if infinite is not None:
+            raise no_flag(self.ring)
         field = as_number_field(self.ring)
         same = [place_in_number_field(field, self.read_place(v)) for v in places]
         a, b = from_ramification_number_field(field, same)
