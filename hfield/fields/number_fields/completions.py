@@ -29,7 +29,7 @@ def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
         return infinite_completion(field, v, is_real=True)
     if not v.prime:
         return CC if v.root is None else RR
-    return _at_prime_ideal(field, v, prime_at(field, v))
+    return _at_prime_ideal(field, v, prime_at(v))
 
 
 def completion_of_number_field(field: NumberField, place: object) -> Ring:

@@ -18,7 +18,7 @@ from typing import Any
 
 import flint
 
-from hfield.fields.number_fields.good_module import module_basis
+from hfield.fields.number_fields.conics import module_basis
 from hfield.fields.number_fields.integral_basis import coefficients, integral_multiple
 from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place

@@ -197,6 +197,15 @@ class QuadraticField(ValueRing[Surd]):
 
     degree = 2
 
+    def norm(self, x: object) -> flint.fmpq:
+        """Return the norm of x down to ℚ."""
+        a, b = self.key(self(x))
+        return a * a - self.d * b * b
+
+    def trace(self, x: object) -> flint.fmpq:
+        """Return the trace of x down to ℚ."""
+        return 2 * self.key(self(x))[0]
+
     def discriminant(self) -> int:
         """Return the discriminant of the field: d, or 4d unless d ≡ 1 mod 4."""
         return self.d if self.d % 4 == 1 else 4 * self.d
