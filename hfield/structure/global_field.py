@@ -86,15 +86,18 @@ class GlobalField(ABC):
     def read_place(self, text: object) -> Hashable:
         """Return the place that a text names; a place is returned as it is. Raises :class:`RingError`."""
 
-    @abstractmethod
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
         """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
 
         ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
-        Raises :class:`RingError` for a 0 and for a place that is none.
+        Raises :class:`RingError` for a 0 and for a place that is none, :class:`UndecidedError` where
+        completions are no local fields.
         """
+        raise UndecidedError(
+            f"the completions of {self.ring} are not local fields: ask for residues"
+        )
 
     def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[Any, Any]:
         """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
@@ -152,12 +155,12 @@ class GlobalField(ABC):
         that there is none.
         """
 
-    @abstractmethod
     def residues(self, place: Any) -> FinitePlace | None:
         """Return a finite place with its residue field, as in :mod:`hfield.structure.finite_places`.
 
         None for an infinite place of a number field, and where the residue field is not finite.
         """
+        return None
 
     def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
         """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
@@ -197,19 +200,19 @@ class GlobalField(ABC):
         """Let the primes that are found in one of the constants serve for all, while this lasts."""
         return nullcontext()
 
-    @abstractmethod
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
 
         Both are the constants of normal forms, and isomorphic; division algebras, where that is of use.
         """
+        raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
 
-    @abstractmethod
     def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
         """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
 
         It is a division algebra, the characteristic is not 2, and s is no square (Voight, 14.6.7).
         """
+        raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
     # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
 

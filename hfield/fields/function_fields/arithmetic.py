@@ -127,10 +127,6 @@ class OverEven(FunctionArithmetic):
         """Return I and J by a square root of b and one conic."""
         return embed_even(self.ring, outer, inner)
 
-    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
-        """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
-        raise AssertionError("in characteristic 2 square roots are norms")
-
     def square_parts(self, x: Quotient) -> tuple[Quotient, Quotient]:
         """Return the even and the odd part of x, each under its root."""
         return square_parts(self.ring, x)

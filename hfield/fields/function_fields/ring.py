@@ -49,7 +49,7 @@ class FunctionField(FractionField):
     completions = "function_fields.completions.completion_of_functions"
 
     def __init__(self, base: Ring, variable: str) -> None:
-        self.base, self.gen_name = base, variable
+        self.base, self.gen_name, self.variables = base, variable, (variable,)
         self.name = functions_name(base, (variable,))
         self.characteristic = base.characteristic
         self._polynomial = _polynomials_over(base)
@@ -141,21 +141,6 @@ class FunctionField(FractionField):
         return self.quotient(
             top * self._polynomial([c]), bottom
         )  # flint's root may be −(a monic one)
-
-    @property
-    def level(self) -> Known:
-        """The level of the base field: a sum of squares −1 in F(t) has one in F, at a pole-free point."""
-        known = self.base.level
-        if known.value == INFINITY:
-            return Known(
-                INFINITY, f"{self.name} has an ordering, with {self.gen_name} infinitely large"
-            )
-        shown = f"it is the level of {self.base.name}, for −1 is as many squares in F(t) as in F"
-        return Known(known.value, f"{shown}; there {known.reason}")
-
-    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
-        """Return constants whose squares add up to −1."""
-        return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
 
     @property
     def orderings(self) -> Known:

@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+import flint
+
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
 from hfield.fields.function_fields.ring import FunctionField
@@ -25,13 +27,12 @@ from hfield.fields.rationals.diagonal_forms import isotropic_vector
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.product import Constants
 from hfield.rings.integers import QQ
+from hfield.rings.rational import fmpq
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import NormalForm
 from hfield.structure.isomorphisms.isomorphic import isomorphism
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.fields.function_fields.quotients import Quotient
 
 
@@ -131,18 +132,10 @@ def _leading(x: Quotient, point: Fraction | None) -> tuple[int, Fraction]:
 
 
 def _leading_of(p: flint.fmpq_poly, point: Fraction | None) -> tuple[int, Fraction]:
-    values = [fraction(c) for c in p.coeffs()]
     if point is None:
-        return -(len(values) - 1), values[-1]
-    order = 0
-    while True:
-        rest, quotient = Fraction(0), []
-        for c in reversed(values):
-            rest = rest * point + c
-            quotient.append(rest)
-        if quotient[-1]:
-            return order, quotient[-1]
-        values, order = quotient[-2::-1], order + 1
+        return -int(p.degree()), fraction(p.leading_coefficient())
+    shifted = p(flint.fmpq_poly([fmpq(point), 1])).coeffs()
+    return next((n, fraction(c)) for n, c in enumerate(shifted) if c != 0)
 
 
 def _isotropic(form: list[Fraction]) -> bool:

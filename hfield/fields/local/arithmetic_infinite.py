@@ -50,9 +50,6 @@ class InfiniteArithmetic(CompletionArithmetic):
         """Return 1: no prime ramifies."""
         return self.ring.one
 
-    def residues(self, place: object) -> None:
-        """There is no residue field."""
-
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return an element of norm 0 over the number field, where it has one."""
         answer = zero_norm(self.ring.global_field, Constants(*(x.value for x in c)))
