@@ -6,7 +6,7 @@ from typing import Any
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, WithPlaces
 from hfield.rings.integers import QQ
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import field_named_by, global_field
@@ -36,7 +36,7 @@ def hilbert_symbol(
     return known.hilbert_symbol(a, b, place, factors)
 
 
-def places(ring: Ring) -> Iterator[Hashable]:
+def places(ring: WithPlaces) -> Iterator[Hashable]:
     """Run through the places of a global field, without end: infinite ones, then by size.
 
     Raises :class:`UndecidedError` for a ring that has no such list.

@@ -19,6 +19,7 @@ from hfield.fields.number_fields.slots import (
     is_local_square,
 )
 from hfield.fields.number_fields.symbols import (
+    candidates,
     finite_ramified,
     hilbert_symbol_number_field,
     norms,
@@ -104,7 +105,12 @@ class NumberFieldArithmetic(GlobalField):
         """Return I and J by an isometry of the quaternions of trace 0; in degree 2 by a common slot."""
         if self.ring.degree > 2:
             return embed_number_field(self.ring, outer, inner)
-        return through_slot(self.ring, outer, inner, *self._slot(inner, outer.a))
+        with self._known(outer.a, outer.b, inner.a, inner.b):
+            return through_slot(self.ring, outer, inner, *self._slot(inner, outer.a))
+
+    def _known(self, *numbers: FieldElement) -> AbstractContextManager[None]:
+        """Let the primes of some numbers serve for what is made of them: a slot has one new prime."""
+        return known_primes({p for x in numbers for p in candidates(self.ring, x)}, "")
 
     def _slot(self, c: Constants, s: FieldElement) -> tuple[FieldElement, Point]:
         """Return a common slot of an algebra for a and s, and what solves conics.
@@ -125,7 +131,8 @@ class NumberFieldArithmetic(GlobalField):
             return None
         c = Constants(form.a, self.ring.zero, form.b)
         if self.ring.degree == 2:
-            return generator_by_slot(self.ring, s, c, *self._slot(c, s))[0]
+            with self._known(form.a, form.b, s):
+                return generator_by_slot(self.ring, s, c, *self._slot(c, s))[0]
         outer = Constants(s, self.ring.zero, common_slot([s], ramified))
         return embed_number_field(self.ring, outer, c)[0]
 

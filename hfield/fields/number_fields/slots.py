@@ -16,13 +16,13 @@ import flint
 
 from hfield.errors import RingError, UndecidedError, shorten
 from hfield.factorisation import factorise, remove
-from hfield.fields.number_fields.dyadic_symbol import DyadicPrime
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.places import Place, RealPlace, place_of_number_field
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import (
+    DyadicPrime,
     candidates,
     hilbert_symbol_number_field,
 )
