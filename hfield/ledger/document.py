@@ -26,7 +26,11 @@ MAX_BYTES = 4_000_000
 
 
 class LedgerError(HFieldError, ValueError):
-    """A ledger that cannot be read; the message names the file, the line or the claim, and the key."""
+    """A ledger that cannot be read; the message names the file, the line or the claim, and the key.
+
+    >>> issubclass(LedgerError, ValueError)
+    True
+    """
 
 
 @dataclass(frozen=True)

@@ -61,9 +61,8 @@ class RationalArithmetic(GlobalField):
     def with_ramification(
         self, places: Sequence[Place], infinite: bool | None = None
     ) -> tuple[Scalar, Scalar]:
-        """Return constants for some primes, and ∞ if their number is odd or the flag says so."""
-        odd = len(places) % 2 == 1
-        return from_ramification_q(places, odd if infinite is None else infinite)
+        """Return constants for some primes, and ∞ where it is named or the flag says so, or it takes it."""
+        return from_ramification_q(places, infinite)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic ``z² = a·x² + b·y²``."""
