@@ -13,7 +13,6 @@ from hfield.certificates.glossary import GREEK
 from hfield.errors import NotationError, RingError, shorten
 from hfield.fields.number_fields.texts import NUMBER
 from hfield.rings.base import Ring, shared
-from hfield.rings.finite import ExtensionField, FiniteField
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
 from hfield.syntax.brackets import is_balanced, outside
@@ -209,30 +208,10 @@ def _fractions(inner: str) -> Ring:
         raise RingError(
             f"Frac({shorten(inner)}): expected a ring of polynomials, as in Frac(QQ[pi])"
         )
+    from hfield.fields.function_fields.extensions import rational_functions
+
     names = variables(shorten(inner), rest[0][1], base)
-    return _functions(base.fractions or base, names)
-
-
-def _functions(base: Ring, names: tuple[str, ...]) -> Ring:
-    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
-    if not isinstance(base, FiniteField) and base.name != "QQ":
-        shown = shorten(f"{base}({','.join(names)})")
-        example = "QQ(x) or GF(4)(t)" if len(names) == 1 else "QQ(x,y) or GF(4)(s,t)"
-        raise RingError(
-            f"{shown}: rational functions are over QQ or a finite field, as in {example}"
-        )
-    if len(names) == 1:
-        from hfield.fields.function_fields.ring import FunctionField
-
-        return shared(FunctionField, base, names[0])
-    if isinstance(base, ExtensionField):
-        from hfield.fields.function_fields.extensions import over_extended_constants
-
-        return over_extended_constants(base, names)
-    from hfield.fields.several_variables.ring import RationalFunctions
-    from hfield.rings.polynomials import build as build_polynomials
-
-    return shared(RationalFunctions, build_polynomials(base, names))
+    return rational_functions(base.fractions or base, names)
 
 
 def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
@@ -285,11 +264,13 @@ def _extension(base: Ring, inner: str) -> Ring:
         from hfield.fields.number_fields.quadratic.ring import build as build_quadratic
 
         return build_quadratic((m[1] or m[2]) if m else "-1")
+    from hfield.fields.function_fields.extensions import rational_functions
+
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series
         names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
-        return shared(_functions(base, names).completion, names[0])
+        return shared(rational_functions(base, names).completion, names[0])
     names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
-    return _functions(base, names)
+    return rational_functions(base, names)
 
 
 def _polynomials(base: Ring, inner: str) -> Ring:

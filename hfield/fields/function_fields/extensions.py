@@ -19,7 +19,7 @@ from hfield.fields.function_fields.quotients import Quotient
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions, listed
 from hfield.rings.base import Known, Ring, shared
-from hfield.rings.finite import ExtensionField, PrimeField
+from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
 from hfield.rings.operators import Element
 from hfield.rings.overfield import Overfield
 from hfield.rings.polynomials import build as build_polynomials
@@ -229,6 +229,21 @@ def _divmod(
         for m, y in enumerate(g):
             rest[shift + m] = rest[shift + m] - c * y
     return quotient, stripped(base, rest)
+
+
+def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:
+    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
+    if not isinstance(base, FiniteField) and base.name != "QQ":
+        shown = shorten(f"{base}({','.join(names)})")
+        example = "QQ(x) or GF(4)(t)" if len(names) == 1 else "QQ(x,y) or GF(4)(s,t)"
+        raise RingError(
+            f"{shown}: rational functions are over QQ or a finite field, as in {example}"
+        )
+    if len(names) == 1:
+        return shared(FunctionField, base, names[0])
+    if isinstance(base, ExtensionField):
+        return over_extended_constants(base, names)
+    return shared(RationalFunctions, build_polynomials(base, names))
 
 
 def over_extended_constants(
