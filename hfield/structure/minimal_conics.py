@@ -41,15 +41,15 @@ class Conic:
 
     def value(self, v: Vector) -> Any:
         """Return f(v)."""
-        return _dot(v, self._half(v))
+        return dot(v, self._half(v))
 
     def coefficients(self, lattice: Lattice) -> Form:
         """Return the coefficients of the scaled form on the basis."""
         s, basis = lattice.scale, lattice.basis
         halves = [self._half(v) for v in basis]
-        f, g, h = (s * _dot(v, half) for v, half in zip(basis, halves, strict=True))
+        f, g, h = (s * dot(v, half) for v, half in zip(basis, halves, strict=True))
         p, q, r = (
-            s * (_dot(basis[m], halves[n]) + _dot(basis[n], halves[m]))
+            s * (dot(basis[m], halves[n]) + dot(basis[n], halves[m]))
             for m, n in ((1, 2), (0, 2), (0, 1))
         )
         return f, g, h, p, q, r
@@ -66,8 +66,12 @@ class Conic:
         return Lattice([[e, o, o], [o, e, o], [o, o, e]], e)
 
 
-def _dot(u: Vector, v: Vector) -> Any:
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+def dot(u: Vector, v: Vector) -> Any:
+    """Return Σ u[i]·v[i]."""
+    total = u[0] * v[0]
+    for x, y in zip(u[1:], v[1:], strict=True):
+        total = total + x * y
+    return total
 
 
 def norm_form(field: Ring, c: Constants) -> Form:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
@@ -92,10 +91,7 @@ class FunctionArithmetic(GlobalField):
 
     def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
         """Return the product of the polynomials."""
-        one = self.ring.one.num
-        return self.ring.quotient(
-            prod((v.poly for v in ramified if v.poly is not None), start=one), one
-        )
+        return self.ring.product_of(v.poly for v in ramified)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, found by minimising it at all places."""

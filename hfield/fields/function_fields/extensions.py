@@ -20,8 +20,7 @@ from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions, listed
 from hfield.rings.base import Known, Ring, shared
 from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
-from hfield.rings.operators import Element
-from hfield.rings.overfield import Overfield
+from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Iterable
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError
 from hfield.rings.base import INFINITY, Known
-from hfield.rings.operators import Element
-from hfield.rings.overfield import Overfield
+from hfield.rings.operators import Element, Overfield
 from hfield.rings.powers import polynomial_power
 
 if TYPE_CHECKING:
@@ -90,6 +91,11 @@ class FractionField(Overfield[Quotient]):
     @abstractmethod
     def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
         """Return num/den in lowest terms; den is not 0."""
+
+    def product_of(self, polynomials: Iterable[AnyPolynomial | None]) -> Quotient:
+        """Return the product of the polynomials among what stands for places."""
+        product = prod((p for p in polynomials if p is not None), start=self._one)
+        return self.quotient(product, self._one)
 
     def is_one(self, poly: AnyPolynomial) -> bool:
         """Tell whether a polynomial is 1."""

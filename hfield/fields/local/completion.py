@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.product import Scalar
 from hfield.rings.base import E, Ring, shared
-from hfield.rings.overfield import Overfield
+from hfield.rings.operators import Overfield
 
 if TYPE_CHECKING:
     from collections.abc import Hashable

@@ -17,6 +17,7 @@ import flint
 from hfield.errors import RingError, UndecidedError, shorten
 from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.integers import small_integer
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.places import Place, RealPlace, place_of_number_field
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
@@ -87,19 +88,12 @@ def from_ramification_number_field(
         return field.one, field.one
     rng = random.Random(1)
     for trial in range(TRIALS):
-        a = _small(field, 1 + trial // 200, rng)
+        a = small_integer(field, 1 + trial // 200, rng)
         if a and all(not is_local_square(v, a) for v in places):
             return a, common_slot([a], places)
     raise UndecidedError(
         f"no small number of {shorten(field.name)} that is a square at none of the places was found"
     )
-
-
-def _small(field: NumberField, size: int, rng: random.Random) -> FieldElement:
-    x: FieldElement = field.zero
-    for w in field.integral_basis():
-        x = x + w * rng.randint(-size, size)
-    return x
 
 
 def is_local_square(place: Place, x: FieldElement) -> bool:

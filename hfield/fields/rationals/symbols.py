@@ -38,10 +38,10 @@ def hilbert_symbol_q(a: Rational, b: Rational, place: object) -> int:
     if v == INFINITE:
         return -1 if m < 0 and n < 0 else 1
     assert isinstance(v, int)
-    return _symbol(v, *remove(m, v), *remove(n, v))
+    return symbol_of_parts(v, *remove(m, v), *remove(n, v))
 
 
-def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
+def symbol_of_parts(p: int, alpha: int, u: int, beta: int, v: int) -> int:
     """Return the symbol of ``pᵅ·u`` and ``pᵝ·v`` at p, for u and v prime to p."""
     if p == 2:
         sign = (u & v) >> 1 & 1
@@ -87,7 +87,7 @@ def ramified_places_q(
                 primes.append(int(p))
         elif not sign:  # p divides both
             p = int(p)
-            if _symbol(p, *remove(m, p), *remove(n, p)) < 0:
+            if symbol_of_parts(p, *remove(m, p), *remove(n, p)) < 0:
                 primes.append(p)
     symbol = m_.jacobi
     for p, beta in in_n:

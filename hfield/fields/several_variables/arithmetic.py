@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
@@ -141,12 +140,9 @@ class SeveralArithmetic(GlobalField):
             )
         return f"{why}; the algebra is ramified at {', '.join(map(str, places))}"
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+    def discriminant(self, ramified: tuple[Any, ...]) -> Quotient:
         """Return the product of the polynomials."""
-        one = self.ring.one.num
-        return self.ring.quotient(
-            prod((v.poly for v in ramified if v.poly is not None), start=one), one
-        )
+        return self.ring.product_of(v.poly for v in ramified)
 
     # --- what is not known -----------------------------------------------------------------------
 

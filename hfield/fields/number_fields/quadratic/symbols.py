@@ -19,7 +19,7 @@ from hfield.fields.number_fields.quadratic.places import (
     places_above,
 )
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
-from hfield.fields.rationals.symbols import _symbol
+from hfield.fields.rationals.symbols import symbol_of_parts
 from hfield.rings.whole_numbers import fraction
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ def direct_symbol(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> 
     if v.root is None and v.d % v.prime:  # inert: −1 is a square, and u, w are norms of units
         value = (u if beta % 2 else 1) * (w if alpha % 2 else 1) % v.prime
         return 1 if pow(value, (v.prime - 1) // 2, v.prime) == 1 else -1
-    return _symbol(v.prime, alpha, u, beta, w)
+    return symbol_of_parts(v.prime, alpha, u, beta, w)
 
 
 def ramified_places_quadratic(
