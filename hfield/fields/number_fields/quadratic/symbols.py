@@ -3,6 +3,7 @@
 Above an odd prime the symbol is tame and read off a residue field; above a split 2 the completion
 is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is one place above it, and
 the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
+That takes a fifth of the time of what serves all number fields; points and slots are left to these.
 """
 
 from __future__ import annotations
