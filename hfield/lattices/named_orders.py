@@ -7,6 +7,7 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.algebra.quaternion import Parent
 from hfield.errors import CoercionError
 from hfield.fields.rationals.maximal_orders import maximal_basis
 from hfield.lattices import class_number as class_numbers
@@ -16,7 +17,6 @@ from hfield.lattices.hurwitz_order import HurwitzOrder
 from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order
 from hfield.lattices.regular_representation import regular
-from hfield.quaternion import Parent
 
 
 def maximal_order(algebra: Parent) -> Order:
