@@ -14,7 +14,7 @@ from hfield.algebra.maps import Division, Splitting
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
-from hfield.lattices.order import Order
+from hfield.lattices.lattice import Order
 from hfield.lattices.over_integers import IntegersOrder
 from hfield.notation import element_text
 from hfield.rings.base import INFINITY, Ring, WithIntegers
