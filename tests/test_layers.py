@@ -1,6 +1,7 @@
 """The floors of the house: a room imports only what stands below it, and there is no circle."""
 
 import ast
+import re
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -88,18 +89,9 @@ FLOORS = [
 FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
 # A face hands out names of all floors, and no room of the same package asks it for one.
 FACES = {"hfield", "hfield.rings", "rotation", "anim"}
-# What still asks for a kind of field by its name.
-KNOW_KINDS = {
-    "hfield.rings.integers",
-    "hfield.rings.polynomials",
-    "hfield.structure.finite_places",
-    "hfield.structure.isomorphisms.degenerate",
-    "hfield.structure.isomorphisms.through_slots",
-    "hfield.structure.norm_forms.zeros_infinite_fields",
-    "hfield.structure.norm_forms.zeros_over_rings",
-    "hfield.structure.ramification",
-    "hfield.structure.single_elements.torsion",
-}
+# Who asks for a kind of field by its name: lattices, which are over ℤ or the integers of a number field, so
+# that their places, ideals and integral bases are those of these fields.
+KNOW_KINDS = {"hfield.lattices"}
 # Rooms in which no module looks into what another keeps to itself.
 DISCREET = {"hfield.lattices"}
 
@@ -164,9 +156,15 @@ def breaches(module: str, source: str) -> list[str]:
         f"{module} (floor of {here}) imports {target}"
         for target in imports(source, module)
         if room_of(target) != here
-        and not (module in KNOW_KINDS and room_of(target) == "hfield.fields")
         and (FLOOR[room_of(target)] >= FLOOR[here] if room_of(target) else own_face(here, target))
     ]
+
+
+def kinds_known(module: str, source: str) -> set[str]:
+    """The kinds of fields, folders of hfield.fields, that a module imports."""
+    folders = {p.name for p in (ROOT / "hfield/fields").iterdir() if (p / "__init__.py").exists()}
+    parts = (target.split(".") for target in imports(source, module))
+    return {p[2] for p in parts if p[:2] == ["hfield", "fields"] and len(p) > 2} & folders
 
 
 def own_face(room: str, target: str) -> bool:
@@ -204,6 +202,21 @@ def test_the_check_can_fail() -> None:
     assert not breaches("hfield.lattices.x", "from hfield.algebra.quaternion import Quaternion\n")
     assert breaches("rotation.arrays", "from rotation import Rotation\n")
     assert not breaches("hfield.algebra", "from hfield import product\n")
+
+
+@pytest.mark.parametrize(
+    ("module", "source"), sources(), ids=lambda x: x if len(x) < 60 else "source"
+)
+def test_nobody_asks_for_the_kind_of_a_field(module: str, source: str) -> None:
+    """Outside its folder a kind of field is known by what it can do, by data and by names."""
+    if room_of(module) not in {"hfield.fields", "hfield.certificates", *KNOW_KINDS}:
+        assert kinds_known(module, source) == set()
+        assert not re.search(r"""name [!=]= "(QQ|Qp|GF)[^"]*\"""", source)
+
+
+def test_those_who_know_kinds_of_fields_do() -> None:
+    asked = {room_of(module) for module, source in sources() if kinds_known(module, source)}
+    assert asked == {"hfield.fields", *KNOW_KINDS}
 
 
 def test_no_imports_in_circles() -> None:

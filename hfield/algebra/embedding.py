@@ -11,10 +11,6 @@ import flint
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.fields.function_fields.ring import FunctionField
-from hfield.fields.local.completion import Completion
-from hfield.fields.number_fields.ring import NumberField
-from hfield.fields.number_fields.sums import evaluate, roots_in
 from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
@@ -35,10 +31,9 @@ def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:
         raise CoercionError(
             f"{source} does not map into {target}: its characteristic is {p}, the other's {q}"
         )
-    if isinstance(target, Completion) and source == target.global_field:
-        return target
-    if isinstance(source, NumberField) and isinstance(target, NumberField):
-        return _from_number_field(source, target)
+    given = target.embed_from(source)
+    if given is not None:
+        return given
     names = {**target.names(), **_generators(source, target)}
     functions = {"/": target.divide, "**": target.power, **target.functions()}
     reader = syntax.Reader(target, names, functions, target.name, target.parse_limit)
@@ -55,44 +50,17 @@ def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:
     return embed
 
 
-def _from_number_field(source: NumberField, target: NumberField) -> Callable[[Any], Any]:
-    """Return the map into a number field by a root of the polynomial of the source.
-
-    Of several it takes, if there is one, the root that is the generator's value at the principal embedding.
-    """
-    roots = roots_in(target, source.polynomial)
-    if not roots:
-        raise CoercionError(
-            f"{shorten(target)} contains no root of the polynomial of {shorten(source)}"
-        )
-    value = source.embed(source.gen)
-    root = next((x for x in roots if target.embed(x).overlaps(value)), roots[0])
-    return lambda x: evaluate(target, x.poly, root)
-
-
 def _generators(source: Ring, target: Ring) -> dict[str, Scalar]:
     """Return the images of the generators whose text alone would not tell them."""
     if isinstance(source, ExtensionField):
         return {str(source.gen_name): _image(source, target)}
-    if source.name == "QQ(I)" and isinstance(target, NumberField):
-        root = target.sqrt(target(-1))
-        return {} if root is None else {"I": root}
-    if not isinstance(source, FunctionField):
-        return {}
-    if (
-        source.gen_name not in target.names()
-        or (isinstance(target, FunctionField) and source.gen_name != target.gen_name)
-        or target.order is not None
-    ):
-        raise CoercionError(
-            f"{source} does not map into {target}, which has no variable {source.gen_name}"
-        )
-    return _generators(source.base, target)
+    own, below = source.images_in(target), source.constants
+    return own if below is None else {**own, **_generators(below, target)}
 
 
 def _image(source: ExtensionField, target: Ring) -> Any:
     """Return a root of the modulus of a finite field in the target."""
-    inner = target.base if isinstance(target, FunctionField) else target
+    inner = target.constants or target
     if inner == source:
         return target(source.text(source.gen))
     if not isinstance(inner, ExtensionField) or inner.degree % source.degree:

@@ -20,14 +20,13 @@ from hfield.errors import (
 )
 from hfield.factorisation import Factors, factorise, known_primes
 from hfield.fields.names import ring as read_ring
-from hfield.fields.rationals.symbols import from_ramification_q
 from hfield.hints import ALGEBRA, Hinted
 from hfield.notation import BASIS
 from hfield.product import Constants
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
-from hfield.structure.global_field import field_named_by
+from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
 
 if TYPE_CHECKING:
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
@@ -105,19 +104,10 @@ class QuaternionAlgebra(Hinted):
         ((2, s), inf0)
         """
         F = read_ring(ring)
-        named = list(primes)
-        if F.name != "QQ":
-            from hfield.structure.global_field import global_field
-
-            field = global_field(F)
-            if field is None or infinite is not None:
-                raise RingError(
-                    f"algebras over {shorten(F.name)} are not made from ramified primes and a flag: expected "
-                    "QQ, or a number field and its places, infinite ones too"
-                )
-            return cls(F, *field.with_ramification(named))
-        a, b = from_ramification_q(named, infinite)
-        return cls(F, a, b)
+        field = global_field(F)
+        if field is None:
+            raise no_flag(F)
+        return cls(F, *field.with_ramification(list(primes), infinite))
 
     @cached_property
     def holding(self) -> Holding:
@@ -598,7 +588,9 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.over_integers import maximal_order_over_integers
 
         with known_primes(factors):
-            if self.ring.arithmetic and self.ring.name != "QQ" and not self.ring.characteristic:
+            F = self.ring
+            over_z = isinstance(F, WithIntegers) and F.degree == 1
+            if F.arithmetic and not F.characteristic and not over_z:
                 return maximal_order_over_integers(self)
             return Order(maximal_order(self))
 
@@ -714,7 +706,7 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
                 f"{shorten(a)} is not the discriminant of a definite algebra over QQ: expected a product of "
                 "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
             )
-        return QQ, *from_ramification_q(primes, True), 0
+        return QQ, *known_field(QQ).with_ramification(list(primes), True), 0
     raise RingError(
         f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
         f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"

@@ -19,7 +19,6 @@ from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError, add_output
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.fields.names import ring, ring_of_data
-from hfield.fields.number_fields.ring import NumberField
 
 HELP = (
     f"Write certificates {FIRST_SCHEMA} as {SCHEMA}: what was the name of a ring or a place becomes data, as "
@@ -105,14 +104,15 @@ def _place(text: str, data: Mapping[str, Any] | None) -> Mapping[str, Any]:
 
     if data is None:
         raise RingError("a place of no field")
-    field = ring_of_data(data)
+    field: Any = ring_of_data(data)
     if text.strip().isdecimal() and data["kind"] in ("rationals", "quadratic field"):
         return {"kind": "number", "n": int(text)}
     blank = "".join(text.split())
     m = re.fullmatch(r"\(([0-9]+),(.*)-([0-9]+)\)", blank)
     if m and data["kind"] == "quadratic field" and m[2] == field.gen_name:
         return {"kind": "split", "n": int(m[1]), "root": int(m[3])}
-    if isinstance(field, NumberField) and (m := re.fullmatch(r"\(([0-9]+),([^;]+);(.+)\)", blank)):
+    m = re.fullmatch(r"\(([0-9]+),([^;]+);(.+)\)", blank)
+    if m and data["kind"] == "number field":
         g = ring("ZZ[x]")(m[2]).to_dict()
         polynomial = [int(g.get((n,), 0)) for n in range(max(g)[0] + 1)]
         generator = field.coordinates(field(m[3]))
@@ -122,7 +122,8 @@ def _place(text: str, data: Mapping[str, Any] | None) -> Mapping[str, Any]:
             "polynomial": polynomial,
             "generator": generator,
         }
-    return field.place_data(known_field(field).read_place(text))
+    found: Mapping[str, Any] = field.place_data(known_field(field).read_place(text))
+    return found
 
 
 def _in_words(data: Mapping[str, object]) -> str:

@@ -14,12 +14,11 @@ from hfield.algebra.maps import Division, Splitting
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
-from hfield.fields.number_fields.ring import NumberField
 from hfield.lattices.lattice import Order
 from hfield.lattices.over_integers import IntegersOrder
 from hfield.notation import element_text
-from hfield.rings.base import INFINITY, Ring
+from hfield.rings.base import INFINITY, Ring, WithIntegers
+from hfield.structure.global_field import global_field
 
 SCHEMA = "hfield-info/1"
 ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of a second
@@ -231,7 +230,8 @@ def _divide_or_split(d: Description) -> None:
 
 def _known_division(d: Description) -> bool | None:
     """Return whether the algebra is a division algebra, where no splitting was found."""
-    if d.ramified is not None and d.algebra.ring.name == "QQ":  # without ramification it splits
+    places = None if d.ramified is None else global_field(d.algebra.ring)
+    if places is not None and places.splits_if_unramified:
         return False
     return d.ask("division", d.algebra.is_division_algebra)  # type: ignore[no-any-return]
 
@@ -244,19 +244,18 @@ def _ramify(d: Description) -> None:
     if d.ramified is None:
         return
     d.discriminant = A.discriminant()
-    if F.name == "QQ":
-        order: Order | None = d.ask("maximal_order", A.maximal_order)
-        d.order = order
-        if order is not None and "inf" in d.ramified:
-            d.units = d.ask("units", lambda: len(order.units()))
-    elif isinstance(F, (QuadraticField, NumberField)):
+    if not isinstance(F, WithIntegers):
+        return
+    if F.degree > 1:
         d.integers = d.ask("integers", F.integral_basis)
-        if F.degree <= ORDERS_UP_TO:
-            d.order = d.ask("maximal_order", A.maximal_order)
-        else:
-            d.undecided["maximal_order"] = (
-                f"not asked for here in degree {F.degree}, for it may take seconds: `maximal_order()` tells"
-            )
+    if F.degree > ORDERS_UP_TO:
+        d.undecided["maximal_order"] = (
+            f"not asked for here in degree {F.degree}, for it may take seconds: `maximal_order()` tells"
+        )
+        return
+    d.order = order = d.ask("maximal_order", A.maximal_order)
+    if isinstance(order, Order) and "inf" in d.ramified:
+        d.units = d.ask("units", lambda: len(order.units()))
 
 
 def relations(A: QuaternionAlgebra) -> tuple[str, ...]:

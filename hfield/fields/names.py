@@ -15,7 +15,7 @@ from hfield.fields.number_fields.texts import NUMBER
 from hfield.rings.base import Ring, shared
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
-from hfield.syntax.brackets import outside
+from hfield.syntax.brackets import is_balanced, outside
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
@@ -37,6 +37,12 @@ _NAMED = {
 }
 _LONG = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC"}
 _MAX_LENGTH = 10_000
+
+# number fields, and numbers that name them
+_QUOTIENT = re.compile(r"QQ?\[([^\[\],]*)\]/\((.*)\)")
+_REAL = re.compile(r"QQ?\(zeta_?(\d+|\(\d+\))\)\+")
+_SPELLED = re.compile(r"QQ?\(((?:(?:sqrt|cbrt|root)\(|zeta[_(]?\d|I[,)]).*)\)")
+_SUM = re.compile(rf"QQ?\(([^,]*(?:{NUMBER})[^,]*)\)")
 
 Groups = list[tuple[str, str]]  # what stands in each pair of brackets, with the bracket that opens
 
@@ -96,9 +102,7 @@ def build(text: str) -> Ring:
         bare = bare and place[1:-1] not in base.names()
         return shared(base.completion, place[1:-1] if bare else place)
     if re.match(r"QQ?[(\[]", s):
-        from hfield.fields.number_fields.names import build as build_number_field
-
-        number_field = build_number_field(s)
+        number_field = _number_field(s)
         if number_field is not None:
             return number_field
     if m := re.fullmatch(r"(.+)\[([^\W\d_]\w*)\]/\((.+)\)", s):
@@ -113,6 +117,31 @@ def build(text: str) -> Ring:
     for opening, inner in rest:
         made = _polynomials(made, inner) if opening == "[" else _extension(made, inner)
     return made
+
+
+def _number_field(s: str) -> Ring | None:
+    """Return the number field that a text without spaces names; None for a text of another kind.
+
+    Raises :class:`RingError`.
+    """
+    if m := _QUOTIENT.fullmatch(s):
+        from hfield.fields.number_fields.ring import NumberField
+
+        return shared(NumberField, m[2], m[1])
+    if _REAL.fullmatch(s) or any(
+        (m := form.fullmatch(s)) and is_balanced(m[1]) and not _is_quadratic(m[1])
+        for form in (_SPELLED, _SUM)
+    ):
+        from hfield.fields.number_fields.spelled_names import spelled
+
+        return shared(spelled, s)
+    return None
+
+
+def _is_quadratic(text: str) -> bool:
+    """Tell whether a text is one square root, whose field is a quadratic one."""
+    m = re.fullmatch(r"sqrt\((.*)\)", text)
+    return text == "I" or (m is not None and is_balanced(m[1]))
 
 
 def _completed(s: str) -> tuple[str, str]:
@@ -174,20 +203,20 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
 
 def _fractions(inner: str) -> Ring:
     """Return the rational functions in the variables of ``QQ[pi]``, however these are called."""
-    from hfield.fields.function_fields.names import build as build_functions
-
     base, rest = _base(*_split(inner)) or (None, [])
     if base is None or [opening for opening, _ in rest] != ["["]:
         raise RingError(
             f"Frac({shorten(inner)}): expected a ring of polynomials, as in Frac(QQ[pi])"
         )
+    from hfield.fields.function_fields.extensions import rational_functions
+
     names = variables(shorten(inner), rest[0][1], base)
-    return build_functions(base.fractions or base, names)
+    return rational_functions(base.fractions or base, names)
 
 
 def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
     """Return ``base[u]/(f)``."""
-    from hfield.fields.function_fields.extension_names import build as build_extension
+    from hfield.fields.function_fields.extensions import build as build_extension
 
     (name,) = variables(f"{base}[{shorten(variable)}]", variable, base, adjoined=False)
     return build_extension(base, name, polynomial)
@@ -235,13 +264,13 @@ def _extension(base: Ring, inner: str) -> Ring:
         from hfield.fields.number_fields.quadratic.ring import build as build_quadratic
 
         return build_quadratic((m[1] or m[2]) if m else "-1")
-    from hfield.fields.function_fields.names import build as build_functions
+    from hfield.fields.function_fields.extensions import rational_functions
 
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series
         names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
-        return shared(build_functions(base, names).completion, names[0])
+        return shared(rational_functions(base, names).completion, names[0])
     names = variables(f"{base}({shorten(inner)})", inner, base, adjoined=True)
-    return build_functions(base, names)
+    return rational_functions(base, names)
 
 
 def _polynomials(base: Ring, inner: str) -> Ring:

@@ -12,9 +12,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib import import_module
 from random import Random
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
 
 from hfield import syntax
 from hfield.errors import (
@@ -47,6 +48,16 @@ INFINITY = float("inf")
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
 
 
+@cache
+def of_fields(where: str) -> Any:
+    """Return what a module of :mod:`hfield.fields` has: ``rationals.arithmetic.RationalArithmetic``.
+
+    So a ring names what lies above it, which is imported when it is asked for.
+    """
+    module, _, name = where.rpartition(".")
+    return getattr(import_module(f"hfield.fields.{module}"), name)
+
+
 @dataclass(frozen=True)
 class Known:
     """A fact about a ring with its reason: ``value`` is None where it is not known."""
@@ -59,15 +70,23 @@ class Known:
         return f"{shown}, because {self.reason}" if self.reason else str(shown)
 
 
-class Ring(ABC, Generic[E]):
-    """A commutative ring with 1.
+@runtime_checkable
+class WithIntegers(Protocol):
+    """ℚ and the number fields, which have integers; ``degree`` is that over ℚ."""
+
+    @property
+    def degree(self) -> int:
+        """The degree over ℚ."""
+
+    def integral_basis(self) -> Sequence[Any]:
+        """Return a basis over ℤ of the integers, 1 first."""
+
+
+class Core(ABC, Generic[E]):
+    """A commutative ring with 1, as far as the arithmetic of its elements goes.
 
     ``name`` is the text that :func:`hfield.ring` reads back; two rings are equal when their names
     are. ``order`` is None for an infinite ring, ``gen_name`` the text of the generator, if any.
-
-    >>> from hfield import GF
-    >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
-    (True, 9, 'x')
     """
 
     name: str
@@ -76,232 +95,10 @@ class Ring(ABC, Generic[E]):
     is_exact: bool = True
     is_field: bool = False
     gen_name: str | None = None
-    closure: str | None = None  # "real closed" or "algebraically closed", where it is
-    arithmetic: str = ""  # what in hfield.structure knows the places of a field that has some
-    parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
-
-    # --- what an adapter must give -------------------------------------------------------------
 
     @abstractmethod
     def __call__(self, x: object) -> E:
         """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
-
-    # --- what it gives where it can ------------------------------------------------------------
-
-    def in_words(self) -> str:
-        """Say what the ring is, for people: ``rational functions in z over ℚ``; by default its name."""
-        return self.name
-
-    @property
-    def data(self) -> dict[str, Any] | None:
-        """The ring as JSON data, of which certificates are (docs/certificates.md); None where it has none."""
-        return None
-
-    def place_data(self, place: Any) -> dict[str, Any]:
-        """Return a place of the field as JSON data."""
-        found: dict[str, Any] = place.data
-        return found
-
-    @property
-    def gen(self) -> E:
-        """The generator: the class of x, the square root, the variable."""
-        raise UndecidedError(f"{self.name} has no generator")
-
-    @property
-    def level(self) -> Known:
-        """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
-        return Known(None, "nothing is known of the squares of this ring")
-
-    def minus_one_as_squares(self) -> tuple[E, ...]:
-        """Elements, as few as the level says, whose squares add up to −1; () if not known."""
-        return ()
-
-    @property
-    def orderings(self) -> Known:
-        """How many orderings the field has (0 exactly when the level is finite)."""
-        if self.level.value is None:
-            return Known(None, self.level.reason)
-        if self.level.value == INFINITY:
-            return Known(None, "at least one, for −1 is not a sum of squares")
-        return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
-
-    def sign(self, x: E, ordering: int = 0) -> int:
-        """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
-
-        Raises :class:`RingError` where there is no such ordering.
-        """
-        self.check_ordering(ordering)
-        raise UndecidedError(f"{self.name} has no ordering that is known")
-
-    def check_ordering(self, ordering: int) -> None:
-        """Refuse the number of an ordering that the ring does not have."""
-        known = self.orderings.value
-        if ordering < 0 or (known is not None and ordering >= known):
-            raise RingError(f"{self.name} has no ordering number {ordering}; there are {known}")
-
-    def is_zero(self, x: E) -> bool:
-        """Tell whether x is 0."""
-        return bool(x == self.zero)
-
-    def inverse(self, x: E) -> E:
-        """Return 1/x, or raise :class:`NotInvertibleError`."""
-        if self.is_zero(x - self.one):
-            return x
-        if self.is_zero(x + self.one):
-            return x
-        raise NotInvertibleError(f"{self.text(x)} is not known to be invertible in {self.name}")
-
-    def annihilator(self, x: E) -> E | None:
-        """Return some nonzero y with x·y = 0, or None; in a domain only x = 0 has one."""
-        return self.one if self.is_zero(x) else None
-
-    def sqrt(self, x: E) -> E | None:
-        """Return some y with y² = x, or None when there is none; undecided if not known."""
-        raise UndecidedError(f"square roots in {self.name} cannot be decided")
-
-    def is_square(self, x: E) -> bool:
-        """Tell whether x is a square, also where its roots cannot be written down."""
-        return self.sqrt(x) is not None
-
-    def roots(self, coefficients: Sequence[E]) -> list[E]:
-        """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
-
-        Raises :class:`UndecidedError` where they are not computed.
-        """
-        raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
-
-    def euclid(self, x: E, y: E) -> tuple[E, E]:
-        """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
-
-        Raises :class:`UndecidedError` for any other ring.
-        """
-        raise UndecidedError(f"{self.name} is not known to be Euclidean")
-
-    def elements(self) -> Iterator[E]:
-        """Run through all elements of a finite ring, 0 and 1 first."""
-        raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
-
-    def random(self, rng: Random) -> E:
-        """Return a random element, small if the ring is infinite; the same for the same seed."""
-        return self(rng.randint(-9, 9))
-
-    def text(self, x: E, style: str = "plain") -> str:
-        """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
-        return str(x)
-
-    def key(self, x: E) -> Hashable:
-        """Return a hashable stand-in: equal elements have equal keys."""
-        return self.text(x)
-
-    def state(self, x: E) -> object:
-        """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
-        return self.text(x)
-
-    def array(self, values: object) -> Any:
-        """Turn an element, a sequence or an array into an array that computes elementwise."""
-        from hfield.rings.arrays import objects
-
-        return objects(values, self)
-
-    def array_inverse(self, values: Any) -> Any:
-        """Invert an array of units elementwise; the caller has checked that they are units."""
-        import numpy as np
-
-        inverses = [self.inverse(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
-        return self.array(inverses).reshape(values.shape)
-
-    def array_units(self, values: Any) -> np.ndarray:
-        """Return a bool array: which entries are units. Faster where a library tells at once."""
-        import numpy as np
-
-        flags = [self.is_unit(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
-        return np.array(flags, dtype=bool).reshape(values.shape)
-
-    def scalar(self, x: Any) -> E:
-        """Turn an entry of ``array`` back into an element."""
-        element: E = x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
-        return element
-
-    def holding(self, constants: Constants) -> Holding:
-        """Return how elements of the algebra with these constants are held; by default as they are."""
-        from hfield.rings.held.plain import Plain
-
-        return Plain(self, constants)
-
-    def array_holding(self, constants: Constants) -> Batch:
-        """Return how arrays of such elements are held: as these are, one by one.
-
-        A ring whose arrays are a library's own computes with four of those.
-        """
-        if type(self).array is not Ring.array:
-            return Batch(self, constants)
-        from hfield.rings.array_held.held_values import HeldArrays
-
-        return HeldArrays(self, constants)
-
-    def places(self) -> Iterator[Hashable]:
-        """Run through the places of a global field without end, infinite ones first; texts read back.
-
-        Raises :class:`UndecidedError` for any other ring.
-
-        >>> from itertools import islice
-        >>> from hfield import ring
-        >>> list(islice(ring("QQ(I)").places(), 4))
-        [inf, 2, 3, (5, I-2)]
-        """
-        raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
-
-    def completion(self, place: object) -> Ring:
-        """Return the completion of a global field at a place, or at its text.
-
-        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
-        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
-        elements of the field in it. Raises :class:`RingError` for a place of another field,
-        :class:`UndecidedError` where there are no places.
-
-        >>> from hfield import ring
-        >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
-        (Qp(5), QQ(I)_(5, I-2), RR)
-        """
-        raise UndecidedError(
-            f"{self.name} is not a global field: it has no places to complete it at"
-        )
-
-    def vanishes(self, x: E) -> bool:
-        """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
-        return self.is_zero(x)
-
-    def agree(self, x: E, y: E) -> bool:
-        """Tell whether x = y as far as they are known."""
-        return self.vanishes(x - y)
-
-    @property
-    def is_domain(self) -> bool:
-        """Whether a product is 0 only where a factor is, as far as that is known."""
-        return self.is_field or self.fractions is not None
-
-    @property
-    def fractions(self) -> Ring | None:
-        """The field of fractions of an integral domain that is no field, where it has a name."""
-        return None
-
-    def modulo(self, n: int) -> Ring | None:
-        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
-        return None
-
-    @property
-    def residues_of(self) -> tuple[Ring, Any] | None:
-        """The Euclidean ring R and the m for which this is R/m, None for any other ring.
-
-        :meth:`lift` then gives an element of R for each of this ring.
-        """
-        return None
-
-    def lift(self, x: E) -> Any:
-        """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
-        raise UndecidedError(f"{self.name} is not known as a ring of residues")
-
-    # --- what follows --------------------------------------------------------------------------
 
     @property
     def zero(self) -> E:
@@ -313,9 +110,21 @@ class Ring(ABC, Generic[E]):
         """The element 1."""
         return self(1)
 
+    def is_zero(self, x: E) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == self.zero)
+
     def equal(self, x: E, y: E) -> bool:
         """Tell whether x = y."""
         return self.is_zero(x - y)
+
+    def inverse(self, x: E) -> E:
+        """Return 1/x, or raise :class:`NotInvertibleError`."""
+        if self.is_zero(x - self.one):
+            return x
+        if self.is_zero(x + self.one):
+            return x
+        raise NotInvertibleError(f"{self.text(x)} is not known to be invertible in {self.name}")
 
     def is_unit(self, x: E) -> bool:
         """Tell whether x has an inverse."""
@@ -332,6 +141,59 @@ class Ring(ABC, Generic[E]):
     def power(self, x: E, n: int) -> E:
         """Return xⁿ by repeated squaring; n < 0 inverts first."""
         return power(self.one, x if n >= 0 else self.inverse(x), abs(n))
+
+    def annihilator(self, x: E) -> E | None:
+        """Return some nonzero y with x·y = 0, or None; in a domain only x = 0 has one."""
+        return self.one if self.is_zero(x) else None
+
+    def vanishes(self, x: E) -> bool:
+        """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
+        return self.is_zero(x)
+
+    def agree(self, x: E, y: E) -> bool:
+        """Tell whether x = y as far as they are known."""
+        return self.vanishes(x - y)
+
+    @property
+    def gen(self) -> E:
+        """The generator: the class of x, the square root, the variable."""
+        raise UndecidedError(f"{self.name} has no generator")
+
+    def text(self, x: E, style: str = "plain") -> str:
+        """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
+        return str(x)
+
+    def key(self, x: E) -> Hashable:
+        """Return a hashable stand-in: equal elements have equal keys."""
+        return self.text(x)
+
+    def state(self, x: E) -> object:
+        """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
+        return self.text(x)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Ring) and self.name == other.name
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+class Named(Core[E]):
+    """What a ring reads and writes: its elements, itself as words, as data and in LaTeX."""
+
+    parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
+
+    def in_words(self) -> str:
+        """Say what the ring is, for people: ``rational functions in z over ℚ``; by default its name."""
+        return self.name
+
+    @property
+    def data(self) -> dict[str, Any] | None:
+        """The ring as JSON data, of which certificates are (docs/certificates.md); None where it has none."""
+        return None
 
     def names(self) -> dict[str, E]:
         """What names mean in this ring's texts: its generators (GF(4)(t) has x and t)."""
@@ -365,15 +227,6 @@ class Ring(ABC, Generic[E]):
         name = shorten(self.name)
         return CoercionError(f"{shorten(called, 80)} is not an element of {name}: {hint or mend}")
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Ring) and self.name == other.name
-
-    def __hash__(self) -> int:
-        return hash(self.name)
-
-    def __repr__(self) -> str:
-        return self.name
-
     @property
     def latex_name(self) -> str:
         """The name in LaTeX's mathematics."""
@@ -383,6 +236,241 @@ class Ring(ABC, Generic[E]):
 
     def _repr_latex_(self) -> str:
         return f"${self.latex_name}$"
+
+
+class Enumerated(Core[E]):
+    """What a finite ring lists, and any ring draws at random."""
+
+    def elements(self) -> Iterator[E]:
+        """Run through all elements of a finite ring, 0 and 1 first."""
+        raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
+
+    def random(self, rng: Random) -> E:
+        """Return a random element, small if the ring is infinite; the same for the same seed."""
+        return self(rng.randint(-9, 9))
+
+
+class WithSquares(Core[E]):
+    """What is known of squares, of roots, and of orderings, which hang on them."""
+
+    closure: str | None = None  # "real closed" or "algebraically closed", where it is
+
+    @property
+    def level(self) -> Known:
+        """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
+        return Known(None, "nothing is known of the squares of this ring")
+
+    def minus_one_as_squares(self) -> tuple[E, ...]:
+        """Elements, as few as the level says, whose squares add up to −1; () if not known."""
+        return ()
+
+    def sqrt(self, x: E) -> E | None:
+        """Return some y with y² = x, or None when there is none; undecided if not known."""
+        raise UndecidedError(f"square roots in {self.name} cannot be decided")
+
+    def is_square(self, x: E) -> bool:
+        """Tell whether x is a square, also where its roots cannot be written down."""
+        return self.sqrt(x) is not None
+
+    def roots(self, coefficients: Sequence[E]) -> list[E]:
+        """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
+
+        Raises :class:`UndecidedError` where they are not computed.
+        """
+        raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
+
+    def is_rootless(self, coefficients: Sequence[E]) -> bool:
+        """Tell whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
+        if len(coefficients) != 3 or self.characteristic == 2 or self.is_zero(coefficients[2]):
+            return False
+        c, b, a = coefficients
+        try:
+            return self.sqrt(b * b - self(4) * a * c) is None
+        except UndecidedError:
+            return False
+
+    @property
+    def orderings(self) -> Known:
+        """How many orderings the field has (0 exactly when the level is finite)."""
+        if self.level.value is None:
+            return Known(None, self.level.reason)
+        if self.level.value == INFINITY:
+            return Known(None, "at least one, for −1 is not a sum of squares")
+        return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
+
+    def sign(self, x: E, ordering: int = 0) -> int:
+        """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
+
+        Raises :class:`RingError` where there is no such ordering.
+        """
+        self.check_ordering(ordering)
+        raise UndecidedError(f"{self.name} has no ordering that is known")
+
+    def check_ordering(self, ordering: int) -> None:
+        """Refuse the number of an ordering that the ring does not have."""
+        known = self.orderings.value
+        if ordering < 0 or (known is not None and ordering >= known):
+            raise RingError(f"{self.name} has no ordering number {ordering}; there are {known}")
+
+
+class WithRelatives(Core[E]):
+    """What belongs to a ring that is no field, or is above another one: fractions, residues, constants."""
+
+    def euclid(self, x: E, y: E) -> tuple[E, E]:
+        """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
+
+        Raises :class:`UndecidedError` for any other ring.
+        """
+        raise UndecidedError(f"{self.name} is not known to be Euclidean")
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is, as far as that is known."""
+        return self.is_field or self.fractions is not None
+
+    @property
+    def fractions(self) -> Ring | None:
+        """The field of fractions of an integral domain that is no field, where it has a name."""
+        return None
+
+    def modulo(self, n: int) -> Ring | None:
+        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
+        return None
+
+    @property
+    def residues_of(self) -> tuple[Ring, Any] | None:
+        """The Euclidean ring R and the m for which this is R/m, None for any other ring.
+
+        :meth:`lift` then gives an element of R for each of this ring.
+        """
+        return None
+
+    def lift(self, x: E) -> Any:
+        """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
+        raise UndecidedError(f"{self.name} is not known as a ring of residues")
+
+    @property
+    def constants(self) -> Ring | None:
+        """The ring k of constants of k(x) and k[x, …], None for any other ring."""
+        return None
+
+    def as_constant(self, x: E) -> Any:
+        """Return the element of the ring of constants that x is, or None."""
+        return None
+
+    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+        """Return the map of a ring into this one where texts would not do, or None.
+
+        Raises :class:`CoercionError` where there is no map.
+        """
+        return None
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return what the names of this ring mean in another, where its own names would not tell.
+
+        Raises :class:`CoercionError` where they mean nothing there.
+        """
+        return {}
+
+
+class WithArrays(Core[E]):
+    """Arrays of elements."""
+
+    def array(self, values: object) -> Any:
+        """Turn an element, a sequence or an array into an array that computes elementwise."""
+        from hfield.rings.arrays import objects
+
+        return objects(values, self)
+
+    def array_inverse(self, values: Any) -> Any:
+        """Invert an array of units elementwise; the caller has checked that they are units."""
+        import numpy as np
+
+        inverses = [self.inverse(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
+        return self.array(inverses).reshape(values.shape)
+
+    def array_units(self, values: Any) -> np.ndarray:
+        """Return a bool array: which entries are units. Faster where a library tells at once."""
+        import numpy as np
+
+        flags = [self.is_unit(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
+        return np.array(flags, dtype=bool).reshape(values.shape)
+
+    def scalar(self, x: Any) -> E:
+        """Turn an entry of ``array`` back into an element."""
+        element: E = x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+        return element
+
+
+class WithPlaces(Core[E]):
+    """What a field with places says of them, and who knows their theory."""
+
+    arithmetic: str = ""  # what in hfield.fields knows the theory of a field with places
+    completions: str = ""  # what in hfield.fields completes it at a place
+
+    def places(self) -> Iterator[Hashable]:
+        """Run through the places of a global field without end, infinite ones first; texts read back.
+
+        Raises :class:`UndecidedError` for any other ring.
+
+        >>> from itertools import islice
+        >>> from hfield import ring
+        >>> list(islice(ring("QQ(I)").places(), 4))
+        [inf, 2, 3, (5, I-2)]
+        """
+        raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
+
+    def place_data(self, place: Any) -> dict[str, Any]:
+        """Return a place of the field as JSON data."""
+        found: dict[str, Any] = place.data
+        return found
+
+    def completion(self, place: object) -> Ring:
+        """Return the completion of a global field at a place, or at its text.
+
+        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
+        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
+        elements of the field in it. Raises :class:`RingError` for a place of another field,
+        :class:`UndecidedError` where there are no places.
+
+        >>> from hfield import ring
+        >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
+        (Qp(5), QQ(I)_(5, I-2), RR)
+        """
+        if not self.completions:
+            raise UndecidedError(
+                f"{self.name} is not a global field: it has no places to complete it at"
+            )
+        completed: Ring = of_fields(self.completions)(self, place)
+        return completed
+
+
+class Ring(Named[E], Enumerated[E], WithSquares[E], WithRelatives[E], WithArrays[E], WithPlaces[E]):
+    """A commutative ring with 1: all that is asked of one, with answers that say "not known".
+
+    A class of rings gives ``name``, ``characteristic``, ``__call__``, and what else it knows.
+
+    >>> from hfield import GF
+    >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
+    (True, 9, 'x')
+    """
+
+    def holding(self, constants: Constants) -> Holding:
+        """Return how elements of the algebra with these constants are held; by default as they are."""
+        from hfield.rings.held.plain import Plain
+
+        return Plain(self, constants)
+
+    def array_holding(self, constants: Constants) -> Batch:
+        """Return how arrays of such elements are held: as these are, one by one.
+
+        A ring whose arrays are a library's own computes with four of those.
+        """
+        if type(self).array is not WithArrays.array:
+            return Batch(self, constants)
+        from hfield.rings.array_held.held_values import HeldArrays
+
+        return HeldArrays(self, constants)
 
 
 def shared(kind: Callable[..., R], *arguments: Hashable) -> R:

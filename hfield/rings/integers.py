@@ -153,6 +153,7 @@ class Rationals(_Ordered):
     name = "QQ"
     is_field = True
     arithmetic = "rationals.arithmetic.RationalArithmetic"
+    completions = "rationals.completions.completion_of_rationals"
 
     def in_words(self) -> str:
         """Say what ℚ is."""
@@ -200,6 +201,16 @@ class Rationals(_Ordered):
         """Return the rational roots of a polynomial that is not 0."""
         return rational_roots(coefficients)
 
+    def is_rootless(self, coefficients: Sequence[flint.fmpq]) -> bool:
+        """Tell whether a polynomial has no rational root: no linear factor."""
+        return coefficients[-1] != 0 and not rational_roots(coefficients)
+
+    degree = 1
+
+    def integral_basis(self) -> tuple[flint.fmpq]:
+        """Return 1."""
+        return (self.one,)
+
     def random(self, rng: Random) -> flint.fmpq:
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
@@ -214,12 +225,6 @@ class Rationals(_Ordered):
         """Run through the places: ``"inf"``, then the primes."""
         yield "inf"
         yield from primes()
-
-    def completion(self, place: object) -> Ring:
-        """Return ℚ_p, or RR at infinity."""
-        from hfield.fields.rationals.completions import completion_of_rationals
-
-        return completion_of_rationals(self, place)
 
 
 class Residues(Modular):

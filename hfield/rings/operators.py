@@ -1,4 +1,4 @@
-"""The operators of elements that know their field, from a sum, a negative and a product of two elements."""
+"""The operators of elements that know their field, and fields above a ring, whose elements have them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from abc import abstractmethod
 from typing import Any, Self
 
 from hfield.errors import CoercionError
-from hfield.rings.rational import rational
+from hfield.rings.base import E, Ring
+from hfield.rings.rational import rational, unwrap
 
 
 class Element:
@@ -103,3 +104,31 @@ class Element:
 
     def __reduce__(self) -> tuple[object, ...]:
         return self.field, (self.field.text(self),)
+
+
+class Overfield(Ring[E]):
+    """A field above a ring; its elements are :class:`~hfield.rings.operators.Element`.
+
+    A class of such fields gives :meth:`from_below`.
+    """
+
+    is_field = True
+
+    @abstractmethod
+    def from_below(self, x: object) -> E:
+        """Return as an element of the field what the ring below reads; it raises :class:`CoercionError`."""
+
+    def __call__(self, x: object) -> E:
+        """Return an element as it is, turn what the ring below reads into one, read a text.
+
+        Raises :class:`CoercionError`.
+        """
+        x = unwrap(x)
+        if isinstance(x, Element) and (x.field is self or x.field == self):
+            return x  # type: ignore[return-value]  # a field has elements of one class
+        if isinstance(x, str):
+            return self.parse(x)
+        try:
+            return self.from_below(x)
+        except CoercionError:
+            raise self.refuse(x) from None

@@ -19,7 +19,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.primality import WORD
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Known, Ring, of_fields, shared
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.powers import polynomial_power
@@ -80,12 +80,20 @@ class PolynomialRing(Ring):
     @property
     def fractions(self) -> Ring | None:
         """The rational functions, where they are offered: in one variable."""
-        from hfield.fields.function_fields.ring import FunctionField
-
         if len(self.variables) > 1:
             return None
         base, name = self.base.fractions or self.base, self.variables[0]
-        return shared(FunctionField, base, name)
+        found: Ring = shared(of_fields("function_fields.ring.FunctionField"), base, name)
+        return found
+
+    @property
+    def constants(self) -> Ring:
+        """The ring of coefficients."""
+        return self.base
+
+    def as_constant(self, x: SparsePolynomial) -> Coefficient | None:
+        """Return the coefficient that x is, or None."""
+        return self.constant_part(x) if x.is_constant() else None
 
     def names(self) -> dict[str, SparsePolynomial]:
         """The variables."""

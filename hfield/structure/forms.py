@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, WithSquares
 
 
 class NormalForm(NamedTuple):
@@ -96,7 +96,7 @@ def pairing_matrix(ring: Ring, c: Constants) -> list[list[Any]]:
     ]
 
 
-def root_if_known(ring: Ring, x: Scalar) -> Scalar | None:
+def root_if_known(ring: WithSquares, x: Scalar) -> Scalar | None:
     """Return a square root; None where there is none, and where that is not decided."""
     try:
         return ring.sqrt(x)

@@ -7,16 +7,14 @@ A kind is a class of rings that names, as its ``arithmetic``, the class of :clas
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from functools import cache
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from hfield.errors import RingError, UndecidedError
+from hfield.errors import RingError, UndecidedError, shorten
 from hfield.factorisation import Factors
 from hfield.product import Constants, Coordinates, Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, of_fields
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
@@ -28,7 +26,8 @@ if TYPE_CHECKING:
 
 def global_field(ring: Ring) -> GlobalField | None:
     """Return the arithmetic of a field with places, or None for a ring of any other kind."""
-    return _arithmetic(ring.arithmetic).of(ring) if ring.arithmetic else None
+    kind: type[GlobalField] | None = of_fields(ring.arithmetic) if ring.arithmetic else None
+    return None if kind is None else kind.of(ring)
 
 
 def known_field(ring: Ring) -> GlobalField:
@@ -40,15 +39,23 @@ def known_field(ring: Ring) -> GlobalField:
 
 
 def field_named_by(*things: object) -> Ring | None:
-    """Return the field with places that the first of some elements and places belongs to."""
+    """Return the field with places that the first of some elements and places belongs to.
+
+    Numbers of no field say what finds a common one. Raises :class:`RingError` where there is none.
+    """
     fields = (getattr(x, "field", None) for x in things)
-    return next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
+    named = next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
+    finders = (x.common_field for x in things if hasattr(x, "common_field"))
+    finder = None if named else next(finders, None)
+    return of_fields(finder)(*things) if finder else named
 
 
-@cache
-def _arithmetic(where: str) -> type[GlobalField]:
-    module, _, name = where.rpartition(".")
-    return getattr(import_module(f"hfield.fields.{module}"), name)  # type: ignore[no-any-return]
+def no_flag(ring: Ring) -> RingError:
+    """Return the error for ramification that is given by primes and a flag, over a ring other than ℚ."""
+    return RingError(
+        f"algebras over {shorten(ring.name)} are not made from ramified primes and a flag: expected QQ, or a "
+        "number field and its places, infinite ones too"
+    )
 
 
 class GlobalField(ABC):
@@ -79,15 +86,18 @@ class GlobalField(ABC):
     def read_place(self, text: object) -> Hashable:
         """Return the place that a text names; a place is returned as it is. Raises :class:`RingError`."""
 
-    @abstractmethod
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
         """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
 
         ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
-        Raises :class:`RingError` for a 0 and for a place that is none.
+        Raises :class:`RingError` for a 0 and for a place that is none, :class:`UndecidedError` where
+        completions are no local fields.
         """
+        raise UndecidedError(
+            f"the completions of {self.ring} are not local fields: ask for residues"
+        )
 
     def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[Any, Any]:
         """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
@@ -117,11 +127,16 @@ class GlobalField(ABC):
             f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
         )
 
-    def with_ramification(self, places: Iterable[object]) -> tuple[Scalar, Scalar]:
+    def with_ramification(
+        self, places: Sequence[Any], infinite: bool | None = None
+    ) -> tuple[Scalar, Scalar]:
         """Return constants (a, b) of an algebra that ramifies exactly at the places.
 
-        Raises :class:`RingError` where the field does not know how, or where there is none.
+        ``infinite`` may say over ℚ whether ∞ is one. Raises :class:`RingError` where the field does not know
+        how, or where there is none.
         """
+        if infinite is not None:
+            raise no_flag(self.ring)
         raise RingError(
             f"algebras are made from their ramification over number fields, not over {self.ring}"
         )
@@ -140,12 +155,12 @@ class GlobalField(ABC):
         that there is none.
         """
 
-    @abstractmethod
     def residues(self, place: Any) -> FinitePlace | None:
         """Return a finite place with its residue field, as in :mod:`hfield.structure.finite_places`.
 
         None for an infinite place of a number field, and where the residue field is not finite.
         """
+        return None
 
     def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
         """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
@@ -185,19 +200,19 @@ class GlobalField(ABC):
         """Let the primes that are found in one of the constants serve for all, while this lasts."""
         return nullcontext()
 
-    @abstractmethod
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
 
         Both are the constants of normal forms, and isomorphic; division algebras, where that is of use.
         """
+        raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
 
-    @abstractmethod
     def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
         """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
 
         It is a division algebra, the characteristic is not 2, and s is no square (Voight, 14.6.7).
         """
+        raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
     # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
 

@@ -41,30 +41,37 @@ class Conic:
 
     def value(self, v: Vector) -> Any:
         """Return f(v)."""
-        x, y, z = v
-        a, b, c, r, s, t = self.form
-        return a * (x * x) + b * (y * y) + c * (z * z) + r * (y * z) + s * (x * z) + t * (x * y)
+        return dot(v, self._half(v))
 
     def coefficients(self, lattice: Lattice) -> Form:
         """Return the coefficients of the scaled form on the basis."""
-        u, v, w = lattice.basis
-        s = lattice.scale
-        f, g, h = self.value(u), self.value(v), self.value(w)
-        return (
-            s * f,
-            s * g,
-            s * h,
-            *(s * p for p in (self._pair(v, w), self._pair(u, w), self._pair(u, v))),
+        s, basis = lattice.scale, lattice.basis
+        halves = [self._half(v) for v in basis]
+        f, g, h = (s * dot(v, half) for v, half in zip(basis, halves, strict=True))
+        p, q, r = (
+            s * (dot(basis[m], halves[n]) + dot(basis[n], halves[m]))
+            for m, n in ((1, 2), (0, 2), (0, 1))
         )
+        return f, g, h, p, q, r
 
-    def _pair(self, u: Vector, v: Vector) -> Any:
-        total = [x + y for x, y in zip(u, v, strict=True)]
-        return self.value(total) - self.value(u) - self.value(v)
+    def _half(self, v: Vector) -> Vector:
+        """Return a vector linear in v, whose product with v is f(v)."""
+        x, y, z = v
+        a, b, c, r, s, t = self.form
+        return [a * x + t * y + s * z, b * y + r * z, c * z]
 
     def start(self) -> Lattice:
         """Return the standard lattice."""
         o, e = self.zero, self.one
         return Lattice([[e, o, o], [o, e, o], [o, o, e]], e)
+
+
+def dot(u: Vector, v: Vector) -> Any:
+    """Return Σ u[i]·v[i]."""
+    total = u[0] * v[0]
+    for x, y in zip(u[1:], v[1:], strict=True):
+        total = total + x * y
+    return total
 
 
 def norm_form(field: Ring, c: Constants) -> Form:
@@ -85,7 +92,7 @@ def minimise(conic: Conic, lattice: Lattice, place: FinitePlace) -> bool:
     """Change the lattice at a place until the half-discriminant is a unit there, and return True.
 
     Where the place is ramified that is impossible: then the half-discriminant is left with
-    valuation 1, and the answer is False. ``place`` is a :class:`ResidueField` or a :class:`PrimePlace`.
+    valuation 1, and the answer is False.
     """
     pi = place.uniformiser
     inverse = place.inverse_uniformiser

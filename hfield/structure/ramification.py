@@ -5,9 +5,8 @@ from typing import Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors, known_primes
-from hfield.fields.number_fields.quadratic.ring import common_quadratic_field
 from hfield.product import Constants, Scalar
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, WithPlaces
 from hfield.rings.integers import QQ
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import field_named_by, global_field
@@ -31,13 +30,13 @@ def hilbert_symbol(
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
     """
-    field = field_named_by(a, b, place) or common_quadratic_field(a, b) or QQ
+    field = field_named_by(a, b, place) or QQ
     known = global_field(field)
     assert known is not None, "only fields with places are named"
     return known.hilbert_symbol(a, b, place, factors)
 
 
-def places(ring: Ring) -> Iterator[Hashable]:
+def places(ring: WithPlaces) -> Iterator[Hashable]:
     """Run through the places of a global field, without end: infinite ones, then by size.
 
     Raises :class:`UndecidedError` for a ring that has no such list.

@@ -7,11 +7,11 @@ import pytest
 
 from hfield import QuaternionAlgebra, prove, ring
 from hfield.errors import RingError, UndecidedError
-from hfield.fields.several_variables.leading_terms import by_leading_terms
 from hfield.product import Constants, norm
 from hfield.structure import zero_norm
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
+from hfield.structure.norm_forms.leading_terms import by_leading_terms
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterable, Iterator, Mapping
-from math import prod
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
@@ -23,18 +23,20 @@ from hfield.fields.function_fields.places import FunctionPlace, place_of_functio
 from hfield.fields.function_fields.residues import AtInfinity, ResidueField
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.roots import traceless_root_functions
-from hfield.fields.function_fields.slots import common_slot_functions
-from hfield.fields.function_fields.slots_searched import searched_slot
-from hfield.fields.function_fields.specialised_evidence import specialised_evidence
+from hfield.fields.function_fields.slots import common_slot_functions, searched_slot
 from hfield.fields.function_fields.symbols import (
     ramified_places_functions,
     same_class_rational_functions,
     symbol,
 )
+from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
+from hfield.primality import primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
-from hfield.structure.forms import NormalForm, normal_form
-from hfield.structure.global_field import GlobalField
+from hfield.rings.integers import QQ
+from hfield.rings.whole_numbers import square_class
+from hfield.structure.forms import NormalForm, discriminant, normal_form
+from hfield.structure.global_field import GlobalField, known_field
 from hfield.structure.isomorphisms.through_slots import (
     conic_point,
     generator_by_slot,
@@ -44,6 +46,12 @@ from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient
+
+
+POINTS, FEW = 400, 5  # values tried for a specialisation; those at which all primes are looked for
+SMALL = list(primes(1_000))
+
+Evidence = Mapping[str, Any]
 
 
 class FunctionArithmetic(GlobalField):
@@ -83,10 +91,7 @@ class FunctionArithmetic(GlobalField):
 
     def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
         """Return the product of the polynomials."""
-        one = self.ring.one.num
-        return self.ring.quotient(
-            prod((v.poly for v in ramified if v.poly is not None), start=one), one
-        )
+        return self.ring.product_of(v.poly for v in ramified)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, found by minimising it at all places."""
@@ -126,10 +131,6 @@ class OverEven(FunctionArithmetic):
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by a square root of b and one conic."""
         return embed_even(self.ring, outer, inner)
-
-    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
-        """Refuse: the characteristic is 2, where :meth:`as_norm` gives the root."""
-        raise AssertionError("in characteristic 2 square roots are norms")
 
     def square_parts(self, x: Quotient) -> tuple[Quotient, Quotient]:
         """Return the even and the odd part of x, each under its root."""
@@ -183,3 +184,36 @@ class OverRationals(FunctionArithmetic):
         """Return x where a rational point of the line does not forbid it and one is found."""
         found = traceless_root_functions(self.ring, form, s)
         return None if found is None else (self.ring.zero, *found)
+
+
+def specialised_evidence(c: Constants) -> Iterator[Evidence]:
+    """Yield values of the variable at which an algebra over ℚ(x) becomes a division algebra over ℚ.
+
+    There are infinitely many if it is one itself: ℚ is Brauer–Hilbertian (Fein, Saltman and Schacher, *Trans.
+    Amer. Math. Soc.* 334 (1992)). At most of them a small prime is ramified.
+    """
+    for n in range(POINTS):
+        point = QQ((n + 1) // 2 * (-1) ** n)
+        if any(x.den(point) == 0 for x in c):
+            continue
+        special = Constants(*(x.num(point) / x.den(point) for x in c))
+        if not discriminant(special):
+            continue
+        proof = _rational(special, every=n < FEW)
+        if proof is not None:
+            yield {"by": "specialisation", "at": QQ.text(point), "proof": proof}
+
+
+def _rational(c: Constants, every: bool) -> Evidence | None:
+    """Return evidence over ℚ; from small primes alone, or from ``every`` prime if these can be found."""
+    form = normal_form(QQ, c)
+    if form.a < 0 and form.b < 0:
+        return {"by": "ordering"}
+    whole = square_class(form.a) * square_class(form.b)
+    primes: Iterable[Any] = (
+        p for p in SMALL if (p == 2 or whole % p == 0) and hilbert_symbol_q(form.a, form.b, p) < 0
+    )
+    if every:
+        with suppress(UndecidedError):
+            primes = ramified_places_q(form.a, form.b)
+    return next(known_field(QQ).evidence(c, primes), None)

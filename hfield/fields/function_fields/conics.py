@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.fields.function_fields.residues import ResidueField
-from hfield.fields.rationals.conics import solve_conic
-from hfield.fields.rationals.diagonal_forms import diagonalise
+from hfield.fields.rationals.conics import diagonalise, solve_conic
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.product import Constants
 from hfield.rings.whole_numbers import fraction

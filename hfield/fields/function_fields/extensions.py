@@ -1,4 +1,4 @@
-"""Finite extensions F[u]/(f) of fields of rational functions, as far as arithmetic goes."""
+"""Finite extensions F[u]/(f) of fields of rational functions, as far as arithmetic goes, and their names."""
 
 from __future__ import annotations
 
@@ -6,17 +6,29 @@ from collections.abc import Hashable, Sequence
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import NotInvertibleError, UndecidedError
+from hfield import syntax
+from hfield.errors import (
+    CoercionError,
+    HFieldError,
+    NotInvertibleError,
+    RingError,
+    UndecidedError,
+    shorten,
+)
+from hfield.fields.function_fields.quotients import Quotient
+from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions, listed
 from hfield.rings.base import Known, Ring, shared
-from hfield.rings.finite import ExtensionField, PrimeField
-from hfield.rings.operators import Element
-from hfield.rings.overfield import Overfield
+from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
+from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
-from hfield.rings.printing import sum_text
+from hfield.rings.printing import blackboard, from_unicode, sum_text
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient
+
+
+MAX_DEGREE = 20
 
 
 class ExtensionElement(Element):
@@ -70,6 +82,19 @@ class SimpleExtension(Overfield[ExtensionElement]):
     def __reduce__(self) -> tuple[object, ...]:
         below = self.base, self.gen_name, self.modulus_coefficients
         return shared, (type(self), self.name, self._words, *below)
+
+    @property
+    def expanded_in(self) -> tuple[str, ...]:
+        """The variables of k(x, y, …), if the root is one of a polynomial over k."""
+        if not isinstance(self.base, RationalFunctions):
+            return ()
+        c = self.modulus_coefficients
+        constant = all(x.num.is_constant() and x.den.is_constant() for x in c)
+        return self.base.variables if constant else ()
+
+    def parts(self, x: ExtensionElement) -> list[Quotient]:
+        """Return the coefficients of x that are not 0."""
+        return [c for c in x.coefficients if c.num != 0]
 
     @property
     def data(self) -> dict[str, Any]:
@@ -205,6 +230,21 @@ def _divmod(
     return quotient, stripped(base, rest)
 
 
+def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:
+    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
+    if not isinstance(base, FiniteField) and base.name != "QQ":
+        shown = shorten(f"{base}({','.join(names)})")
+        example = "QQ(x) or GF(4)(t)" if len(names) == 1 else "QQ(x,y) or GF(4)(s,t)"
+        raise RingError(
+            f"{shown}: rational functions are over QQ or a finite field, as in {example}"
+        )
+    if len(names) == 1:
+        return shared(FunctionField, base, names[0])
+    if isinstance(base, ExtensionField):
+        return over_extended_constants(base, names)
+    return shared(RationalFunctions, build_polynomials(base, names))
+
+
 def over_extended_constants(
     constants: ExtensionField, variables: tuple[str, ...]
 ) -> SimpleExtension:
@@ -215,3 +255,82 @@ def over_extended_constants(
     words = f"rational functions in {listed(variables)} over {constants.name}"
     modulus = tuple(base(c) for c in constants.coefficients)
     return shared(SimpleExtension, name, words, base, constants.gen_name, modulus)
+
+
+def build(base: Ring, variable: str, text: str) -> SimpleExtension:
+    """Return F[u]/(f) for the text of an irreducible f. Raises :class:`RingError` for any other."""
+    what = f"{base}[{variable}]/({shorten(text)})"
+    if not isinstance(base, (FunctionField, RationalFunctions)):
+        raise RingError(
+            f"{what}: extensions are taken of fields such as QQ(x), GF(3)(t) and QQ(x,y)"
+        )
+    f = _read(base, variable, text, what)
+    if not 2 <= len(f) - 1 <= MAX_DEGREE:
+        raise RingError(
+            f"{what}: expected a polynomial in {variable} of a degree from 2 to {MAX_DEGREE}"
+        )
+    scale = base.inverse(f[-1])
+    f = [scale * c for c in f]
+    _check_irreducible(base, variable, f, what)
+    nameless = SimpleExtension("", "", base, variable, f)
+    shown = nameless.text(ExtensionElement(nameless, f))  # one coefficient more than an element has
+    name = f"{base}[{variable}]/({shown})"
+    words = f"the extension of degree {len(f) - 1} of {blackboard(base.name)} by a root of {shown}"
+    return shared(SimpleExtension, name, words, base, variable, tuple(f))
+
+
+def _read(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
+    """Read a polynomial in the variable over F, low degree first."""
+    free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
+
+    def divided(x: ExtensionElement, y: ExtensionElement) -> ExtensionElement:
+        if not all(map(base.is_zero, y.coefficients[1:])):
+            raise CoercionError(f"a polynomial in {variable} has no {variable} in a denominator")
+        return x * free(base.inverse(y.coefficients[0]))
+
+    def power(x: ExtensionElement, n: int) -> ExtensionElement:
+        size = len(stripped(base, x.coefficients)) - 1
+        if n < 0 or size * n > MAX_DEGREE:
+            raise CoercionError(f"its degree is not from 2 to {MAX_DEGREE}")
+        return free.power(x, n)
+
+    reader = syntax.Reader(free, free.names(), {"/": divided, "**": power}, what, base.parse_limit)
+    try:
+        return stripped(base, reader.read(from_unicode(text)).coefficients)
+    except HFieldError as error:
+        raise RingError(f"{what} cannot be read: {error}") from error
+
+
+def _check_irreducible(base: Any, variable: str, f: list[Quotient], what: str) -> None:
+    """Raise :class:`RingError` unless f is irreducible over the field of rational functions."""
+    if base.characteristic == 0 or (
+        isinstance(base.base, Ring) and base.base.order == base.characteristic
+    ):
+        factors = _factors(base, variable, f)
+        if len(factors) == 1 and factors[0][1] == 1:
+            return
+        parts = "*".join(f"({p})" + (f"^{n}" if n > 1 else "") for p, n in factors)
+        raise RingError(f"{what}: the polynomial is reducible, {shorten(parts)} up to a constant")
+    if len(f) == 3 and base.characteristic != 2:
+        if base.sqrt(f[1] * f[1] - f[0] * 4) is None:
+            return
+        raise RingError(f"{what}: the polynomial is reducible, for its discriminant is a square")
+    raise RingError(
+        f"{what}: whether the polynomial is irreducible is not decided over {base}; over GF(p) and QQ it is"
+    )
+
+
+def _factors(base: Any, variable: str, f: list[Quotient]) -> list[tuple[Any, int]]:
+    """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
+    several = isinstance(base, RationalFunctions)
+    names = base.variables if several else (base.gen_name,)
+    R = build_polynomials(base.base, (*names, variable))
+    below, total = R.one, R.zero
+    parts = []
+    for c in f:
+        top, under = (R(base.text(base.quotient(p, base.one.num))) for p in (c.num, c.den))
+        parts.append((top, under))
+        below = R.divide(below * under, below.gcd(under))
+    for n, (top, under) in enumerate(parts):
+        total = total + top * R.divide(below, under) * R.power(R(variable), n)
+    return [(p, int(n)) for p, n in total.factor()[1] if int(p.degrees()[-1]) > 0]

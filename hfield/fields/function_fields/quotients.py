@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Iterable
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError
-from hfield.rings.operators import Element
-from hfield.rings.overfield import Overfield
+from hfield.rings.base import INFINITY, Known
+from hfield.rings.operators import Element, Overfield
 from hfield.rings.powers import polynomial_power
 
 if TYPE_CHECKING:
@@ -80,13 +82,20 @@ class Quotient(Element):
 
 
 class FractionField(Overfield[Quotient]):
-    """The fractions of polynomials, in one variable or in several; ``_one`` is the polynomial 1."""
+    """The fractions of polynomials over ``base``, in one variable or several; ``_one`` is their 1."""
 
+    base: Ring
+    variables: tuple[str, ...]
     _one: AnyPolynomial
 
     @abstractmethod
     def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
         """Return num/den in lowest terms; den is not 0."""
+
+    def product_of(self, polynomials: Iterable[AnyPolynomial | None]) -> Quotient:
+        """Return the product of the polynomials among what stands for places."""
+        product = prod((p for p in polynomials if p is not None), start=self._one)
+        return self.quotient(product, self._one)
 
     def is_one(self, poly: AnyPolynomial) -> bool:
         """Tell whether a polynomial is 1."""
@@ -109,6 +118,21 @@ class FractionField(Overfield[Quotient]):
     def power(self, x: Quotient, n: int) -> Quotient:
         """Return xⁿ; n < 0 inverts first."""
         return x**n
+
+    @property
+    def level(self) -> Known:
+        """The level of the field k of constants: squares with sum −1 have such values, where no pole is."""
+        known, *several = self.base.level, *self.variables[1:]
+        large = "the variables" if several else self.variables[0]
+        if known.value == INFINITY:
+            return Known(INFINITY, f"{self.name} has an ordering, with {large} infinitely large")
+        there = (self.name, "there") if several else ("F(t)", "in F")
+        shown = f"it is the level of {self.base.name}, for −1 is as many squares in {' as '.join(there)}"
+        return Known(known.value, f"{shown}; there {known.reason}")
+
+    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
+        """Return constants whose squares add up to −1."""
+        return tuple(self(c) for c in self.base.minus_one_as_squares())
 
 
 def functions_name(base: Ring, names: tuple[str, ...]) -> str:

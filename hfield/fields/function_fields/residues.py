@@ -9,14 +9,16 @@ from functools import cached_property
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-import flint
-
-from hfield.errors import UndecidedError
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.embeddings import square_root
+from hfield.fields.number_fields.ring import NumberField
 from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import FiniteField
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.function_fields.ring import FunctionField
     from hfield.rings.flint_types import Polynomial, SparsePolynomial
@@ -256,49 +258,10 @@ class AtInfinity(ResidueField):
 
 
 def _root_over_q(kappa: ResidueField, x: flint.fmpq_poly) -> flint.fmpq_poly | None:
-    """Return a square root in a number field ℚ[t]/π, or None.
-
-    For an x that generates the field, with minimal polynomial m, x is a square iff m(y²) is
-    reducible; then a factor g(y) = A(y²) + y·B(y²) of it gives the root −A(x)/B(x). Other x are
-    multiplied by squares until they generate.
-    """
+    """Return a square root in a number field ℚ[t]/π, or None."""
     if kappa.degree == 1:
         root = kappa.base.sqrt(x[0])
         return None if root is None else kappa.scalar(root)
-    shift = kappa.zero
-    for attempt in range(60):
-        s = (kappa.field.gen.num + shift) % kappa.modulus
-        factor = kappa.one if attempt == 0 else s
-        value = x * factor % kappa.modulus * factor % kappa.modulus
-        minimal = _minimal_polynomial(kappa, value)
-        if len(minimal) == kappa.degree + 1:
-            root = _root_of_generator(kappa, value, minimal)
-            return None if root is None else kappa.multiply(root, kappa.inverse(factor))
-        shift = shift + kappa.one
-    raise UndecidedError(f"no square multiple of {x} was found that generates the residue field")
-
-
-def _minimal_polynomial(kappa: ResidueField, x: flint.fmpq_poly) -> list[flint.fmpq]:
-    """Return the coefficients of the minimal polynomial over ℚ, low degree first, monic."""
-    n, t = kappa.degree, kappa.field.gen.num
-    rows = [x * t**m % kappa.modulus for m in range(n)]
-    return list(flint.fmpq_mat([[row[m] for m in range(n)] for row in rows]).minpoly().coeffs())
-
-
-def _root_of_generator(
-    kappa: ResidueField, x: flint.fmpq_poly, minimal: list[flint.fmpq]
-) -> flint.fmpq_poly | None:
-    t = kappa.field.gen.num
-    doubled = kappa.zero
-    for c in reversed(minimal):
-        doubled = doubled * t * t + kappa.scalar(c)
-    factors = doubled.factor()[1]
-    if len(factors) < 2:
-        return None
-    g = [kappa.base(c) for c in factors[0][0].coeffs()]
-    even, odd = kappa.zero, kappa.zero
-    for c in reversed(g[0::2]):
-        even = (even * x + kappa.scalar(c)) % kappa.modulus
-    for c in reversed(g[1::2]):
-        odd = (odd * x + kappa.scalar(c)) % kappa.modulus
-    return (kappa.zero - kappa.multiply(even, kappa.inverse(odd))) % kappa.modulus
+    K = NumberField(kappa.modulus)
+    y = square_root(K, FieldElement(K, x))
+    return None if y is None else y.poly

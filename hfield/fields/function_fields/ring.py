@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
@@ -45,9 +46,10 @@ class FunctionField(FractionField):
     """
 
     arithmetic = "function_fields.arithmetic.FunctionArithmetic"
+    completions = "function_fields.completions.completion_of_functions"
 
     def __init__(self, base: Ring, variable: str) -> None:
-        self.base, self.gen_name = base, variable
+        self.base, self.gen_name, self.variables = base, variable, (variable,)
         self.name = functions_name(base, (variable,))
         self.characteristic = base.characteristic
         self._polynomial = _polynomials_over(base)
@@ -79,6 +81,25 @@ class FunctionField(FractionField):
     def constant(self, c: Coefficient) -> Quotient:
         """Return the constant function of an element of the base field."""
         return Quotient(self, self._polynomial([c]), self._one)
+
+    @property
+    def constants(self) -> Ring:
+        """The field below."""
+        return self.base
+
+    def as_constant(self, x: Quotient) -> Coefficient | None:
+        """Return the element of the field below that x is, or None."""
+        if x.num.degree() > 0 or x.den.degree() > 0:
+            return None
+        return self.base.zero if x.num == 0 else self.base_element(x.num.leading_coefficient())
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return nothing: the variable keeps its name. Raises :class:`CoercionError` where it has none."""
+        variable, kept = self.gen_name, target.names()
+        same = not isinstance(target, FunctionField) or target.gen_name == variable
+        if variable in kept and same and target.order is None:
+            return {}
+        raise CoercionError(f"{self} does not map into {target}, which has no variable {variable}")
 
     def quotient(self, num: Polynomial, den: Polynomial) -> Quotient:
         """Return num/den in lowest terms; den is not 0."""
@@ -122,21 +143,6 @@ class FunctionField(FractionField):
         )  # flint's root may be −(a monic one)
 
     @property
-    def level(self) -> Known:
-        """The level of the base field: a sum of squares −1 in F(t) has one in F, at a pole-free point."""
-        known = self.base.level
-        if known.value == INFINITY:
-            return Known(
-                INFINITY, f"{self.name} has an ordering, with {self.gen_name} infinitely large"
-            )
-        shown = f"it is the level of {self.base.name}, for −1 is as many squares in F(t) as in F"
-        return Known(known.value, f"{shown}; there {known.reason}")
-
-    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
-        """Return constants whose squares add up to −1."""
-        return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
-
-    @property
     def orderings(self) -> Known:
         """Infinitely many over QQ, none over a finite field."""
         if self.characteristic:
@@ -165,12 +171,6 @@ class FunctionField(FractionField):
         from hfield.fields.function_fields.places import all_places
 
         return all_places(self)
-
-    def completion(self, place: object) -> Ring:
-        """Return a field of Laurent series, over a finite field of constants."""
-        from hfield.fields.function_fields.completions import completion_of_functions
-
-        return completion_of_functions(self, place)
 
     def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""

@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+import flint
+
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
 from hfield.fields.function_fields.ring import FunctionField
@@ -21,17 +23,16 @@ from hfield.fields.function_fields.symbols import (
     ramified_places_functions,
     tame_residue,
 )
-from hfield.fields.rationals.diagonal_forms import isotropic_vector
 from hfield.fields.rationals.embedding import traceless_root_rational
+from hfield.fields.rationals.symbols import is_isotropic
 from hfield.product import Constants
 from hfield.rings.integers import QQ
+from hfield.rings.rational import fmpq
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import NormalForm
 from hfield.structure.isomorphisms.isomorphic import isomorphism
 
 if TYPE_CHECKING:
-    import flint
-
     from hfield.fields.function_fields.quotients import Quotient
 
 
@@ -121,7 +122,7 @@ def _isotropic_at(coefficients: list[Quotient], point: Fraction | None) -> bool:
     for x in coefficients:
         order, lead = _leading(x, point)
         parts[order % 2].append(lead)
-    return any(map(_isotropic, parts))
+    return any(map(is_isotropic, parts))
 
 
 def _leading(x: Quotient, point: Fraction | None) -> tuple[int, Fraction]:
@@ -131,30 +132,10 @@ def _leading(x: Quotient, point: Fraction | None) -> tuple[int, Fraction]:
 
 
 def _leading_of(p: flint.fmpq_poly, point: Fraction | None) -> tuple[int, Fraction]:
-    values = [fraction(c) for c in p.coeffs()]
     if point is None:
-        return -(len(values) - 1), values[-1]
-    order = 0
-    while True:
-        rest, quotient = Fraction(0), []
-        for c in reversed(values):
-            rest = rest * point + c
-            quotient.append(rest)
-        if quotient[-1]:
-            return order, quotient[-1]
-        values, order = quotient[-2::-1], order + 1
-
-
-def _isotropic(form: list[Fraction]) -> bool:
-    """Tell whether a diagonal form over ℚ has a nontrivial zero."""
-    if len(form) < 2:
-        return False
-    if len(form) == 2:
-        return QQ.sqrt(QQ(-form[0] / form[1])) is not None
-    if len(form) == 3:  # ternary: add the discriminant, which keeps it anisotropic if it is
-        a, b, c = form
-        return isotropic_vector([a, b, c, a * b * c]) is not None
-    return isotropic_vector(form) is not None
+        return -int(p.degree()), fraction(p.leading_coefficient())
+    shifted = p(flint.fmpq_poly([fmpq(point), 1])).coeffs()
+    return next((n, fraction(c)) for n, c in enumerate(shifted) if c != 0)
 
 
 # --- roots ----------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
-"""Common slots over GF(q)(t), q odd: an e for which every (x, e) ramifies at given places and nowhere else.
+"""Common slots over GF(q)(t), q odd, and ℚ(x): an e for which all (x, e) ramify at given places alone.
 
-As over quadratic fields (`slots`) e is built from local classes, by weak approximation and one new
+Over GF(q) it is built, as over number fields, from local classes, by weak approximation and one new
 prime. It is divisible by the primes that have to divide it, and cofactors are tried that are squares
 or not, as they should be, at every prime that matters: by chance at the few of highest degree, by the
 Chinese remainder theorem at the others. At new primes the symbols have to be 1; if there is only one
@@ -9,8 +9,9 @@ new prime they are, by the product formula.
 
 from __future__ import annotations
 
+import itertools
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -31,10 +32,12 @@ if TYPE_CHECKING:
 
 
 TRIALS = 50_000
+SEARCHED = 600  # pairs of small polynomials over ℚ
 LEFT_TO_CHANCE = 4
 """At how many places the class is not prescribed; each costs a factor 2 of trials and saves its degree."""
 
 Fits = Callable[[FunctionPlace, Any], bool]
+SameClass = Callable[[NormalForm, NormalForm], bool]
 
 
 @dataclass(frozen=True)
@@ -179,3 +182,47 @@ def _fits_at_new_primes(field: FunctionField, numbers: list[Polynomial], u: Poly
             if not all(kappa.is_square(x % kappa.modulus) for x in numbers):
                 return False
     return True
+
+
+# --- over ℚ(x), by search: q times norms from F(i), so that (p, e) = (p, q) holds of itself ---------
+
+
+def searched_slot(
+    ring: FunctionField, outer: Constants, inner: Constants, same_class: SameClass
+) -> Any:
+    """Return a common slot of two isomorphic algebras: tried until (a, e) = (a, b) holds, too."""
+    for m, n in itertools.islice(_small_pairs(ring), SEARCHED):
+        for first, second in ((inner, outer), (outer, inner)):
+            e = first.b * (m * m - first.a * (n * n))
+            if ring.is_zero(e):
+                continue
+            forms = [normal_form(ring, Constants(second.a, ring.zero, x)) for x in (e, second.b)]
+            if same_class(*forms):
+                return e
+    raise UndecidedError(
+        f"an isomorphism exists, but none with small numbers was found over {ring.name}"
+    )
+
+
+def _small_pairs(ring: FunctionField) -> Iterator[tuple[Quotient, Quotient]]:
+    """Run through pairs of small polynomials over ℚ, not both 0."""
+    seen: list[Any] = []
+    for x in _small(ring):
+        seen.append(x)
+        for y in seen[:-1]:
+            yield x, y
+            yield y, x
+
+
+def _small(ring: FunctionField) -> Iterator[Quotient]:
+    """Run through small polynomials, 0 and 1 first."""
+    yield ring.zero
+    yield ring.one
+    digits = [ring(x) for x in (0, 1, -1, 2)]
+    for degree in itertools.count(1):
+        for leading, *rest in itertools.product(digits, repeat=degree + 1):
+            if not ring.is_zero(leading):
+                value = leading
+                for x in rest:
+                    value = value * ring.gen + x
+                yield value

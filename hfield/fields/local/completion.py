@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.product import Scalar
 from hfield.rings.base import E, Ring, shared
-from hfield.rings.overfield import Overfield
+from hfield.rings.operators import Overfield
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
@@ -52,6 +52,10 @@ class Completion(Overfield[E]):
         Raises :class:`CoercionError`.
         """
         return self.exact(self.global_field(x))
+
+    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+        """Return the inclusion of the global field."""
+        return self if source == self.global_field else None
 
     @abstractmethod
     def exact(self, value: Scalar) -> E:

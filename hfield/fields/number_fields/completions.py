@@ -1,25 +1,169 @@
-"""The completions of number fields, quadratic ones among them: extensions of ℚ_p, ℝ and ℂ."""
+"""The completions of number fields, quadratic ones among them: extensions of ℚ_p, ℝ and ℂ.
+
+Of the last two the elements of the field are known.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Hashable
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
+from hfield.errors import UndecidedError, shorten
+from hfield.fields.local.completion import Completion
 from hfield.fields.local.field import LocalField
-from hfield.fields.number_fields.infinite_completions import infinite_completion
 from hfield.fields.number_fields.places import RealPlace, place_of_number_field
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import place_of_quadratic
 from hfield.fields.number_fields.quadratic.residues import prime_at
 from hfield.fields.number_fields.residues import local_place
+from hfield.product import Scalar
+from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.closed_fields.algebraic import CC, RR
+from hfield.rings.operators import Element
 from hfield.rings.printing import SUBSCRIPTS, blackboard
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.quadratic.places import QuadraticPlace
     from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.rings.base import Ring
     from hfield.structure.finite_places import FinitePlace
+
+
+class EmbeddedElement(Element):
+    """An element ``value`` of a number field, as a real or complex number. Immutable."""
+
+    __slots__ = ("value",)
+
+    field: InfiniteCompletion
+    value: Any
+
+    def __init__(self, field: InfiniteCompletion, value: Scalar) -> None:
+        object.__setattr__(self, "field", field)
+        object.__setattr__(self, "value", value)
+
+    def plus(self, other: EmbeddedElement) -> EmbeddedElement:
+        """Return the sum."""
+        return EmbeddedElement(self.field, self.value + other.value)
+
+    def __neg__(self) -> EmbeddedElement:
+        return EmbeddedElement(self.field, -self.value)
+
+    def times(self, other: EmbeddedElement) -> EmbeddedElement:
+        """Return the product."""
+        return EmbeddedElement(self.field, self.value * other.value)
+
+    def same(self, other: EmbeddedElement) -> bool:
+        """Tell whether both are the same number."""
+        return bool(self.value == other.value)
+
+
+class InfiniteCompletion(Completion[EmbeddedElement]):
+    """ℝ or ℂ as the completion of a number field, with the elements of the field in it, exact.
+
+    RR and CC do not tell where the generator of a field goes; here that is the place.
+    """
+
+    arithmetic = "local.arithmetic.InfiniteArithmetic"
+
+    def exact(self, value: Scalar) -> EmbeddedElement:
+        """Return an element of the number field."""
+        return EmbeddedElement(self, value)
+
+    def is_zero(self, x: EmbeddedElement) -> bool:
+        """Tell whether x is 0."""
+        return self.global_field.is_zero(x.value)
+
+    def inverse(self, x: EmbeddedElement) -> EmbeddedElement:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        return self.exact(self.global_field.inverse(x.value))
+
+    def key(self, x: EmbeddedElement) -> Hashable:
+        """Return the key of x in the number field."""
+        return self.global_field.key(x.value)
+
+    def text(self, x: EmbeddedElement, style: str = "plain") -> str:
+        """Write x as in the number field."""
+        return self.global_field.text(x.value, style)
+
+    def sqrt(self, x: EmbeddedElement) -> EmbeddedElement | None:
+        """Return a square root, the positive one in ℝ, and None where there is none.
+
+        Raises :class:`UndecidedError` for a root that is not in the number field, and so has no name here.
+        """
+        if not self.is_square(x):
+            return None
+        root = self.global_field.sqrt(x.value)
+        if root is None:
+            raise UndecidedError(
+                f"{shorten(self.text(x))} is a square in {shorten(self.name)}, but of no element of "
+                f"{shorten(self.global_field.name)}, and others have no names here"
+            )
+        return self.principal(self.exact(root))
+
+    def is_square(self, x: EmbeddedElement) -> bool:
+        """Tell whether x is a square."""
+        return True
+
+    def principal(self, y: EmbeddedElement) -> EmbeddedElement:
+        """Return y or −y."""
+        return y
+
+
+class RealCompletion(InfiniteCompletion):
+    """ℝ, as the completion of a number field at a real place.
+
+    >>> from hfield import ring
+    >>> L = ring("QQ(sqrt(2))").completion("inf-")
+    >>> L, L.sign(L("1+sqrt(2)")), L.sqrt(L(2))
+    (QQ(sqrt(2))_inf-, -1, -sqrt(2))
+    """
+
+    place: QuadraticPlace | RealPlace
+
+    @property
+    def level(self) -> Known:
+        """∞: squares of real numbers are not negative."""
+        return Known(INFINITY, "squares of real numbers are not negative")
+
+    @property
+    def orderings(self) -> Known:
+        """The one of the real numbers."""
+        return Known(1, "the positive real numbers are the squares")
+
+    def sign(self, x: EmbeddedElement, ordering: int = 0) -> int:
+        """Return the sign of x at the place."""
+        self.check_ordering(ordering)
+        return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
+
+    def is_square(self, x: EmbeddedElement) -> bool:
+        """Tell whether x is not negative."""
+        return self.sign(x) >= 0
+
+    def principal(self, y: EmbeddedElement) -> EmbeddedElement:
+        """Return the positive one of y and −y."""
+        return -y if self.sign(y) < 0 else y
+
+
+class ComplexCompletion(InfiniteCompletion):
+    """ℂ, as the completion of a number field at a complex place."""
+
+    @cached_property
+    def level(self) -> Known:
+        """1: −1 is a square."""
+        return Known(1, "−1 is a square in ℂ")
+
+    def minus_one_as_squares(self) -> tuple[EmbeddedElement, ...]:
+        """Return a square root of −1 if the number field has one."""
+        root = self.global_field.sqrt(self.global_field(-1))
+        return () if root is None else (self.exact(root),)
+
+
+def infinite_completion(field: Ring, place: Hashable, is_real: bool) -> InfiniteCompletion:
+    """Return the completion at a real or a complex place of a number field."""
+    where = f"the completion of {field.in_words()} at {place}"
+    kind, line = (RealCompletion, "ℝ") if is_real else (ComplexCompletion, "ℂ")
+    return kind(f"{field}_{place}", f"{line}, {where}", field, place)
 
 
 def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
@@ -29,7 +173,7 @@ def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
         return infinite_completion(field, v, is_real=True)
     if not v.prime:
         return CC if v.root is None else RR
-    return _at_prime_ideal(field, v, prime_at(field, v))
+    return _at_prime_ideal(field, v, prime_at(v))
 
 
 def completion_of_number_field(field: NumberField, place: object) -> Ring:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from functools import cached_property, lru_cache
+from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -244,3 +245,11 @@ def integral_basis(field: NumberField) -> tuple[FieldElement, ...]:
 def discriminant(field: NumberField) -> int:
     """Return the discriminant of the field."""
     return _maximal(field)[1]
+
+
+def small_integer(field: NumberField, size: int, rng: Random) -> FieldElement:
+    """Return a random integer of the field with coordinates of at most that size."""
+    x: FieldElement = field.zero
+    for w in field.integral_basis():
+        x = x + w * rng.randint(-size, size)
+    return x

@@ -6,6 +6,7 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from hfield.factorisation import factorise
+from hfield.fields.number_fields.integers import small_integer
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.squares import minus_one
 
@@ -50,20 +51,12 @@ def minus_one_as_squares(field: NumberField) -> tuple[FieldElement, ...]:
                 return tuple(map(field, minus_one(m, root)))
     others, rng = (3 if odd else 1), Random(1)
     for trial in range(SEARCHED // others // max(1, field.degree // 8) ** 3):
-        chosen = [_small(field, 1 + trial // 2000, rng) for _ in range(others)]
-        below = _small(field, 1, rng) if trial > 500 else field.one
+        chosen = [small_integer(field, 1 + trial // 2000, rng) for _ in range(others)]
+        below = small_integer(field, 1, rng) if trial > 500 else field.one
         y = field.sqrt(sum((-x * x for x in chosen), -below * below)) if below else None
         if y is not None:
             return tuple(field.divide(x, below) for x in (*chosen, y))
     return ()
-
-
-def _small(field: NumberField, size: int, rng: Random) -> FieldElement:
-    """Return a random integer of the field with coordinates of at most that size."""
-    x: FieldElement = field.zero
-    for w in field.integral_basis():
-        x = x + w * rng.randint(-size, size)
-    return x
 
 
 def _divisors(n: int) -> list[int]:

@@ -45,6 +45,7 @@ class NumberField(ValueRing[FieldElement]):
     characteristic = 0
     is_field = True
     arithmetic = "number_fields.arithmetic.NumberFieldArithmetic"
+    completions = "number_fields.completions.completion_of_number_field"
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
         from hfield.fields.number_fields.texts import irreducible, power_sum
@@ -136,6 +137,24 @@ class NumberField(ValueRing[FieldElement]):
         if number is None:
             raise self.refuse(x)
         return FieldElement(self, flint.fmpq_poly([fmpq(number)]))
+
+    def embed_from(self, source: Ring) -> Callable[[Any], FieldElement] | None:
+        """Return the map of a number field into this one, by a root of its polynomial.
+
+        Of several it takes the root that is the value of the generator at the principal embedding, if any.
+        """
+        from hfield.fields.number_fields.sums import evaluate, roots_in
+
+        if not isinstance(source, NumberField):
+            return None
+        roots = roots_in(self, source.polynomial)
+        if not roots:
+            raise CoercionError(
+                f"{shorten(self)} contains no root of the polynomial of {shorten(source)}"
+            )
+        value = source.embed(source.gen)
+        root = next((x for x in roots if self.embed(x).overlaps(value)), roots[0])
+        return lambda x: evaluate(self, x.poly, root)
 
     def functions(self) -> dict[str, Callable[..., FieldElement]]:
         """The square root of what has one in the field."""
@@ -333,9 +352,3 @@ class NumberField(ValueRing[FieldElement]):
         from hfield.fields.number_fields.places import all_places
 
         return all_places(self)
-
-    def completion(self, place: object) -> Ring:
-        """Return an extension of ℚ_p at a prime ideal, RR or CC at an infinite place."""
-        from hfield.fields.number_fields.completions import completion_of_number_field
-
-        return completion_of_number_field(self, place)

@@ -1,22 +1,164 @@
-"""Hilbert symbols over number fields: tame ones by residues, dyadic ones by defects, real ones by signs."""
+"""Hilbert symbols over number fields: tame ones by residues, dyadic ones by defects, real ones by signs.
+
+At prime ideals above 2, however ramified, every unit is a square times 1 + γ with the valuation d of γ as
+large as can be: d is odd and below 2e, or 2e (then the root of the unit is unramified), or the unit is a
+square (O'Meara, *Introduction to Quadratic Forms*, §63). Two identities bring any symbol down to these:
+(1 + γ, −γ) = 1, and, as (x, y) = 1 where x + y = 1,
+
+    (1 + γ, 1 + δ) = (1 − γδ, γ(1 + γ)(1 + δ)),
+
+whose first entry is closer to 1 than both. A unit matters modulo P^(2e+1) alone, so numbers stay small.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import flint
 
 from hfield.errors import RingError
 from hfield.factorisation import NORM_BITS, factorise
-from hfield.fields.number_fields.dyadic_symbol import DyadicPrime
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import integral_generator
 from hfield.fields.number_fields.places import Place, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
 from hfield.fields.number_fields.ring import NumberField
+from hfield.rings.residue_polynomials import residues
+
+DIGITS = 2**6  # 2⁶ lies in P^(2e+1), with room for what is divided by uniformisers
+
+
+class DyadicPrime:
+    """A prime ideal above 2, with what square classes of its completion need.
+
+    Numbers are written ϖᵛ·u, up to squares, with ϖ the inverse of ``P.inverse_uniformiser``.
+    """
+
+    def __init__(self, prime: PrimeIdeal) -> None:
+        self.prime, self.e = prime, prime.e
+        self.one: FieldElement = prime.field.one
+        self._inverse = prime.inverse_uniformiser
+
+    def symbol(self, a: FieldElement, b: FieldElement) -> int:
+        """Return the Hilbert symbol of two nonzero numbers."""
+        (i, u), (j, w) = self._class(a), self._class(b)
+        if j:
+            if i:  # (a, b) = (a, −ab)
+                w = self._cut(-u * w)
+            else:
+                i, u, w = j, w, u
+        return self._unit_symbol(i, u, w)
+
+    def _class(self, x: FieldElement) -> tuple[int, FieldElement]:
+        """Return the parity of the valuation of x, and the unit that is left, up to squares."""
+        v, unit = self.prime.unit_part(x)
+        return v % 2, self._cut(self.prime.integral(unit))
+
+    def _unit_symbol(self, i: int, u: FieldElement, w: FieldElement) -> int:
+        """Return the symbol of ϖⁱ·u and w, for units u and w."""
+        while True:
+            d, gamma = self.defect(w)
+            if d > 2 * self.e:
+                return 1
+            if d == 2 * self.e:
+                return -1 if i else 1
+            leading = self._cut(gamma * self._powers[d])
+            if i:
+                i, u = 0, self._cut(-u * leading)
+            d, delta = self.defect(u)
+            if d >= 2 * self.e:
+                return 1
+            w, u, i = (
+                self._cut(self.one - gamma * delta),
+                self._cut(leading * self._cut((self.one + gamma) * (self.one + delta))),
+                1,
+            )
+
+    def defect(self, u: FieldElement) -> tuple[int, FieldElement]:
+        """Return ``(d, γ)``: u is 1 + γ up to a square, and d, the valuation of γ, is the defect.
+
+        It is 2e + 1 for a square.
+        """
+        prime = self.prime
+        root = self._root(prime.residue_of(u))
+        u = self._times_square(u, prime.lift(self._invert(root)))
+        while True:
+            gamma = u - self.one
+            d = self._valuation(gamma)
+            if d > 2 * self.e or (d < 2 * self.e and d % 2):
+                return d, gamma
+            leading = prime.residue_of(self._cut(gamma * self._powers[d]))
+            if d == 2 * self.e:
+                split = self._has_trace_0(leading * self._invert(self._four) % prime.residue)
+                return (d + 1 if split else d), gamma
+            u = self._times_square(u, self.one + self._with_leading(d // 2, self._root(leading)))
+
+    @cached_property
+    def _powers(self) -> list[FieldElement]:
+        """The powers of 1/ϖ, up to the exponent 2e."""
+        powers = [self.one]
+        for _ in range(2 * self.e):
+            powers.append(powers[-1] * self._inverse)
+        return powers
+
+    @cached_property
+    def _four(self) -> flint.nmod_poly:
+        """The residue of 4/ϖ^(2e)."""
+        return self.prime.residue_of(self._powers[2 * self.e] * 4)
+
+    def _valuation(self, x: FieldElement) -> int:
+        """Return the valuation of an integer, at most 2e + 1."""
+        order = self.prime.order
+        for k in range(2 * self.e + 1):
+            if not x:
+                break
+            x = x * self._inverse
+            if order.content(x) < 0:
+                return k
+        return 2 * self.e + 1
+
+    def _with_leading(self, k: int, residue: flint.nmod_poly) -> FieldElement:
+        """Return an integer x of valuation k for which x/ϖᵏ has the given residue."""
+        prime = self.prime
+        ratio = prime.residue_of(prime.uniformiser * self._inverse)
+        scale = self._invert(self._power(ratio, k))
+        x: FieldElement = prime.lift(residue * scale % prime.residue)
+        for _ in range(k):
+            x = self._cut(x * prime.uniformiser)
+        return x
+
+    def _times_square(self, u: FieldElement, s: FieldElement) -> FieldElement:
+        return self._cut(u * self._cut(s * s))
+
+    def _cut(self, x: FieldElement) -> FieldElement:
+        return self.prime.order.truncated(x, DIGITS)
+
+    # --- the residue field, of 2^f elements ------------------------------------------------------
+
+    def _power(self, x: flint.nmod_poly, n: int) -> flint.nmod_poly:
+        result = residues(2, [1])
+        for bit in bin(n)[2:]:
+            result = result * result % self.prime.residue
+            if bit == "1":
+                result = result * x % self.prime.residue
+        return result
+
+    def _root(self, x: flint.nmod_poly) -> flint.nmod_poly:
+        return self._power(x, 2 ** (self.prime.f - 1))
+
+    def _invert(self, x: flint.nmod_poly) -> flint.nmod_poly:
+        return self._power(x, 2**self.prime.f - 2)
+
+    def _has_trace_0(self, x: flint.nmod_poly) -> bool:
+        """Tell whether t² + t = x has a root: whether the trace of x is 0."""
+        total = x
+        for _ in range(self.prime.f - 1):
+            x = x * x % self.prime.residue
+            total = total + x
+        return bool(total == 0)
 
 
 def hilbert_symbol_number_field(a: FieldElement, b: FieldElement, place: Place) -> int:

@@ -18,7 +18,7 @@ from typing import Any
 
 import flint
 
-from hfield.fields.number_fields.good_module import module_basis
+from hfield.fields.number_fields.conics import module_basis
 from hfield.fields.number_fields.integral_basis import coefficients, integral_multiple
 from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
@@ -28,7 +28,7 @@ from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
 from hfield.product import Constants, Coordinates
 from hfield.structure.lattice_reduction import combination
 from hfield.structure.linear_algebra.kernels import kernel
-from hfield.structure.minimal_conics import Vector, adapt, kernel_at
+from hfield.structure.minimal_conics import Vector, adapt, dot, kernel_at
 
 
 def isometry(
@@ -76,7 +76,7 @@ def _complement(field: NumberField, form: Vector, basis: list[Vector], u: Vector
         wide = [field.zero] * len(u)
         for k, x in zip(rest, v, strict=True):
             wide[k] = x
-        wide[j] = back * _dot([weights[k] for k in rest], v)
+        wide[j] = back * dot([weights[k] for k in rest], v)
         out.append(wide)
     return out
 
@@ -136,13 +136,9 @@ def _enlarged(form: Vector, standard: list[Vector], place: LocalPlace) -> list[V
         basis[at] = [x * place.inverse_uniformiser for x in basis[at]]
 
 
-def _dot(u: Vector, v: Vector) -> Any:
-    return sum((x * y for x, y in zip(u[1:], v[1:], strict=True)), u[0] * v[0])
-
-
 def _value(form: Vector, u: Vector, v: Vector) -> Any:
     """Return half of Q(u + v) − Q(u) − Q(v), which is Q(u) for u = v."""
-    return _dot([f * x for f, x in zip(form, u, strict=True)], v)
+    return dot([f * x for f, x in zip(form, u, strict=True)], v)
 
 
 def _singular(form: Vector, basis: list[Vector], place: LocalPlace, radical: list[Vector]) -> int:

@@ -24,8 +24,8 @@ from hfield.structure.lattice_reduction import combination, real_coordinates, re
 from hfield.structure.minimal_conics import Vector
 
 MAX_DEGREE = 12
-WALKED = 60
-COMBINATIONS = 60_000
+COMBINATIONS = 60_000  # of a reduced basis
+WALKED = 60  # bases, as many more as fewer combinations there are of each
 CLOSE = 1e-5
 MOST = 50  # of the combinations at which the form is nearly 0: at so many it is computed exactly
 SCALE = 2.0**40
@@ -40,7 +40,7 @@ def expect_small_degree(field: NumberField, what: str) -> None:
 def not_met(what: str) -> UndecidedError:
     """Return the error that says that there was none of something on a walk."""
     return UndecidedError(
-        f"{what} was found among {COMBINATIONS} combinations of each of {WALKED} reduced bases"
+        f"{what} was found among {COMBINATIONS} combinations of each of {WALKED} reduced bases, or of more"
     )
 
 
@@ -137,7 +137,9 @@ class Walk:
         The first of them, and those reduced for other majorants, at random but always the same.
         """
         rng = random.Random(1)
-        for step in range(WALKED):
+        for step in range(
+            max(WALKED, WALKED * COMBINATIONS // len(_small_combinations(self.rank)))
+        ):
             yield from self._zeros(rng, step)
 
     def _zeros(self, rng: random.Random, step: int) -> Iterator[Vector]:

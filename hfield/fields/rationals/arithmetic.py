@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
@@ -14,6 +14,7 @@ from hfield.fields.rationals.places import INFINITE, Place, place_of_q
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.symbols import (
     discriminant_q,
+    from_ramification_q,
     hilbert_symbol_q,
     ramified_places_q,
 )
@@ -56,6 +57,12 @@ class RationalArithmetic(GlobalField):
     def ramified_at_small_places(self, form: NormalForm) -> tuple[int, ...]:
         """Return the primes below 200 with a symbol of −1."""
         return tuple(p for p in primes(200) if hilbert_symbol_q(form.a, form.b, p) < 0)
+
+    def with_ramification(
+        self, places: Sequence[Place], infinite: bool | None = None
+    ) -> tuple[Scalar, Scalar]:
+        """Return constants for some primes, and ∞ where it is named or the flag says so, or it takes it."""
+        return from_ramification_q(places, infinite)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic ``z² = a·x² + b·y²``."""

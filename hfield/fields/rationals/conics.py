@@ -146,3 +146,26 @@ def _rank_two(rows: list[Vector]) -> tuple[Vector, Vector]:
     hermite = flint.fmpz_mat(3, 3, [x for row in rows for x in row]).hnf().tolist()
     p, q = ([int(x) for x in row] for row in hermite if any(int(x) for x in row))
     return p, q
+
+
+def diagonalise(gram: list[list[Fraction]]) -> tuple[list[Fraction], list[list[Fraction]]]:
+    """Return the diagonal of a nondegenerate symmetric matrix and the rows of an orthogonal basis."""
+    n = len(gram)
+
+    def pair(u: list[Fraction], v: list[Fraction]) -> Fraction:
+        return sum((u[i] * gram[i][j] * v[j] for i in range(n) for j in range(n)), Fraction(0))
+
+    rest = [[Fraction(int(i == j)) for j in range(n)] for i in range(n)]
+    values: list[Fraction] = []
+    basis: list[list[Fraction]] = []
+    while rest:
+        for i, j in itertools.combinations(range(len(rest)), 2):
+            if not any(pair(u, u) for u in rest):
+                rest[i] = [x + y for x, y in zip(rest[i], rest[j], strict=True)]
+        v = next(u for u in rest if pair(u, u))
+        size = pair(v, v)
+        rest.remove(v)
+        rest = [[x - pair(u, v) / size * y for x, y in zip(u, v, strict=True)] for u in rest]
+        values.append(size)
+        basis.append(v)
+    return values, basis

@@ -9,7 +9,7 @@ is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz
@@ -38,10 +38,10 @@ def hilbert_symbol_q(a: Rational, b: Rational, place: object) -> int:
     if v == INFINITE:
         return -1 if m < 0 and n < 0 else 1
     assert isinstance(v, int)
-    return _symbol(v, *remove(m, v), *remove(n, v))
+    return symbol_of_parts(v, *remove(m, v), *remove(n, v))
 
 
-def _symbol(p: int, alpha: int, u: int, beta: int, v: int) -> int:
+def symbol_of_parts(p: int, alpha: int, u: int, beta: int, v: int) -> int:
     """Return the symbol of ``pᵅ·u`` and ``pᵝ·v`` at p, for u and v prime to p."""
     if p == 2:
         sign = (u & v) >> 1 & 1
@@ -87,7 +87,7 @@ def ramified_places_q(
                 primes.append(int(p))
         elif not sign:  # p divides both
             p = int(p)
-            if _symbol(p, *remove(m, p), *remove(n, p)) < 0:
+            if symbol_of_parts(p, *remove(m, p), *remove(n, p)) < 0:
                 primes.append(p)
     symbol = m_.jacobi
     for p, beta in in_n:
@@ -103,6 +103,31 @@ def ramified_places_q(
 def _prime_powers(n: int) -> list[tuple[Any, int]]:
     """Return the primes of n, as FLINT's integers, with their exponents, ascending."""
     return [(fmpz(p), e) for p, e in sorted(factorise(n).items())]
+
+
+def is_isotropic(form: Sequence[Rational]) -> bool:
+    """Tell whether a diagonal form over ℚ in at most four variables, without coefficient 0, has a zero but 0.
+
+    Three of its terms are those of a norm form on the elements of trace 0, and a fourth is of use only where
+    the product of all is no square (Hasse and Minkowski; Serre, chapter IV, theorems 6 and 8).
+    """
+    if len(form) < 2:
+        return False
+    product = square_class(math.prod(form[1:], start=form[0]))
+    if len(form) == 2:
+        return product < 0 and math.isqrt(-product) ** 2 == -product
+    a, b, c, *_ = form
+    places = ramified_places_q(-a * b, -a * c)
+    return not any(len(form) == 3 or _is_square(product, v) for v in places)
+
+
+def _is_square(n: int, v: Place) -> bool:
+    """Tell whether an integer is a square in the completion at a place of ℚ."""
+    if v == INFINITE:
+        return n > 0
+    p = int(v)
+    alpha, unit = remove(n, p)
+    return alpha % 2 == 0 and (unit % 8 == 1 if p == 2 else fmpz(unit).jacobi(p) == 1)
 
 
 def discriminant_q(places: Iterable[Place]) -> int:

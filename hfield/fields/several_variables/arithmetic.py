@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
-from hfield.factorisation import Factors
 from hfield.fields.function_fields.inseparable import artin_schreier
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -19,7 +17,7 @@ from hfield.fields.several_variables.residues import (
     valuation,
 )
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.product import Constants, Coordinates, Scalar
+from hfield.product import Constants
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, none
@@ -60,14 +58,6 @@ class SeveralArithmetic(GlobalField):
                 f"{text} is not a place of {F}: expected an irreducible polynomial, or 1/x"
             )
         return places_of(F, x)[0]
-
-    def hilbert_symbol(
-        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
-    ) -> int:
-        """Refuse: completions at prime polynomials are no local fields."""
-        raise UndecidedError(
-            f"the completions of {self.ring} are not local fields: ask for residues"
-        )
 
     # --- residues ------------------------------------------------------------------------------
 
@@ -150,12 +140,9 @@ class SeveralArithmetic(GlobalField):
             )
         return f"{why}; the algebra is ramified at {', '.join(map(str, places))}"
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+    def discriminant(self, ramified: tuple[Any, ...]) -> Quotient:
         """Return the product of the polynomials."""
-        one = self.ring.one.num
-        return self.ring.quotient(
-            prod((v.poly for v in ramified if v.poly is not None), start=one), one
-        )
+        return self.ring.product_of(v.poly for v in ramified)
 
     # --- what is not known -----------------------------------------------------------------------
 
@@ -185,10 +172,6 @@ class SeveralArithmetic(GlobalField):
         over, under = (p(*point) for p in (x.num, x.den))
         return over / under if over and under else None
 
-    def residues(self, place: PolynomialPlace) -> None:
-        """Return None: the residue fields are infinite."""
-        return
-
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
         """Tell that two algebras are different by the places where they ramify."""
         (found, left_open), (others, other_open) = map(self._residues, (form, other))
@@ -197,14 +180,6 @@ class SeveralArithmetic(GlobalField):
         raise UndecidedError(
             f"isomorphism over {self.ring} is not decided where the same places may ramify"
         )
-
-    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Refuse: no isomorphisms are sought."""
-        raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
-
-    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
-        """Refuse: no square roots are sought."""
-        raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
 
 def _has_odd_degree(x: Quotient) -> bool:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
-from hfield.fields.function_fields.names import build as build_functions
+from hfield.fields.function_fields.extensions import rational_functions
 from hfield.fields.function_fields.residues import multiplicity
 from hfield.fields.several_variables.ring import RationalFunctions
 from hfield.rings.base import Ring
@@ -112,7 +112,7 @@ def _norm(F: RationalFunctions, unit: Quotient, place: PolynomialPlace) -> Resid
 
 def _without(F: RationalFunctions, n: int) -> Ring:
     """Return the rational functions in the variables other than the n-th."""
-    return build_functions(F.base, F.variables[:n] + F.variables[n + 1 :])
+    return rational_functions(F.base, F.variables[:n] + F.variables[n + 1 :])
 
 
 def _coefficient(

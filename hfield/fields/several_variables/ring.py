@@ -7,7 +7,7 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.rings.base import INFINITY, Known, shared
+from hfield.rings.base import Known, shared
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.printing import blackboard, quotient_text
 
@@ -56,6 +56,15 @@ class RationalFunctions(FractionField):
         """The first variable."""
         return Quotient(self, self.polynomials.gen, self._one)
 
+    @property
+    def expanded_in(self) -> tuple[str, ...]:
+        """The variables, in which elements have leading terms."""
+        return self.variables
+
+    def parts(self, x: Quotient) -> list[Quotient]:
+        """Return x itself, of which leading terms are asked."""
+        return [x]
+
     def names(self) -> dict[str, Quotient]:
         """The variables."""
         gens = self.polynomials.names()
@@ -84,21 +93,6 @@ class RationalFunctions(FractionField):
         """Return some y with y² = x, or None: numerator times denominator must be a square."""
         root = self.polynomials.sqrt(x.num * x.den)
         return None if root is None else self.quotient(root, x.den)
-
-    @property
-    def level(self) -> Known:
-        """The level of k: a sum of squares −1 has one in k, at a point without poles."""
-        known = self.base.level
-        if known.value == INFINITY:
-            return Known(
-                INFINITY, f"{self.name} has an ordering, with the variables infinitely large"
-            )
-        shown = f"it is the level of {self.base.name}, for −1 is as many squares in {self.name} as there"
-        return Known(known.value, f"{shown}; there {known.reason}")
-
-    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
-        """Return constants whose squares add up to −1."""
-        return tuple(self(c) for c in self.base.minus_one_as_squares())
 
     @property
     def orderings(self) -> Known:

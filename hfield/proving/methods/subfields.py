@@ -10,16 +10,12 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import islice
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 import flint
 
 from hfield.errors import HFieldError, TooLargeError
-from hfield.fields.local.element import LocalElement
-from hfield.fields.local.field import LocalField
-from hfield.fields.local.roots import square_root
 from hfield.fields.names import ring
-from hfield.fields.number_fields.ring import NumberField
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.proving.decision import PROVED, REFUTED, Decision
 from hfield.proving.polynomials.expansion import Symbolic
@@ -41,10 +37,34 @@ FIELDS, SECONDS = 3, 5.0  # so many subfields are tried, for so long each
 SMALL = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
 
 
+@runtime_checkable
+class Local(Protocol):
+    """A local field: the completion of a global one at a finite place."""
+
+    global_field: Ring
+    place: Any
+    residues: Any
+
+    def __call__(self, x: object) -> Any:
+        """Return an element of the field."""
+
+    def is_square(self, x: Any) -> bool:
+        """Tell whether x is a square."""
+
+    def sqrt(self, x: Any) -> Any:
+        """Return a square root to some digits."""
+
+    def truncated(self, x: Any, n: int) -> Any:
+        """Return the standard element of the global field that is x up to n digits."""
+
+    def up_to(self, x: Any, n: int) -> Any:
+        """Return x with an O() after n digits."""
+
+
 def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision]) -> Decision | None:
     """Return what is decided over some ℚ(√d) in ℚ_p and carries over, or None."""
     F, statement = problem.field, problem.statement
-    if not isinstance(F, LocalField) or F.global_field != QQ or problem.setting.letters:
+    if not isinstance(F, Local) or F.global_field != QQ or problem.setting.letters:
         return None
     bound = set(statement.exists)
     if bound and any(name not in bound for name, _ in statement.unknowns):
@@ -79,26 +99,24 @@ def _evidence(K: Ring, near: flint.fmpq, decision: Decision) -> Evidence | None:
     return {"kind": "subfield", "ring": K.data, "root": root, "witness": decision.evidence}
 
 
-def _read_back(K: Ring, root: LocalElement, text: str) -> str:
+def _read_back(K: Any, root: Any, text: str) -> str:
     """Write an element of K as ℚ_p reads it: I as a root, a generator of higher degree in digits."""
-    if not isinstance(K, NumberField):
+    if K.degree == 2:
         return re.sub(r"\bI\b", "sqrt(-1)", text)
     F, total = root.field, root.field.zero
     for c in reversed(K(text).poly.coeffs()):
         total = total * root + F(c)
-    return F.text(total)
+    return str(F.text(total))
 
 
-def _subfields(F: LocalField, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
+def _subfields(F: Local, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
     """Run through fields in ℚ_p, each with a rational number near its generator."""
     for d in _radicands(F, problem):
-        near = square_root(F, F(d), NEAR)
-        assert near is not None, "d is a square"
-        yield ring(f"QQ(sqrt({d}))"), near.value
+        yield ring(f"QQ(sqrt({d}))"), F.truncated(F.sqrt(F(d)).value, NEAR)
     for f in _of_the_equations(problem):
         root = near_root(f, F.residues.below, NEAR)
         if root is not None:
-            yield NumberField(flint.fmpq_poly(f), GENERATOR), QQ(root)
+            yield ring(f"QQ[{GENERATOR}]/({f})"), QQ(root)
 
 
 def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
@@ -118,7 +136,7 @@ def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
             yield from (integral(g) for g in irreducible_factors(dense) if g.degree() > 2)
 
 
-def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
+def _radicands(F: Local, problem: Problem) -> Iterator[int]:
     """Run through a few d that are squares in F, first one for which the algebra splits over ℚ(√d)."""
     found: list[int] = []
     for d in (*_of_the_algebra(F, problem), *SMALL):
@@ -128,7 +146,7 @@ def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
             yield free
 
 
-def _of_the_algebra(F: LocalField, problem: Problem) -> Iterator[int]:
+def _of_the_algebra(F: Local, problem: Problem) -> Iterator[int]:
     """Yield T² − 4·N(q)·N(u) for a plane of q and u on which the norm has a zero in ℚ_p."""
     exact = [F(text) for text in problem.setting.constants]
     if not all(x.is_exact for x in exact):

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
-from hfield.proving.polynomials.recognition import polynomial_text, without_root
+from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.polynomials.vanishing import factored
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
@@ -73,7 +73,7 @@ class Forms:
                 common = gcd(*top, *bottom)
                 for n in range(2, min(common, MAX_DEGREE) + 1):
                     found = self.along(parts, top, bottom, n) if common % n == 0 else None
-                    if found is not None and without_root(self.values(found), self.field):
+                    if found is not None and self.field.is_rootless(self.values(found)):
                         yield self.made(found, top, bottom, n)
 
     def along(
@@ -180,7 +180,7 @@ class Forms:
                 yield Form(positive, tuple(g for _, g in squares), step)
         if len(squares) == 2:
             (a, x), (b, y) = squares
-            if without_root(self.values([b, zero, a]), self.field):
+            if self.field.is_rootless(self.values([b, zero, a])):
                 yield self.form([b, zero, a], x, y)
         if len(squares) == 3:
             yield from self.ternary(squares)

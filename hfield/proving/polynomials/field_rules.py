@@ -15,7 +15,7 @@ from typing import Any
 from hfield.errors import HFieldError, UndecidedError
 from hfield.product import Constants
 from hfield.proving.statements.setting import Setting, read_setting
-from hfield.rings.base import INFINITY, Ring
+from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.rings.powers import power
 from hfield.syntax import Call, Number, parse
 
@@ -92,7 +92,7 @@ def rules(setting: Setting) -> tuple[Rule, ...]:
 
 
 def _roots_rule(field: Ring) -> Rule | None:
-    if field.name == "QQ":
+    if isinstance(field, WithIntegers) and field.degree == 1:
         reason = "a rational root of an integer polynomial gives a linear factor of it"
         return Rule(ROOTS, reason, by="factors")
     if field.characteristic == 2 or (field.order is not None and field.order <= EXHAUSTED):

@@ -6,10 +6,6 @@ from collections.abc import Sequence
 from math import isqrt
 from typing import TYPE_CHECKING
 
-from flint import fmpq, fmpq_poly
-
-from hfield.errors import UndecidedError
-from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule
 from hfield.rings.base import Ring
@@ -65,22 +61,7 @@ def has_no_root(f: flint.fmpz_mpoly, variables: Sequence[str], unknowns: int, fi
             value = value * power(field.one, constant(field, text), n)
         at = sum(exponents) - sum(exponents[known])
         c[at] = c[at] + value
-    return without_root(c, field)
-
-
-def without_root(c: Sequence[Scalar], field: Ring) -> bool:
-    """Tell whether Σ cₙ·xⁿ, of that degree, certainly has no root in the field."""
-    if field.is_zero(c[-1]):
-        return False
-    if field.name == "QQ":
-        f = fmpq_poly([fmpq(*map(int, field.text(x).split("/"))) for x in c])
-        return all(g.degree() > 1 for g, _ in f.factor()[1])
-    if len(c) != 3 or field.characteristic == 2:
-        return False
-    try:
-        return field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2]) is None
-    except UndecidedError:
-        return False
+    return field.is_rootless(c)
 
 
 def polynomial_text(polynomial: flint.fmpz_mpoly, names: Sequence[str]) -> str:

@@ -34,6 +34,7 @@ class Surd:
     __slots__ = ("terms",)
 
     terms: dict[int, Any]
+    common_field = "number_fields.quadratic.ring.common_quadratic_field"  # of numbers with one root
 
     def __init__(self, terms: dict[int, flint.fmpq]) -> None:
         object.__setattr__(self, "terms", terms)

@@ -8,8 +8,6 @@ F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 
 from typing import Any
 
-from hfield.fields.function_fields.inseparable import artin_schreier
-from hfield.fields.function_fields.ring import FunctionField
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm, normal_form
@@ -59,9 +57,7 @@ def _artin_schreier(ring: Ring, x: Scalar) -> Any:
     """Return y with y² + y = x in a finite field or function field of characteristic 2, or None."""
     if ring.order is None:
         return known_field(ring).artin_schreier(x)
-    field = FunctionField(ring, "t")  # a root in it of a constant is one
-    y = artin_schreier(field, field.constant(x))
-    return None if y is None else ring(y.num[0])
+    return next(iter(ring.roots([x, ring.one, ring.one])), None)
 
 
 def _inseparable(ring: Ring, c: Constants, other: Constants) -> Pair | None:

@@ -1,5 +1,6 @@
 """When two algebras over one field are isomorphic, and an explicit, checked isomorphism."""
 
+import itertools
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
@@ -8,13 +9,14 @@ from hfield.errors import MixedParentsError, UndecidedError
 from hfield.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import discriminant, from_pairings, normal_form, pairing_matrix
-from hfield.structure.global_field import global_field
+from hfield.structure.global_field import global_field, known_field
 from hfield.structure.isomorphisms.degenerate import embed_degenerate
-from hfield.structure.isomorphisms.embedding_pairs import embed_generator
 from hfield.structure.isomorphisms.splitting import division_or_splitting, from_zero_divisor
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.kernels import apply, kernel
 from hfield.structure.norm_forms.zero_norms import is_division, zero_norm
+
+__all__ = ["Isomorphism", "division_or_splitting", "is_isomorphic", "isomorphism", "same_parent"]
 
 
 @dataclass(frozen=True)
@@ -166,4 +168,34 @@ def same_parent(ring: Ring, other: Ring) -> None:
         )
 
 
-__all__ = ["Isomorphism", "division_or_splitting", "is_isomorphic", "isomorphism", "same_parent"]
+def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:
+    """Return the images of i and j under some isomorphism, known to exist.
+
+    Raises :class:`UndecidedError` when none was found in bounded time.
+    """
+    source, target = normal_form(ring, c), normal_form(ring, other)
+    middle = ring.one if target.kind == "artin-schreier" else ring.zero
+    inner, outer = (Constants(f.a, middle, f.b) for f in (target, source))
+    if ring.closure is not None:
+        i, j = _closed(ring, outer, inner)
+    else:
+        i, j = known_field(ring).embed(outer, inner)
+    # back from the normal forms: i of c is a combination of e and the normal i
+    one, given, _, _ = basis_of(ring)
+    scalar, factor, _, _ = source.forth(given)
+    w, x, y, z = (scalar * u + factor * v for u, v in zip(one, i, strict=True))
+    return target.back((w, x, y, z)), target.back(j)
+
+
+def _closed(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+    """Scale two of i, j, k over the real or complex numbers: those whose squares have the right signs."""
+    o, e = ring.zero, ring.one
+    units = [(o, e, o, o), (o, o, e, o), (o, o, o, e)]
+    squares = (inner.a, inner.b, -inner.a * inner.b)
+    for m, n in itertools.permutations(range(3), 2):
+        ratios = ring.divide(outer.a, squares[m]), ring.divide(outer.b, squares[n])
+        if ring.closure == "algebraically closed" or all(ring.sign(x) > 0 for x in ratios):
+            r, s = map(ring.sqrt, ratios)
+            i, j = ([x * u for u in units[n]] for x, n in ((r, m), (s, n)))
+            return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
+    raise AssertionError("isomorphic real algebras have squares of the same signs")

@@ -8,16 +8,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norms import zero_norm
-
-if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
-
 
 Point = Callable[[Constants], tuple[Any, Any, Any]]
 
@@ -54,7 +50,7 @@ def _times_norm(
     return multiply(c, (w + scale * m, x, y, z), v)
 
 
-def conic_point(ring: Ring, c: Constants) -> tuple[Quotient, Quotient, Quotient]:
+def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
     """Return ``(w, x, y)`` ≠ 0 with ``w² + t·wx − a·x² − b·y² = 0`` for a split algebra.
 
     A zero divisor q gives the plane q·A of elements of norm 0, which meets ⟨e, i, j⟩.

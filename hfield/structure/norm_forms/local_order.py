@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Scalar, norm
-from hfield.structure.minimal_conics import Vector, adapt, kernel_at
+from hfield.structure.minimal_conics import Vector, adapt, dot, kernel_at
 
 if TYPE_CHECKING:
     from hfield.structure.finite_places import FinitePlace
@@ -47,8 +47,8 @@ class Halves:
 def unit_and_prime(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vector, Vector] | None:
     """Return quaternions u, j in M: u generates its residue field, and N(j) is divisible by the prime once.
 
-    None says that the norm form has a zero over the completion. ``place`` is a :class:`ResidueField` or a
-    :class:`PrimePlace` with a finite residue field, and ``one`` the 1 of its field.
+    None says that the norm form has a zero over the completion. The residue field is finite; ``one`` is the
+    1 of the field.
     """
     found = _enlarged(place, c, one)
     if not isinstance(found, Halves) or _zero_of_halves(place, c, found) is not None:
@@ -166,10 +166,10 @@ def _scale(v: Vector, place: FinitePlace, n: int) -> None:
 def _form(c: Constants, basis: list[Vector]) -> Form:
     """Return the coefficients of the norm form in coordinates with respect to a basis."""
     halves, zero = [_half(c, v) for v in basis], c.t - c.t
-    form = {(n, n): _paired(v, half) for n, (v, half) in enumerate(zip(basis, halves, strict=True))}
+    form = {(n, n): dot(v, half) for n, (v, half) in enumerate(zip(basis, halves, strict=True))}
     for m, n in combinations(range(len(basis)), 2):
-        there = _paired(basis[m], halves[n])
-        back = _paired(basis[n], halves[m]) if c.t != zero else there
+        there = dot(basis[m], halves[n])
+        back = dot(basis[n], halves[m]) if c.t != zero else there
         form[m, n] = there + back
     return form
 
@@ -179,11 +179,6 @@ def _half(c: Constants, v: Vector) -> Vector:
     a, t, b = c
     w, x, y, z = v
     return [w + t * x, -(a * x), -(b * (y + t * z)), a * (b * z)]
-
-
-def _paired(u: Vector, v: Vector) -> Any:
-    w, x, y, z = (m * n for m, n in zip(u, v, strict=True))
-    return w + x + y + z
 
 
 def _zeros(place: FinitePlace, form: Form, coordinates: Iterable[int]) -> list[Vector]:

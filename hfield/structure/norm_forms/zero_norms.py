@@ -12,9 +12,9 @@ from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
 from hfield.structure.forms import NormalForm, discriminant, normal_form, root_if_known
 from hfield.structure.global_field import global_field
-from hfield.structure.norm_forms import zeros_infinite_fields, zeros_over_rings
+from hfield.structure.norm_forms import zeros_over_fields, zeros_over_rings
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
-from hfield.structure.norm_forms.zeros_finite_fields import zero_norm_finite
+from hfield.structure.norm_forms.zeros_over_fields import zero_norm_finite
 
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 
@@ -133,7 +133,7 @@ def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
         q = (zero - t, ring(2), zero, zero)
         return found(ring, c, q, "degenerate", "t² + 4a = 0, so N(2i − t) = 0")
     # N = w² + a·x² + b·y² + ab·z²: additive, and 0 somewhere iff 1, a, b, ab depend over F²
-    return zeros_infinite_fields.inseparable(ring, c)
+    return zeros_over_fields.inseparable(ring, c)
 
 
 def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
@@ -198,5 +198,5 @@ _PROCEDURES: list[tuple[str, Procedure]] = [
     ("square roots of a, b and −ab", _squares),
     ("orderings", _ordering),
     ("the level of the field", _hamilton),
-    *zeros_infinite_fields.PROCEDURES,
+    *zeros_over_fields.PROCEDURES,
 ]

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
-from hfield.fields.function_fields.ring import FunctionField
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring, shared
 from hfield.rings.polynomials import PolynomialRing
@@ -77,7 +76,7 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
         return easy
     used = [i for i in range(len(ring.variables)) if any(_degree_in(x, i) > 0 for x in c)] or [0]
     for keep, point in itertools.islice(_points(used), 60):
-        field = _functions(ring, ring.variables[keep])
+        field: Any = shared(PolynomialRing, ring.base, ring.variables[keep : keep + 1]).fractions
         special = Constants(*(_specialise(x, field, keep, point) for x in c))
         if field.is_zero(discriminant(special)):
             continue
@@ -104,17 +103,11 @@ def _points(used: list[int]) -> Iterator[tuple[int, dict[int, int]]]:
             yield keep, dict(zip((i for i in used if i != keep), values, strict=True))
 
 
-def _functions(ring: PolynomialRing, variable: str) -> FunctionField:
-    return shared(FunctionField, ring.base.fractions or ring.base, variable)
-
-
 def _degree_in(x: SparsePolynomial, index: int) -> int:
     return max((int(e[index]) for e, _ in x.terms()), default=0)
 
 
-def _specialise(
-    x: SparsePolynomial, field: FunctionField, index: int, point: dict[int, int]
-) -> Any:
+def _specialise(x: SparsePolynomial, field: Ring, index: int, point: dict[int, int]) -> Any:
     """Return x with the variable ``index`` kept and those in ``point`` given values."""
     total = field.zero
     for exponents, c in x.terms():
@@ -126,9 +119,7 @@ def _specialise(
     return total
 
 
-def _lift(
-    ring: PolynomialRing, field: FunctionField, index: int, q: Coordinates
-) -> list[flint.nmod_mpoly]:
+def _lift(ring: PolynomialRing, field: Any, index: int, q: Coordinates) -> list[flint.nmod_mpoly]:
     """Clear the denominators of four rational functions and read them in the polynomial ring."""
     common = field.one
     for x in q:

@@ -9,22 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from math import prod
-from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.factorisation import factorise
-from hfield.fields.function_fields.ring import FunctionField
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
-from hfield.rings.integers import QQ
-from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.global_field import global_field
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.single_elements.closed_torsion import closed_order
-
-if TYPE_CHECKING:
-    from hfield.rings.flint_types import Coefficient
-
 
 SEARCHED_ORDERS = 120
 """Orders up to this are tried over infinite rings of which nothing is known."""
@@ -44,8 +36,8 @@ def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None
     if ring.closure is not None:
         scalar = q[0] if all(map(ring.is_zero, q[1:])) else None
         return closed_order(ring, t, n, scalar)
-    if isinstance(ring, (FunctionField, PolynomialRing)):
-        return _over_constants(ring, q, t, n)
+    if ring.constants is not None:
+        return _over_constants(ring, ring.constants, q, t, n)
     primes = _exponent(ring)
     if primes is None:
         return _searched(ring, c, q)
@@ -58,12 +50,9 @@ def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None
     return exponent
 
 
-def _over_constants(
-    ring: FunctionField | PolynomialRing, q: Coordinates, t: Scalar, n: Scalar
-) -> int | None:
+def _over_constants(ring: Ring, base: Ring, q: Coordinates, t: Scalar, n: Scalar) -> int | None:
     """Answer over k(x) or k[x, …], where sums and products of roots of unity are constants."""
-    values = [_constant(ring, x) for x in (q[0], t, n)]
-    base = ring.base
+    values = [ring.as_constant(x) for x in (q[0], t, n)]
     scalar = all(map(ring.is_zero, q[1:]))
     if (values[0] if scalar else values[1]) is None or values[2] is None:
         return None
@@ -72,17 +61,6 @@ def _over_constants(
     element = (values[0], o, o, o) if scalar else (o, base.one, o, o)
     algebra = Constants(o, o, o) if scalar else Constants(o - values[2], values[1], o)
     return multiplicative_order(base, algebra, element)
-
-
-def _constant(ring: FunctionField | PolynomialRing, x: Any) -> Coefficient | None:
-    """Return the element of the field or ring of constants that x is, or None."""
-    if isinstance(ring, PolynomialRing):
-        return ring.constant_part(x) if x.is_constant() else None
-    if x.num.degree() > 0 or x.den.degree() > 0:
-        return None
-    return ring.base(
-        ring.base.zero if x.num == 0 else ring.base_element(x.num.leading_coefficient())
-    )
 
 
 def _is_one(ring: Ring, c: Constants, q: Coordinates, n: int) -> bool:
@@ -116,7 +94,7 @@ def _exponent(ring: Ring) -> Mapping[int, int] | None:
                     r: max(part.get(r, 0), found.get(r, 0)) for r in part.keys() | found.keys()
                 }
         return found
-    field = global_field(QQ if ring.name == "ZZ" else ring)
+    field = global_field(ring.fractions or ring)
     return None if field is None else field.finite_orders
 
 

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 from hfield.factorisation import Factors, known_primes
+from hfield.fields.number_fields.arithmetic import NumberFieldArithmetic
+from hfield.fields.number_fields.conics import solve_conic_number_field
+from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
     from_number_field,
+    into_number_field,
     place_in_number_field,
 )
-from hfield.fields.number_fields.quadratic.conics import solve_conic_quadratic
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace, place_of_quadratic
-from hfield.fields.number_fields.quadratic.residues import PrimeIdeal, prime_at
+from hfield.fields.number_fields.quadratic.residues import DegreeOne, Inert, prime_at
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
-from hfield.fields.number_fields.quadratic.slots import common_slot
 from hfield.fields.number_fields.quadratic.symbols import (
     hilbert_symbol_quadratic,
-    integral,
-    is_local_square,
     pair,
     ramified_places_quadratic,
 )
-from hfield.fields.number_fields.slots import from_ramification_number_field
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -32,7 +31,6 @@ from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.integers import QQ
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField
-from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 
 if TYPE_CHECKING:
@@ -67,12 +65,24 @@ class QuadraticArithmetic(GlobalField):
         """Return the prime ideals, whose product it is."""
         return tuple(v for v in ramified if v.prime)
 
-    def with_ramification(self, places: Iterable[object]) -> tuple[Surd, Surd]:
+    def with_ramification(
+        self, places: Sequence[object], infinite: bool | None = None
+    ) -> tuple[Surd, Surd]:
         """Return constants found in ℚ[s]/(s² − d), which is the same field."""
-        field = as_number_field(self.ring)
-        same = [place_in_number_field(field, self.read_place(v)) for v in places]
-        a, b = from_ramification_number_field(field, same)
-        return from_number_field(self.ring, a), from_number_field(self.ring, b)
+        same = [place_in_number_field(self.same.ring, self.read_place(v)) for v in places]
+        a, b = self.same.with_ramification(same, infinite)
+        return self._back(a), self._back(b)
+
+    @cached_property
+    def same(self) -> NumberFieldArithmetic:
+        """The arithmetic of the same field as ℚ[s]/(s² − d), which looks for points and isomorphisms."""
+        return NumberFieldArithmetic(as_number_field(self.ring))
+
+    def _there(self, c: Constants) -> Constants:
+        return Constants(*(into_number_field(self.same.ring, x, self.ring.d) for x in c))
+
+    def _back(self, x: FieldElement) -> Surd:
+        return from_number_field(self.ring, x)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, or, for rational a and b, a square root of d over ℚ less √d."""
@@ -83,7 +93,8 @@ class QuadraticArithmetic(GlobalField):
         ring = self.ring
         (a, s), (b, t) = (pair(ring, x) for x in form.constants)
         if s or t:
-            x, y, z = solve_conic_quadratic(ring, form.a, form.b)
+            c = self._there(Constants(form.a, ring.zero, form.b))
+            x, y, z = map(self._back, solve_conic_number_field(self.same.ring, c.a, c.b))
             return z, x, y, ring.zero
         if not ramified_places_q(a, b):
             x, y, z = (ring(u) for u in solve_conic(a, b))
@@ -93,31 +104,21 @@ class QuadraticArithmetic(GlobalField):
         _, x, y, z = (ring(u) for u in root)
         return -ring.gen, x, y, z
 
-    def residues(self, place: QuadraticPlace) -> PrimeIdeal | None:
+    def residues(self, place: QuadraticPlace) -> DegreeOne | Inert | None:
         """Return the prime ideal with its residue field."""
-        return prime_at(self.ring, place) if place.prime else None
+        return prime_at(place) if place.prime else None
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by a common slot and three conics."""
-        return through_slot(self.ring, outer, inner, *self._slot(outer, [outer.a, inner.a]))
+        """Return I and J as they are found in ℚ[s]/(s² − d)."""
+        i, j = self.same.embed(self._there(outer), self._there(inner))
+        return self._all_back(i), self._all_back(j)
 
     def traceless_root(self, form: NormalForm, s: Surd) -> Coordinates | None:
-        """Return x by a common slot, unless s is a square at a ramified place."""
-        c = Constants(form.a, self.ring.zero, form.b)
-        local = integral(pair(self.ring, s))
-        if any(is_local_square(v, local) for v in self.ramified(form)):
-            return None
-        return generator_by_slot(self.ring, s, c, *self._slot(c, [c.a, s]))[0]
+        """Return x as it is found in ℚ[s]/(s² − d)."""
+        a, b, square = self._there(Constants(form.a, form.b, s))
+        x = self.same.traceless_root(form._replace(a=a, b=b), square)
+        return None if x is None else self._all_back(x)
 
-    def _slot(self, c: Constants, numbers: list[Surd]) -> tuple[Surd, Point]:
-        """Return a common slot built from local classes, and what solves conics with its primes."""
-        e, primes = common_slot(self.ring, c, numbers)
-        return e, functools.partial(_conic_point, self.ring, primes)
-
-
-def _conic_point(
-    field: QuadraticField, known: Iterable[int], c: Constants
-) -> tuple[Surd, Surd, Surd]:
-    """Return ``(w, x, y)`` ≠ 0 with ``w² = a·x² + b·y²``, given the primes of the norms of a and b."""
-    x, y, w = solve_conic_quadratic(field, c.a, c.b, known)
-    return w, x, y
+    def _all_back(self, q: Coordinates) -> Coordinates:
+        w, x, y, z = map(self._back, q)
+        return w, x, y, z

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import flint
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from hfield.rings.closed_fields.surds import Surd
 
 
+@lru_cache(maxsize=64)
 def as_number_field(field: QuadraticField) -> NumberField:
     """Return ℚ[s]/(s² − d)."""
     return NumberField(flint.fmpq_poly([-field.d, 0, 1]))

@@ -103,6 +103,14 @@ class QuadraticPlace:
         shifted = root - self.root
         return p, shifted * Fraction(1, 2) if self.prime == 2 else shifted
 
+    @property
+    def root_of_omega(self) -> int:
+        """Where ω goes modulo an ideal whose residue field has p elements."""
+        p, d, r = self.p, self.d, self.root or 0
+        if p == 2:
+            return (r + 1) // 2 % 2 if d % 4 == 1 else d % 2
+        return (r + 1) * (p + 1) // 2 % p if d % 4 == 1 else r
+
     def valuation(self, x: Surd | int | Fraction) -> int:
         """Return the order of x ≠ 0 at P. Raises :class:`RingError` for 0."""
         p, y = self.p, as_surd(x)
@@ -112,9 +120,8 @@ class QuadraticPlace:
         k = min(_order(n, p) for n in (u, v) if n)
         u, v = u * Fraction(p) ** -k, v * Fraction(p) ** -k
         if self.root is not None:
-            image = (1 + self.root) * pow(2, -1, p) if p != 2 else (1 + self.root) // 2
-            image = image if self.d % 4 == 1 else self.root
-            if (u.numerator * v.denominator + v.numerator * u.denominator * image) % p:
+            image = v.numerator * u.denominator * self.root_of_omega
+            if (u.numerator * v.denominator + image) % p:
                 return k
         # y/p^k is no multiple of p, so that its norm has the order of one ideal alone
         norm = u * u + u * v + v * v * Fraction(1 - self.d, 4)
@@ -138,6 +145,11 @@ def integer_coordinates(d: int, x: Surd) -> tuple[Fraction, Fraction]:
     """Return rationals (u, v) with x = u + v·ω, where 1 and ω are the basis of the integers of ℚ(√d)."""
     s, t = (Fraction(int(c.p), int(c.q)) for c in (x.terms.get(n, flint.fmpq(0)) for n in (1, d)))
     return (s - t, 2 * t) if d % 4 == 1 else (s, t)
+
+
+def minimal_of_omega(d: int) -> tuple[int, int]:
+    """Return (t, n) with ω² = t·ω + n."""
+    return (1, (d - 1) // 4) if d % 4 == 1 else (0, d)
 
 
 def integers_basis(d: int) -> tuple[Surd, Surd]:

@@ -10,6 +10,7 @@ import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import factorise
+from hfield.fields.number_fields.ring import NumberField
 from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
@@ -39,6 +40,7 @@ class QuadraticField(ValueRing[Surd]):
     characteristic = 0
     is_field = True
     arithmetic = "number_fields.quadratic.arithmetic.QuadraticArithmetic"
+    completions = "number_fields.completions.completion_of_quadratic"
 
     def __init__(self, d: int) -> None:
         self.d = d
@@ -66,6 +68,13 @@ class QuadraticField(ValueRing[Surd]):
     def names(self) -> dict[str, Surd]:
         """The imaginary unit I, in QQ(I)."""
         return {"I": self.gen} if self.d == -1 else {}
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return what I is in a number field that has no such name."""
+        if self.d != -1 or not isinstance(target, NumberField):
+            return {}
+        root = target.sqrt(target(-1))
+        return {} if root is None else {"I": root}
 
     def functions(self) -> dict[str, Callable[..., Surd]]:
         """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
@@ -188,6 +197,15 @@ class QuadraticField(ValueRing[Surd]):
 
     degree = 2
 
+    def norm(self, x: object) -> flint.fmpq:
+        """Return the norm of x down to ℚ."""
+        a, b = self.key(self(x))
+        return a * a - self.d * b * b
+
+    def trace(self, x: object) -> flint.fmpq:
+        """Return the trace of x down to ℚ."""
+        return 2 * self.key(self(x))[0]
+
     def discriminant(self) -> int:
         """Return the discriminant of the field: d, or 4d unless d ≡ 1 mod 4."""
         return self.d if self.d % 4 == 1 else 4 * self.d
@@ -223,12 +241,6 @@ class QuadraticField(ValueRing[Surd]):
         from hfield.fields.number_fields.quadratic.places import all_places
 
         return all_places(self)
-
-    def completion(self, place: object) -> Ring:
-        """Return an extension of ℚ_p of degree 1 or 2, or RR or CC."""
-        from hfield.fields.number_fields.completions import completion_of_quadratic
-
-        return completion_of_quadratic(self, place)
 
     def text(self, x: Surd, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)``."""

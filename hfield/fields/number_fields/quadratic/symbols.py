@@ -3,11 +3,11 @@
 Above an odd prime the symbol is tame and read off a residue field; above a split 2 the completion
 is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is one place above it, and
 the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
+That takes a fifth of the time of what serves all number fields; points and slots are left to these.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -20,7 +20,7 @@ from hfield.fields.number_fields.quadratic.places import (
     places_above,
 )
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
-from hfield.fields.rationals.symbols import _symbol
+from hfield.fields.rationals.symbols import symbol_of_parts
 from hfield.rings.whole_numbers import fraction
 
 if TYPE_CHECKING:
@@ -34,16 +34,6 @@ def pair(field: QuadraticField, x: Surd) -> Pair:
     """Return the coordinates of u + v√d."""
     terms = field(x).terms
     return fraction(terms.get(1, 0)), fraction(terms.get(field.d, 0))
-
-
-def norm(d: int, x: Pair) -> Fraction:
-    """Return the norm ``u² − d·v²`` down to ℚ."""
-    return x[0] * x[0] - d * x[1] * x[1]
-
-
-def multiply(d: int, x: Pair, y: Pair) -> Pair:
-    """Return the product of two pairs."""
-    return x[0] * y[0] + d * x[1] * y[1], x[0] * y[1] + x[1] * y[0]
 
 
 def sign(d: int, x: Pair | tuple[int, int], root: int) -> int:
@@ -118,28 +108,7 @@ def direct_symbol(v: QuadraticPlace, a: tuple[int, int], b: tuple[int, int]) -> 
     if v.root is None and v.d % v.prime:  # inert: −1 is a square, and u, w are norms of units
         value = (u if beta % 2 else 1) * (w if alpha % 2 else 1) % v.prime
         return 1 if pow(value, (v.prime - 1) // 2, v.prime) == 1 else -1
-    return _symbol(v.prime, alpha, u, beta, w)
-
-
-def is_local_square(v: QuadraticPlace, x: tuple[int, int]) -> bool:
-    """Tell whether a nonzero integer u + v√d is a square in the completion at a place."""
-    p, d = v.prime, v.d
-    if not p:
-        return v.root is None or sign(d, x, v.root) > 0
-    if is_dyadic(v):
-        # of x times powers of 4 the one with valuation 2 or 3, or 4 to 7 where 2 ramifies: a root
-        # modulo 64 is close enough to one (Hensel)
-        x = 4 * x[0], 4 * x[1]
-        while (x[0] * x[0] - d * x[1] * x[1]) % 256 == 0:
-            x = x[0] // 4, x[1] // 4
-        return any(
-            (s * s + d * t * t - x[0]) % 64 == 0 == (2 * s * t - x[1]) % 64
-            for s, t in itertools.product(range(32), repeat=2)
-        )
-    n, unit = _local(v, x)
-    if n % 2:
-        return False
-    return unit % 8 == 1 if p == 2 else pow(unit, (p - 1) // 2, p) == 1
+    return symbol_of_parts(v.prime, alpha, u, beta, w)
 
 
 def ramified_places_quadratic(

@@ -11,10 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import permutations, product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
-from hfield.fields.function_fields.extensions import SimpleExtension
-from hfield.fields.several_variables.ring import RationalFunctions
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
@@ -28,13 +26,27 @@ MAX_VARIABLES = 4
 Exponents = tuple[int, ...]
 
 
+@runtime_checkable
+class Expanded(Protocol):
+    """A field whose elements have leading terms, for every order of some variables."""
+
+    @property
+    def expanded_in(self) -> tuple[str, ...]:
+        """The variables; () where elements have none after all."""
+
+    def parts(self, x: Any) -> list[Any]:
+        """Return fractions ``num/den`` whose leading terms do not cancel, of which x is made."""
+
+
 def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Look for an order of the variables in which the norm has no zero."""
-    variables = _variables(ring)
-    if not variables or any(ring.is_zero(x) for x in form.constants):
+    if not isinstance(ring, Expanded):
+        return None
+    variables, parts = ring.expanded_in, ring.parts
+    if not 0 < len(variables) <= MAX_VARIABLES or any(ring.is_zero(x) for x in form.constants):
         return None
     for order in _orders(len(variables)):
-        v, w = (_value(x, order) for x in form.constants)
+        v, w = (_value(parts(x), order) for x in form.constants)
         below = form.kind == "symbol" or _placed(v, order) < (0,) * len(v)
         classes = {tuple(n % 2 for n in x) for x in (v, w, (0,) * len(v))}
         if below and len(classes) == 3:
@@ -45,19 +57,6 @@ def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | N
             )
             return none("leading terms", reason)
     return None
-
-
-def _variables(ring: Ring) -> tuple[str, ...]:
-    """Return the variables of k(x, y, …), k perhaps an extension; () for any other ring."""
-    if isinstance(ring, SimpleExtension):
-        c = ring.modulus_coefficients
-        constant = isinstance(ring.base, RationalFunctions) and all(
-            x.num.is_constant() and x.den.is_constant() for x in c
-        )
-        return _variables(ring.base) if constant else ()
-    if isinstance(ring, RationalFunctions) and len(ring.variables) <= MAX_VARIABLES:
-        return ring.variables
-    return ()
 
 
 Order = tuple[tuple[int, ...], tuple[int, ...]]  # which variable comes first, and 1 or −1 for each
@@ -74,9 +73,8 @@ def _placed(exponents: Exponents, order: Order) -> Exponents:
     return tuple(signs[m] * exponents[m] for m in places)
 
 
-def _value(x: Any, order: Order) -> Exponents:
+def _value(parts: list[Any], order: Order) -> Exponents:
     """Return the exponents of the leading term of a nonzero element; elements of k count for nothing."""
-    parts = [x] if hasattr(x, "num") else [c for c in x.coefficients if c.num != 0]
     values = [
         tuple(a - b for a, b in zip(_least(c.num, order), _least(c.den, order), strict=True))
         for c in parts
