@@ -10,6 +10,7 @@ from hfield.coq.cofactors import MismatchError
 from hfield.coq.rooms import FIELDS, RINGS, Room, of_characteristic, room_of
 from hfield.coq.sentences import COMPUTED, Proved, Sentence
 from hfield.coq.terms import NotCoveredError, Terms
+from hfield.evidence import Kind
 from hfield.fields.names import ring_of_data
 from hfield.proving.existence.witness_terms import put_in
 from hfield.proving.statements.language import Sort
@@ -133,7 +134,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     for h in reversed(statement.hypotheses):
         matrix = Logic("=>", h, matrix)
     arguments = []
-    if evidence["kind"] == "place":
+    if evidence["kind"] == Kind.PLACE:
         values = {name: _tree(texts) for name, texts in evidence["values"].items()}
         if set(values) != set(j.given):
             raise MismatchError("the place is not one for what is given")
@@ -144,7 +145,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
             if x.conditions:
                 raise NotCoveredError("a place with fractions")
             arguments.append((own.embed(x) if sort is Sort.QUATERNION else x).inner)
-        if proof["kind"] != "none exists":
+        if proof["kind"] != Kind.NONE_EXISTS:
             raise MismatchError("a place refutes by evidence of the kind 'none exists'")
         proof = proof["proof"]
     elif j.given:

@@ -14,6 +14,7 @@ from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.coq.universal import conjunction, exhausted, implied, multilinear
 from hfield.coq.witnesses import counterexample, example
+from hfield.evidence import Kind
 from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
@@ -49,27 +50,27 @@ class Judgement:
         kind = evidence.get("kind")
         if self.statement.exists:
             match kind:
-                case "witness":
+                case Kind.WITNESS:
                     return example(self, evidence)
-                case "exhaustion":
+                case Kind.EXHAUSTION:
                     return exhausted(self)
-                case "terms":
+                case Kind.TERMS:
                     return by_terms(self, evidence)
-                case "cases":
+                case Kind.CASES:
                     return by_cases(self, evidence)
             raise NotCoveredError(f"evidence of the kind {kind!r} for something that exists")
         match kind:
-            case "identity" if self._is_of_fractions:
+            case Kind.IDENTITY if self._is_of_fractions:
                 return exhausted(self)
-            case "identity":
+            case Kind.IDENTITY:
                 return implied(self, [])
-            case "implication":
+            case Kind.IMPLICATION:
                 return implied(self, evidence["items"], evidence["facts"])
-            case "exhaustion":
+            case Kind.EXHAUSTION:
                 return exhausted(self)
-            case "multilinear":
+            case Kind.MULTILINEAR:
                 return multilinear(self, evidence)
-            case "fractions" if self.setting.field == ZZ and evidence["ring"] == QQ.data:
+            case Kind.FRACTIONS if self.setting.field == ZZ and evidence["ring"] == QQ.data:
                 return self.proved(evidence["proof"])
         raise NotCoveredError(f"evidence of the kind {kind!r}")
 
@@ -85,16 +86,17 @@ class Judgement:
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the opposite of the statement."""
         kind = evidence.get("kind")
-        if kind == "witness" and not self.statement.exists:
+        if kind == Kind.WITNESS and not self.statement.exists:
             return counterexample(self, evidence)
-        if kind in ("none exists", "place") and self.statement.exists:
+        if kind in (Kind.NONE_EXISTS, Kind.PLACE) and self.statement.exists:
             return none_exists(self, evidence)
         raise NotCoveredError(f"evidence of the kind {kind!r} against a statement")
 
     def vacuous(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove that the hypotheses never hold together."""
-        if evidence.get("kind") != "unsatisfiable" or not self.statement.hypotheses:
-            raise NotCoveredError(f"evidence of the kind {evidence.get('kind')!r}")
+        kind = evidence.get("kind")
+        if kind != Kind.UNSATISFIABLE or not self.statement.hypotheses:
+            raise NotCoveredError(f"evidence of the kind {kind!r}")
         return self.about(Not(conjunction(self.statement.hypotheses))).proved(evidence["proof"])
 
     def true_vacuously(self, evidence: Mapping[str, Any]) -> Proved:

@@ -26,6 +26,7 @@ from hfield.coq.rooms import (
 from hfield.coq.sentences import Proved, Sentence, computed
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.setting import Setting
@@ -175,7 +176,7 @@ def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         shown = " + ".join(f"({int(c)})*{u}" for c, u in zip(value, "eijk", strict=True))
         for side in (tree.left, tree.right):
             parts.append(Compare("==", substitute(side, put), parse(shown)))
-    values = j.about(conjunction(parts)).proved({"kind": "identity"})
+    values = j.about(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
     tuples = f"{j.name}_tuples"
     return replace(whole, before=(values.lemma(tuples), *whole.before))
 

@@ -22,6 +22,7 @@ from hfield.certificates.glossary import (
     ZERO_NORM,
 )
 from hfield.errors import UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.scopes import search_panel
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, norm
@@ -88,7 +89,7 @@ class LevelAbove:
             return Decision(UNDECIDED, LEVEL, tried=(level.reason,))
         if level.value > self.bound or level.value == INFINITY:
             return Decision(
-                PROVED, LEVEL, steps=(f"The level is {level}.",), evidence={"kind": "level"}
+                PROVED, LEVEL, steps=(f"The level is {level}.",), evidence=Evidence(Kind.LEVEL)
             )
         roots = field.minus_one_as_squares()
         total = field.zero
@@ -99,7 +100,7 @@ class LevelAbove:
             return Decision(UNDECIDED, LEVEL, tried=(f"squares adding up to −1 in {field}",))
         shown = " + ".join(f"({field.text(x)})²" for x in roots)
         witness = {f"x{n}": [field.text(x)] for n, x in enumerate(roots, 1)}
-        squares = {"kind": "squares", "values": [field.text(x) for x in roots]}
+        squares = Evidence(Kind.SQUARES, values=[field.text(x) for x in roots])
         evidence = squares if exact else None
         steps = (f"−1 = {shown}",) if exact else (f"−1 = {shown}", f"The level is {level}.")
         return Decision(REFUTED, SUM_OF_SQUARES, witness=witness, steps=steps, evidence=evidence)
@@ -121,7 +122,7 @@ class Division:
             data = structure.norm_evidence(f"(-1,-1|{field.name})", field, hamilton(field), found)
             if data is None:
                 return Decision(UNDECIDED, ANISOTROPIC_NORM, tried=(found.reason,))
-            evidence: dict[str, Any] = {"kind": "anisotropic", **data}
+            evidence = Evidence(Kind.ANISOTROPIC, **data)
             steps = (f"N(q) = 0 only for q = 0: {found.reason}",)
             return Decision(PROVED, ANISOTROPIC_NORM, steps=steps, evidence=evidence)
         q = found.element
@@ -131,7 +132,7 @@ class Division:
             ZERO_NORM,
             witness={"q": texts(field, q)},
             steps=(step, *_counted(field)),
-            evidence={"kind": "zero norm", "value": texts(field, q)},
+            evidence=Evidence(Kind.ZERO_NORM, value=texts(field, q)),
         )
 
 
@@ -177,7 +178,7 @@ class PositiveNorm:
                 f"{field} is formally real: {field.level.reason}.",
                 "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
             )
-            return Decision(PROVED, ORDERING, steps=steps, evidence={"kind": "ordering"})
+            return Decision(PROVED, ORDERING, steps=steps, evidence=Evidence(Kind.ORDERING))
         candidates = [one] + ([(field.gen, *one[1:])] if field.gen_name else [])
         squares = field.minus_one_as_squares()
         if 0 < len(squares) <= 4:  # then −1 is a norm
@@ -192,7 +193,7 @@ class PositiveNorm:
                 step = f"q = {shown} has an inverse, though N(q) = {value}."
                 value_of_q = texts(field, q)
                 exact = known_equal(field, n, field(value))
-                evidence = {"kind": "witness", "value": value_of_q, "norm": value}
+                evidence = Evidence(Kind.WITNESS, value=value_of_q, norm=value)
                 return Decision(
                     REFUTED,
                     WITNESS,

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from hfield.certificates.glossary import COUNT, DETERMINANT, PROVED, REFUTED
+from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import Decision
 from hfield.rings.base import Ring
 
@@ -39,7 +40,7 @@ class IsBasis:
                 COUNT,
                 witness={"missing": last},
                 steps=(step,),
-                evidence={"kind": "count"},
+                evidence=Evidence(Kind.COUNT),
             )
         from flint import fmpz_mat
 
@@ -50,5 +51,5 @@ class IsBasis:
             PROVED if unit else REFUTED,
             DETERMINANT,
             steps=(step,),
-            evidence={"kind": "determinant"},
+            evidence=Evidence(Kind.DETERMINANT),
         )

@@ -7,6 +7,7 @@ from itertools import combinations
 
 from hfield import structure
 from hfield.certificates.glossary import LINEAR_ALGEBRA, PROVED, REFUTED, SMITH_FORM
+from hfield.evidence import Evidence, Kind
 from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
 from hfield.notation import element_text
@@ -92,14 +93,14 @@ def _equations() -> list[list[int]]:
     return rows
 
 
-def _minor(rows: list[list[int]]) -> dict[str, object]:
+def _minor(rows: list[list[int]]) -> Evidence:
     """Return, as evidence, three rows whose minor with the columns of i, j, k is not 0."""
     from flint import fmpz_mat
 
     columns = [1, 2, 3]
     for chosen in combinations(range(len(rows)), 3):
         if fmpz_mat([[rows[r][c] for c in columns] for r in chosen]).det() != 0:
-            return {"kind": "minor", "rows": list(chosen), "columns": columns}
+            return Evidence(Kind.MINOR, rows=list(chosen), columns=columns)
     raise AssertionError("the equations for the centre have rank 3 over the rationals")
 
 

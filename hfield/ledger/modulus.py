@@ -26,6 +26,7 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.errors import UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
@@ -60,7 +61,7 @@ class ModulusDefined:
                     WITNESS,
                     witness={"q": value},
                     steps=(step,),
-                    evidence={"kind": "no root", "value": value},
+                    evidence=Evidence(Kind.NO_ROOT, value=value),
                 )
         if field.characteristic == 2:
             return replace(SUM_OF_ALL.decide(field), method=IDENTITY)
@@ -71,7 +72,7 @@ class ModulusDefined:
                 CLOSED_FIELD,
                 steps=(step,),
                 assumes=(REAL_ROOTS if field.closure == "real closed" else COMPLEX_ROOTS,),
-                evidence={"kind": "closed"},
+                evidence=Evidence(Kind.CLOSED),
             )
         return Decision(UNDECIDED, SEARCH, tried=("norms of small elements",))
 
@@ -136,11 +137,11 @@ class ModulusLaw:
                 f"√1 = √1·√1 forces √1 = 1; then p, q break the law for each choice of the roots; "
                 f"all {2 ** len(sample)} choices were tried.",
             )
-            evidence = {
-                "kind": "all choices",
-                "elements": [texts(field, q) for q in sample],
-                "roots": [field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
-            }
+            evidence = Evidence(
+                Kind.ALL_CHOICES,
+                elements=[texts(field, q) for q in sample],
+                roots=[field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
+            )
             return Decision(
                 REFUTED, ALL_CHOICES_OF_ROOTS, witness=bad, steps=steps, evidence=evidence
             )
@@ -148,11 +149,13 @@ class ModulusLaw:
             return Decision(UNDECIDED, ALL_CHOICES_OF_ROOTS, tried=("roots of small norms",))
         if field.characteristic == 2:
             step = "In characteristic 2 a square has one root, for y² = z² means (y − z)² = 0."
-            return Decision(PROVED, UNIQUE_ROOTS, steps=(step,), evidence={"kind": "unique roots"})
+            return Decision(
+                PROVED, UNIQUE_ROOTS, steps=(step,), evidence=Evidence(Kind.UNIQUE_ROOTS)
+            )
         if field.level.value == INFINITY:
             step = "Take the root ≥ 0 in an order of F: products of such roots are such roots."
             lines = (f"{field}: {field.level.reason}.", step)
-            return Decision(PROVED, ORDERING, steps=lines, evidence={"kind": "ordering"})
+            return Decision(PROVED, ORDERING, steps=lines, evidence=Evidence(Kind.ORDERING))
         if field.order is not None:
             return self._finite(field)
         step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
@@ -161,7 +164,7 @@ class ModulusLaw:
             CHOICE_OF_ROOTS,
             steps=(step,),
             assumes=(KULIKOV,),
-            evidence={"kind": "pure subgroup"},
+            evidence=Evidence(Kind.PURE_SUBGROUP),
         )
 
     def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, list[str]] | None:
@@ -201,7 +204,7 @@ class ModulusLaw:
             "exactly one is a square.",
             "Take that one: products of squares are squares.",
         )
-        evidence = {"kind": "square roots"}
+        evidence = Evidence(Kind.SQUARE_ROOTS)
         if F.order is None or F.order > CHECKED_BELOW:
             return Decision(PROVED, CHOICE_OF_ROOTS, steps=steps, evidence=evidence)
         squares = {F.key(x * x) for x in F.elements()}

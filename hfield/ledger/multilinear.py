@@ -19,6 +19,7 @@ from hfield.certificates.glossary import (
     PROVED,
     REFUTED,
 )
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.linear_forms import (
     Form,
     N,
@@ -38,7 +39,7 @@ _NAMES: dict[Any, str] = {
     short_tuples: "short",
     spoilt_tuples: "all-but-one",
 }
-BY_EXPANDING = {"kind": "identity"}
+BY_EXPANDING = Evidence(Kind.IDENTITY)
 
 
 def for_every_k(core: str) -> str:
@@ -107,7 +108,7 @@ class DeterminedBy:
                     BASIS_TUPLES,
                     witness=witness,
                     steps=tuple(steps),
-                    evidence={"kind": "left out", "tuple": _word(t)},
+                    evidence=Evidence(Kind.LEFT_OUT, tuple=_word(t)),
                 )
             steps.append(
                 f"k = {k}: f − g = Σ h_t·a₁[t₁]⋯aₖ[tₖ] over {len(given)} tuples t, all h_t = 0."
@@ -118,10 +119,10 @@ class DeterminedBy:
             steps=tuple(steps),
             scope="commutative rings",
             assumes=self.assumes,
-            evidence={
-                "kind": "basis tuples",
-                "tuples": [[_word(t) for t in self.choice(k)] for k in self.arities],
-            },
+            evidence=Evidence(
+                Kind.BASIS_TUPLES,
+                tuples=[[_word(t) for t in self.choice(k)] for k in self.arities],
+            ),
         )
 
 

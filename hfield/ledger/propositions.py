@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from hfield.certificates.glossary import (
     NO_MEANING,
@@ -13,6 +12,7 @@ from hfield.certificates.glossary import (
     VACUOUS,
 )
 from hfield.errors import NotationError
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.claim import Proposition
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.ledger.transfer import carried
@@ -98,7 +98,7 @@ class Every:
         for n, part in enumerate(self.parts):
             decision = part.decide(field)
             if decision.verdict not in TRUE:
-                evidence = {"kind": "part", "part": n, "evidence": decision.evidence}
+                evidence = Evidence(Kind.PART, part=n, evidence=decision.evidence)
                 return replace(
                     decision, steps=(*steps, part.text, *decision.steps), evidence=evidence
                 )
@@ -111,11 +111,11 @@ class Every:
             "; ".join(methods),
             steps=tuple(steps),
             assumes=cited(*decisions),
-            evidence={"kind": "parts", "parts": [judged(decision) for decision in decisions]},
+            evidence=Evidence(Kind.PARTS, parts=[decided(d) for d in decisions]),
         )
 
 
-def judged(decision: Decision) -> dict[str, object]:
+def decided(decision: Decision) -> dict[str, object]:
     """Return the evidence for a part of a proposition with its verdict."""
     return {"verdict": decision.verdict, "evidence": decision.evidence}
 
@@ -154,14 +154,14 @@ class Implication:
         first = self.hypothesis.decide(field)
         if first.verdict == "refuted":
             steps = (f"The hypothesis fails over {field}:", *first.steps)
-            evidence: dict[str, Any] = {"kind": "hypothesis", "evidence": first.evidence}
+            evidence = Evidence(Kind.HYPOTHESIS, evidence=first.evidence)
             return replace(first, verdict="vacuous", steps=steps, evidence=evidence)
         if first.verdict not in TRUE:
             return first
         second = self.conclusion.decide(field)
-        evidence = {"kind": "conclusion", "evidence": second.evidence}
+        evidence = Evidence(Kind.CONCLUSION, evidence=second.evidence)
         if second.verdict == "refuted":
-            evidence = {"kind": "both", "left": judged(first), "right": judged(second)}
+            evidence = Evidence(Kind.BOTH, left=decided(first), right=decided(second))
             second = replace(second, assumes=cited(first, second))
         return replace(second, steps=(*first.steps, *second.steps), evidence=evidence)
 
@@ -202,7 +202,7 @@ class Equivalence:
         verdict = "proved" if a.verdict == b.verdict else "refuted"
         method = a.method if a.method == b.method else f"{a.method}; {b.method}"
         witness = (a.witness or b.witness) if verdict == "refuted" else None
-        evidence = {"kind": "both", "left": judged(a), "right": judged(b)}
+        evidence = Evidence(Kind.BOTH, left=decided(a), right=decided(b))
         return Decision(
             verdict, method, witness=witness, steps=steps, assumes=cited(a, b), evidence=evidence
         )

@@ -15,6 +15,7 @@ from hfield.certificates.glossary import (
     UNDECIDED,
     WITNESS,
 )
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decision import Decision
@@ -53,7 +54,7 @@ class Negation:
         if fails:
             name, first = next(iter(fails.items()))
             witness = {"F": [name], **(first.witness or {})}
-            evidence = {"kind": "over", "ring": ring(name).data, "evidence": first.evidence}
+            evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=first.evidence)
             return Decision(PROVED, WITNESS, witness=witness, steps=tuple(steps), evidence=evidence)
         # that it holds in each field of the panel shows nothing of the others
         general = found if field else {UNIVERSAL: self.proposition.decide(None)}
@@ -121,8 +122,9 @@ def by_lemmas(everywhere: Proposition) -> Decision:
     decision = everywhere.decide(None)
     if decision.verdict != "proved" or decision.evidence is None:
         return decision
-    proofs = [part["evidence"] for part in decision.evidence.get("parts", ())]
-    return replace(decision, evidence={"kind": "lemmas", "proofs": proofs})
+    parts = decision.evidence["parts"] if decision.evidence.kind is Kind.PARTS else ()
+    proofs = [part["evidence"] for part in parts]
+    return replace(decision, evidence=Evidence(Kind.LEMMAS, proofs=proofs))
 
 
 def search_panel(proposition: Proposition) -> Decision:
@@ -134,7 +136,7 @@ def search_panel(proposition: Proposition) -> Decision:
         if decision.verdict == "refuted":
             witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
             steps = (f"It fails over {name}:", *decision.steps)
-            evidence = {"kind": "over", "ring": ring(name).data, "evidence": decision.evidence}
+            evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=decision.evidence)
             return replace(decision, witness=witness, steps=steps, evidence=evidence)
     return Decision(UNDECIDED, THE_PANEL, tried=("a counterexample in each field of the panel",))
 

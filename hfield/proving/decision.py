@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.certificates.glossary import (
     CERTIFIED,
@@ -13,12 +12,12 @@ from hfield.certificates.glossary import (
     PROVED,
     REDUCED_RINGS,
     REFUTED,
-    SCHEMA,
     UNDECIDED,
     VACUOUS,
     VERDICTS,
 )
 from hfield.errors import UndecidedError
+from hfield.evidence import Evidence, Kind, certificate
 from hfield.fields.names import ring
 
 # The verdicts and scopes, which those who decide take from here.
@@ -35,7 +34,6 @@ __all__ = [
     "VERDICTS",
     "Decision",
     "characteristics",
-    "has_evidence",
 ]
 
 
@@ -50,15 +48,6 @@ def counted(thing: str, n: int, number: bool = True) -> str:
     return f"{n} {word}" if number else word
 
 
-def has_evidence(evidence: Any) -> bool:
-    """Tell whether there is evidence, and for all that it builds on."""
-    if isinstance(evidence, Mapping):
-        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
-        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
-        return all(map(has_evidence, [*parts, *(cases if isinstance(cases, list) else ())]))
-    return evidence is not None
-
-
 @dataclass(frozen=True)
 class Decision:
     """A verdict and how it was reached; plain data throughout, so it pickles and prints as JSON.
@@ -70,7 +59,7 @@ class Decision:
     lines that one could put on a blackboard. ``scope`` says where the statement was proved:
     ``commutative rings``, ``reduced rings``, ``fields``, ``characteristics [..]`` or ``field``.
     ``assumes`` lists theorems that are cited and not checked, ``tried`` what an undecided
-    statement was tried with. ``evidence`` is JSON data, described in docs/certificates.md.
+    statement was tried with. ``evidence`` is what a program checks it by.
     """
 
     verdict: str
@@ -80,7 +69,7 @@ class Decision:
     scope: str | None = None
     assumes: tuple[str, ...] = ()
     tried: tuple[str, ...] = ()
-    evidence: Mapping[str, Any] | None = None
+    evidence: Evidence | None = None
 
     def __post_init__(self) -> None:
         if self.verdict not in VERDICTS:
@@ -94,24 +83,12 @@ class Decision:
             return None
         from hfield.certificates.vocabulary.logic import names_of_rings
 
-        evidence, named = dict(self.evidence), names_of_rings(statement)
+        evidence, named = self.evidence, [ring(n).data for n in names_of_rings(statement)]
         if named:
-            evidence = {
-                "kind": "rings",
-                "rings": [ring(n).data for n in named],
-                "evidence": evidence,
-            }
-        return {
-            "schema": SCHEMA,
-            "statement": statement,
-            "algebra": algebra,
-            "field": field,
-            "ring": None if field is None else ring(field).data,
-            "verdict": self.verdict,
-            "method": self.method,
-            "assumes": list(self.assumes),
-            "evidence": evidence,
-        }
+            evidence = Evidence(Kind.RINGS, rings=named, evidence=evidence)
+        data = None if field is None else ring(field).data
+        judged = (self.verdict, self.method, self.assumes, evidence)
+        return certificate(statement, algebra, field, data, *judged)
 
     def __bool__(self) -> bool:
         """Proved (or vacuous) is true, refuted is false. Raises UndecidedError for the others."""

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
@@ -194,14 +194,10 @@ def _put_together(
     """Return the proof by cases, None where a case is not proved."""
     if any(proof.verdict != PROVED for proof in proofs):
         return None
-    evidence: dict[str, Any] = {
-        "kind": "cases",
-        "cases": [
-            {"when": case.when, "terms": dict(case.terms), "proof": proof.evidence}
-            for case, proof in zip(cases, proofs, strict=True)
-        ],
-        "cover": cover.evidence,
-    }
+    told = [
+        {"when": case.when, "terms": dict(case.terms), "proof": proof.evidence}
+        for case, proof in zip(cases, proofs, strict=True)
+    ]
     steps = [
         f"where {case.when} take " + ", ".join(f"{name} = {term}" for name, term in case.terms)
         for case in cases
@@ -213,5 +209,5 @@ def _put_together(
         steps=(*steps, "one of these cases always applies"),
         scope=FIELDS if problem.field is None else FIELD,
         assumes=assumes,
-        evidence=evidence,
+        evidence=Evidence(Kind.CASES, cases=told, cover=cover.evidence),
     )

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import Any
 
 from hfield.errors import HFieldError
+from hfield.evidence import Evidence, Kind, is_complete
 from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import by_weight, small_scalars, witness_texts
 from hfield.proving.decision import (
@@ -14,7 +14,6 @@ from hfield.proving.decision import (
     REFUTED,
     UNDECIDED,
     Decision,
-    has_evidence,
 )
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars
@@ -75,7 +74,7 @@ def by_places(problem: Problem) -> Decision:
             return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
         if one.verdict == REFUTED:
             refuted = _none_there(one, values)
-            if has_evidence(one.evidence):
+            if is_complete(one.evidence):
                 return refuted
             unproved = unproved or refuted
         elif finite and one.verdict != PROVED:
@@ -84,7 +83,7 @@ def by_places(problem: Problem) -> Decision:
         return unproved
     if finite and not problem.is_late:
         steps = (f"there is one for {_each(count)}",)
-        counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
+        counted = Evidence(Kind.EXHAUSTION, cases=count)
         return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
     tried = ["terms in the unknowns", f"{looked} places"]
     if problem.is_late:
@@ -178,6 +177,6 @@ def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
 
 
 def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
-    evidence = {"kind": "place", "values": place, "proof": one.evidence}
+    evidence = Evidence(Kind.PLACE, values=place, proof=one.evidence)
     at = (f"at {shown(place)} there is none",) if place else ()
     return replace(one, witness=place, steps=(*at, *one.steps), evidence=evidence)

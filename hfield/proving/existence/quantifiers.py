@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from hfield.evidence import Evidence, Kind, is_complete
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import (
@@ -12,7 +13,6 @@ from hfield.proving.decision import (
     UNDECIDED,
     VACUOUS,
     Decision,
-    has_evidence,
 )
 from hfield.proving.existence.case_distinction import (
     by_isolating,
@@ -38,7 +38,7 @@ def vacuous(problem: Problem) -> Decision | None:
     decision = universal.decide(problem.alone(Not(node)))
     if decision.verdict != PROVED:
         return None
-    evidence = {"kind": "unsatisfiable", "proof": decision.evidence}
+    evidence = Evidence(Kind.UNSATISFIABLE, proof=decision.evidence)
     steps = (*decision.steps, "so the hypotheses are never all true")
     # A conclusion with constants of the field speaks of no other, whatever its hypotheses do.
     scope = FIELD if problem.statement.constants else decision.scope
@@ -66,7 +66,7 @@ def _over_all_fields(problem: Problem) -> Decision:
     unproved = None  # refuted somewhere, but without evidence: another field may have some
     for one, name in _at_fields(problem, place):
         if one is not None and one.verdict == REFUTED:
-            if has_evidence(one.evidence):
+            if is_complete(one.evidence):
                 return all_fields.elsewhere(one, name)
             unproved = unproved or all_fields.elsewhere(one, name)
     if unproved is not None:

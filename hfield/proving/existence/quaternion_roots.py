@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from hfield.certificates.glossary import QUATERNION_ROOT
+from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import BASIS, Sort
@@ -55,7 +56,7 @@ def by_quaternion_roots(problem: Problem) -> Decision | None:
         steps=steps,
         scope=FIELD,
         assumes=(QUATERNION_ROOT,),
-        evidence={"kind": "quaternion root"},
+        evidence=Evidence(Kind.QUATERNION_ROOT),
     )
 
 

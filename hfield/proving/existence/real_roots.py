@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.recognition import polynomial_text
@@ -57,34 +58,34 @@ def by_roots(problem: Problem) -> Decision | None:
     )
 
 
-Reason = tuple[dict[str, Any], str, str]  # evidence, theorem, words
+Reason = tuple[Evidence, str, str]  # evidence, theorem, words
 
 
 def _complex(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     lead = _coefficients(f, at)[-1]
     if not lead.is_constant():
         return None
-    return {"kind": "complex root"}, COMPLEX_ROOT, "has a number other than 0 in front"
+    return Evidence(Kind.COMPLEX_ROOT), COMPLEX_ROOT, "has a number other than 0 in front"
 
 
 def _real(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     c = _coefficients(f, at)
     degree = len(c) - 1
     if degree % 2 and c[-1].is_constant():
-        return {"kind": "real root", "by": "odd degree"}, ODD_DEGREE, f"has the odd degree {degree}"
+        return Evidence(Kind.REAL_ROOT, by="odd degree"), ODD_DEGREE, f"has the odd degree {degree}"
     if degree == 2 and c[1] == 0 and c[2].is_constant():
         rest = -c[0] if int(c[2].leading_coefficient()) > 0 else c[0]
         if all(
             coefficient > 0 and not any(int(e) % 2 for e in m) for m, coefficient in rest.terms()
         ):
             words = "is a multiple of its square minus a sum of squares"
-            return {"kind": "real root", "by": "square"}, REAL_ROOTS, words
+            return Evidence(Kind.REAL_ROOT, by="square"), REAL_ROOTS, words
     if all(x.is_constant() for x in c):
         ends = _sign_change([int(x.leading_coefficient()) if x != 0 else 0 for x in c])
         if ends is not None:
             words = f"has values of both signs, at {ends[0]} and {ends[1]}"
             between = [str(n) for n in ends]
-            evidence = {"kind": "real root", "by": "sign change", "between": between}
+            evidence = Evidence(Kind.REAL_ROOT, by="sign change", between=between)
             return evidence, SIGN_CHANGE, words
     return None
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, product
-from typing import Any
 
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import FIELD, FIELDS, PROVED, Decision
 from hfield.proving.methods import universal
@@ -38,11 +38,7 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
             continue
         if decision.verdict == PROVED:
             named_terms = dict(zip(statement.exists, terms, strict=True))
-            evidence: dict[str, Any] = {
-                "kind": "terms",
-                "terms": named_terms,
-                "proof": decision.evidence,
-            }
+            evidence = Evidence(Kind.TERMS, terms=named_terms, proof=decision.evidence)
             shown = ", ".join(f"{name} = {term}" for name, term in named_terms.items())
             terms_found = {n: [t] for n, t in named_terms.items()} if free else None
             return replace(

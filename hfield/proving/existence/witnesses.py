@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place, witness_texts
 from hfield.proving.counterexamples.refuting import lifted
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
@@ -49,17 +50,15 @@ def _by_contrary(problem: Problem) -> Decision:
     """Decide whether the statement is false everywhere."""
     decision = universal.decide(problem.about(Not(problem.matrix)))
     if decision.verdict == REFUTED:
-        evidence = {**(decision.evidence or {}), "kind": "witness"}
         return replace(
             decision,
             verdict=PROVED,
             method="witness",
             scope=FIELD,
-            evidence=evidence,
             steps=(f"true for {shown(decision.witness or {})}",),
         )
     if decision.verdict == PROVED:
-        evidence = {"kind": "none exists", "proof": decision.evidence}
+        evidence = Evidence(Kind.NONE_EXISTS, proof=decision.evidence)
         steps = (*decision.steps, "so there is none")
         return replace(decision, verdict=REFUTED, scope=None, evidence=evidence, steps=steps)
     return decision
@@ -100,7 +99,7 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
         witness=witness,
         steps=(f"true for {shown(witness)}",),
         scope=FIELD,
-        evidence={"kind": "witness", "ring": problem.ring.data, "values": witness},
+        evidence=Evidence(Kind.WITNESS, ring=problem.ring.data, values=witness),
     )
 
 

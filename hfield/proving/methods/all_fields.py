@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
@@ -83,7 +84,7 @@ def _identity(statement: Statement, x: Expanded) -> Decision:
         "all coefficients of the difference are 0 in ℤ",
     )
     scope = scope_of_identity(statement, x)
-    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence={"kind": "identity"})
+    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
 
 
 def _quickly(problem: Problem) -> bool:
@@ -134,5 +135,5 @@ def fields_tried(problem: Problem) -> Iterator[Problem]:
 
 def elsewhere(decision: Decision, name: str) -> Decision:
     """Return a refutation over one field as one over all fields."""
-    evidence = {**(decision.evidence or {}), "ring": ring(name).data}
+    evidence = decision.evidence and decision.evidence.over(ring(name).data)
     return replace(decision, witness={**(decision.witness or {}), "F": [name]}, evidence=evidence)

@@ -1,6 +1,7 @@
 """Decisions put together from what the procedures found."""
 
 from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
@@ -84,9 +85,8 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) 
         steps.append(f"all coefficients of the difference are 0 after reducing x^{field.order} = x")
     else:
         steps.append(f"all coefficients of the difference are 0 in {field.name}")
-    return Decision(
-        PROVED, "identity", steps=tuple(steps), scope=scope, evidence={"kind": "identity"}
-    )
+    evidence = Evidence(Kind.IDENTITY)
+    return Decision(PROVED, IDENTITY, steps=tuple(steps), scope=scope, evidence=evidence)
 
 
 def _listed_characteristics(scope: str) -> list[int]:
@@ -140,7 +140,7 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
         witness=witness,
         steps=tuple(steps),
         scope=scope,
-        evidence={"kind": "witness", "ring": field.data, "values": witness},
+        evidence=Evidence(Kind.WITNESS, ring=field.data, values=witness),
     )
 
 
@@ -160,10 +160,10 @@ def implied(proof: Proof, problem: Problem) -> Decision:
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
     facts = [f"over {setting.algebra} {rule}" for rule in used]
     assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
-    evidence = {
-        "kind": "implication",
-        "facts": [dict(rule.evidence) for rule in used],
-        "items": [dict(item.evidence) for item in proof.items],
-    }
+    evidence = Evidence(
+        Kind.IMPLICATION,
+        facts=[dict(rule.evidence) for rule in used],
+        items=[dict(item.evidence) for item in proof.items],
+    )
     scope, steps = proof.scope(problem.statement), (*facts, *proof.steps)
     return Decision(PROVED, "implication", None, steps, scope, assumes, (), evidence)

@@ -1,6 +1,7 @@
 """Deciding over a finite ring by all cases."""
 
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import MANY, look
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import counterexample
@@ -22,7 +23,7 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
     if found is not None:
         return refuted(problem, found)
     steps = (f"true in {_each(cases)} over {problem.ring.name}",)
-    evidence = {"kind": "exhaustion", "cases": cases}
+    evidence = Evidence(Kind.EXHAUSTION, cases=cases)
     return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)
 
 

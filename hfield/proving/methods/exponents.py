@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import COMMUTATIVE_RINGS, FIELDS, PROVED, Decision
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
@@ -18,10 +19,9 @@ def by_exponents(problem: Problem) -> Decision | None:
         if left is None or left != right:
             return None
     steps = ("both sides are the same product of powers: their exponents add up to the same",)
-    evidence = {"kind": "identity"}
     divides = problem.statement.divides or problem.setting.divides
     scope = FIELDS if divides else COMMUTATIVE_RINGS
-    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence=evidence)
+    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
 
 
 def _powers(node: Node, statement: Statement) -> Counter[int | str] | None:

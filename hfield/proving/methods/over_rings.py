@@ -11,6 +11,7 @@ from itertools import product
 from math import gcd
 
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import FEW, look
 from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import FEW_CASES, coordinates
@@ -126,7 +127,7 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
     if above is not None:
         decision = one_field.decide(problem.over(above))
         if decision.verdict == PROVED:
-            evidence = {"kind": "fractions", "ring": above.data, "proof": decision.evidence}
+            evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)
             step = f"{field.name} lies in {above.name}, where this holds"
             return replace(decision, steps=(*decision.steps, step), evidence=evidence)
     return _modulo(problem, x) if not p else None
@@ -153,7 +154,7 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
     decision = one_field.decide(problem.stating(there).over(above))
     if decision.verdict != PROVED:
         return None
-    evidence = {"kind": "fractions", "ring": above.data, "proof": decision.evidence}
+    evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)
     step = f"what it divides by are units of {field.name}, or the comparison is false"
     return replace(decision, steps=(*decision.steps, step), evidence=evidence if same else None)
 
@@ -207,7 +208,7 @@ def _modulo(problem: Problem, x: Expanded) -> Decision | None:
         except HFieldError:
             continue
         if decision.verdict == PROVED:
-            evidence = {"kind": "reduction", "modulus": n, "proof": decision.evidence}
+            evidence = Evidence(Kind.REDUCTION, modulus=n, proof=decision.evidence)
             step = f"so in {field.name} too there is nothing else: it would stay true modulo {n}"
             return replace(decision, scope=FIELD, steps=(*decision.steps, step), evidence=evidence)
     return None

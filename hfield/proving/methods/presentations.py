@@ -11,6 +11,7 @@ from math import lcm
 from typing import Any
 
 from hfield.errors import NotationError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.clock import Clock
 from hfield.proving.decision import (
@@ -142,7 +143,7 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
                 "denominator": scale,
             }
         )
-    evidence = {"kind": "presentation", "characteristic": p, **target, "proofs": entries}
+    evidence = Evidence(Kind.PRESENTATION, characteristic=p, **target, proofs=entries)
     integral = all(scale == 1 for _, scale in proof)
     scope = characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
     return Decision(PROVED, "presentation", None, tuple(steps), scope, evidence=evidence)
@@ -151,7 +152,7 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
 def _vacuous(proof: Proof, target: dict[str, Any], p: int) -> Decision:
     shown = _proved(proof, {**target, "goals": [_listed(ONE)]}, p)
     steps = (*shown.steps, "1 = 0: the relations hold in no algebra other than 0.")
-    evidence = {"kind": "unsatisfiable", "proof": shown.evidence}
+    evidence = Evidence(Kind.UNSATISFIABLE, proof=shown.evidence)
     return replace(shown, verdict=VACUOUS, steps=steps, evidence=evidence)
 
 
@@ -175,14 +176,8 @@ def _refuted(
         f"{_shown(target['goals'][goal])} is {vector} there, not 0"
         + (f", in characteristic {p}" if p else ""),
     )
-    evidence = {
-        "kind": "algebra",
-        "characteristic": p,
-        **target,
-        "table": products,
-        "goal": goal,
-        "value": value,
-    }
+    shown_by = {"table": products, "goal": goal, "value": value}
+    evidence = Evidence(Kind.ALGEBRA, characteristic=p, **target, **shown_by)
     witness = {place: [str(c) for c in v] for place, v in products.items()}
     if everywhere:
         witness["F"] = [f"GF({p})" if p else "QQ"]

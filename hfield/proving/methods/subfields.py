@@ -7,14 +7,14 @@ somewhere in a subfield is false over ℚ_p, and what exists in a subfield exist
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
-from typing import Any
 
 import flint
 
 from hfield.errors import HFieldError, TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.local.element import LocalElement
 from hfield.fields.local.field import LocalField
 from hfield.fields.local.roots import square_root
@@ -33,7 +33,6 @@ from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
 from hfield.syntax import Not
 
-Evidence = Mapping[str, Any]
 NEAR = 6  # digits of a root
 GENERATOR = "g"  # no unknown has that name
 MAX_DEGREE = 20
@@ -73,10 +72,10 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
 
 def _evidence(K: Ring, near: flint.fmpq, decision: Decision) -> Evidence | None:
     """Return the witness with a number so near the generator that Hensel's lemma finds it."""
-    if decision.evidence is None or decision.evidence.get("kind") != "witness":
+    found = decision.evidence
+    if found is None or found.kind is not Kind.WITNESS:
         return None
-    root = QQ.text(near)
-    return {"kind": "subfield", "ring": K.data, "root": root, "witness": decision.evidence}
+    return Evidence(Kind.SUBFIELD, ring=K.data, root=QQ.text(near), witness=found)
 
 
 def _read_back(K: Ring, root: LocalElement, text: str) -> str:
