@@ -12,7 +12,7 @@ from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
-from hfield.proving.decision import Decision
+from hfield.proving.decision import FIELDS, Decision
 from hfield.rings.base import Ring
 
 
@@ -74,7 +74,7 @@ class Centre:
             SMITH_FORM,
             witness=witness,
             steps=steps,
-            scope="fields",
+            scope=FIELDS,
             evidence=_minor(rows) if right else None,
         )
 

@@ -30,7 +30,7 @@ from hfield.ledger.linear_forms import (
     spoilt_tuples,
 )
 from hfield.notation import BASIS
-from hfield.proving.decision import Decision
+from hfield.proving.decision import COMMUTATIVE_RINGS, Decision
 from hfield.rings.base import Ring
 
 _NAMES: dict[Any, str] = {
@@ -117,7 +117,7 @@ class DeterminedBy:
             PROVED,
             BASIS_TUPLES,
             steps=tuple(steps),
-            scope="commutative rings",
+            scope=COMMUTATIVE_RINGS,
             assumes=self.assumes,
             evidence=Evidence(
                 Kind.BASIS_TUPLES,
@@ -168,7 +168,7 @@ def _expanded(step: str) -> Decision:
         PROVED,
         IDENTITY,
         steps=(step,),
-        scope="commutative rings",
+        scope=COMMUTATIVE_RINGS,
         assumes=(INDUCTION,),
         evidence=BY_EXPANDING,
     )

@@ -3,9 +3,18 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from hfield.certificates.glossary import LINEAR_ALGEBRA, NONE
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.clock import Clock
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.decision import (
+    FIELD,
+    NOT_APPLICABLE,
+    PROVED,
+    UNDECIDED,
+    VACUOUS,
+    Decision,
+    undecided,
+)
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.existence import quantifiers
 from hfield.proving.existence.closed_equations import closed_solutions
@@ -64,10 +73,10 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
             found = _never_false(problem) if found is None else found
             decision = decision if found is None else found
     except (TooLargeError, UndecidedError) as error:  # such as digits that are not known
-        return Decision(UNDECIDED, "none", tried=(str(error),))
+        return undecided(str(error))
     if exists is None and decision.verdict in (PROVED, VACUOUS):
         tried = ("values of the letters for which the structure constants are defined",)
-        return Decision(UNDECIDED, "none", tried=tried)
+        return undecided(*tried)
     return decision
 
 
@@ -81,7 +90,7 @@ def _never_false(problem: Problem) -> Decision | None:
     steps = (
         f"solving the equations of a counterexample over {field.name} shows that there is none",
     )
-    return Decision(PROVED, "linear algebra", steps=steps, scope=FIELD)
+    return Decision(PROVED, LINEAR_ALGEBRA, steps=steps, scope=FIELD)
 
 
 def chosen(problem: Problem) -> Callable[[Problem], Decision]:
@@ -110,4 +119,4 @@ def _no_algebra(problem: Problem) -> Decision:
     where = "any field" if setting.field is None else setting.field.name
     values = f" for any {', '.join(setting.letters)}" if setting.letters else ""
     why = f"there is no algebra {setting.algebra}: its constants are not defined in {where}{values}"
-    return Decision(NOT_APPLICABLE, "none", steps=(why,), tried=(why,))
+    return Decision(NOT_APPLICABLE, NONE, steps=(why,), tried=(why,))

@@ -1,16 +1,14 @@
 """What a decision procedure answers: a verdict with the evidence for it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from hfield.certificates import glossary
 from hfield.certificates.glossary import (
     CERTIFIED,
-    COMMUTATIVE_RINGS,
-    FIELD,
-    FIELDS,
+    NONE,
     NOT_APPLICABLE,
     PROVED,
-    REDUCED_RINGS,
     REFUTED,
     UNDECIDED,
     VACUOUS,
@@ -33,13 +31,33 @@ __all__ = [
     "VACUOUS",
     "VERDICTS",
     "Decision",
-    "characteristics",
+    "Scope",
 ]
 
 
-def characteristics(primes: list[int]) -> str:
-    """Return the scope "characteristics [...]" of something that holds exactly over those."""
-    return f"characteristics {sorted(primes)}"
+class Scope(str):
+    """Where a statement was shown, in words; ``primes`` are those of "characteristics [...]"."""
+
+    primes: tuple[int, ...] = ()
+
+    @classmethod
+    def characteristics(cls, primes: Iterable[int]) -> "Scope":
+        """Return the scope of what holds exactly over the fields and rings of these characteristics."""
+        listed = sorted(primes)
+        scope = cls(f"characteristics {listed}")
+        scope.primes = tuple(listed)
+        return scope
+
+
+FIELD, FIELDS = Scope(glossary.FIELD), Scope(glossary.FIELDS)
+REDUCED_RINGS = Scope(glossary.REDUCED_RINGS)
+COMMUTATIVE_RINGS = Scope(glossary.COMMUTATIVE_RINGS)
+
+
+def in_characteristics(primes: Sequence[int]) -> str:
+    """Return "characteristic 2", "characteristics 2, 3"."""
+    named = counted("characteristic", len(primes), number=False)
+    return f"{named} {', '.join(map(str, primes))}"
 
 
 def counted(thing: str, n: int, number: bool = True) -> str:
@@ -66,7 +84,7 @@ class Decision:
     method: str
     witness: Mapping[str, list[str]] | None = None
     steps: tuple[str, ...] = ()
-    scope: str | None = None
+    scope: Scope | None = None
     assumes: tuple[str, ...] = ()
     tried: tuple[str, ...] = ()
     evidence: Evidence | None = None
@@ -98,3 +116,8 @@ class Decision:
             return False
         tried = "; ".join(self.tried) or self.method
         raise UndecidedError(f"this is {self.verdict}, so it is neither true nor false: {tried}")
+
+
+def undecided(*tried: str, method: str = NONE) -> Decision:
+    """Return that nothing decided it, with what was tried."""
+    return Decision(UNDECIDED, method, tried=tried)

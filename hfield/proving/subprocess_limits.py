@@ -8,7 +8,7 @@ import sys
 
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
-from hfield.proving.decision import UNDECIDED, Decision
+from hfield.proving.decision import Decision, undecided
 from hfield.proving.problem import Problem
 from hfield.proving.question import Question
 from hfield.rings.base import Ring
@@ -77,4 +77,4 @@ def _is_ours(field: Ring) -> bool:
 
 
 def _given_up(why: str) -> Decision:
-    return Decision(UNDECIDED, "none", tried=(f"{why}, in a process of its own",))
+    return undecided(f"{why}, in a process of its own")

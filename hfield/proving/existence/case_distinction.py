@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from hfield.certificates.glossary import WITNESS
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
@@ -205,7 +206,7 @@ def _put_together(
     assumes = tuple(dict.fromkeys(a for d in (cover, *proofs) for a in d.assumes))
     return Decision(
         PROVED,
-        "witness",
+        WITNESS,
         steps=(*steps, "one of these cases always applies"),
         scope=FIELDS if problem.field is None else FIELD,
         assumes=assumes,

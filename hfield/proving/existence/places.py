@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
+from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import HFieldError
 from hfield.evidence import Evidence, Kind, is_complete
 from hfield.product import Scalar
@@ -12,8 +13,8 @@ from hfield.proving.decision import (
     FIELD,
     PROVED,
     REFUTED,
-    UNDECIDED,
     Decision,
+    undecided,
 )
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars
@@ -71,7 +72,7 @@ def by_places(problem: Problem) -> Decision:
         try:
             one = decide_closed(_instance(problem, values))
         except HFieldError:
-            return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
+            return undecided("values of the unknowns one by one")
         if one.verdict == REFUTED:
             refuted = _none_there(one, values)
             if is_complete(one.evidence):
@@ -84,11 +85,11 @@ def by_places(problem: Problem) -> Decision:
     if finite and not problem.is_late:
         steps = (f"there is one for {_each(count)}",)
         counted = Evidence(Kind.EXHAUSTION, cases=count)
-        return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
+        return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=counted)
     tried = ["terms in the unknowns", f"{looked} places"]
     if problem.is_late:
         tried.append("the time was over")
-    return Decision(UNDECIDED, "none", tried=tuple(tried))
+    return undecided(*tried)
 
 
 def _each(count: int) -> str:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from hfield.certificates.glossary import FLOATS
 from hfield.evidence import Evidence, Kind, is_complete
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import true_place
@@ -10,9 +11,9 @@ from hfield.proving.decision import (
     FIELD,
     PROVED,
     REFUTED,
-    UNDECIDED,
     VACUOUS,
     Decision,
+    undecided,
 )
 from hfield.proving.existence.case_distinction import (
     by_isolating,
@@ -52,7 +53,7 @@ def decide(problem: Problem) -> Decision:
         return _over_all_fields(problem)
     if not field.is_exact:
         tried = (f"{field.name} is inexact, so nothing is proved there to exist, or not to",)
-        return Decision(UNDECIDED, "floats", tried=tried)
+        return undecided(*tried, method=FLOATS)
     return _for_all_exists(problem) if given(problem) else decide_closed(problem)
 
 
@@ -72,7 +73,7 @@ def _over_all_fields(problem: Problem) -> Decision:
     if unproved is not None:
         return unproved
     tried = ("terms in the unknowns", f"each of {', '.join(all_fields.FIELDS_TRIED)}")
-    return Decision(UNDECIDED, "none", tried=tried)
+    return undecided(*tried)
 
 
 Place = dict[str, Sequence[str]]

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from hfield.certificates.glossary import QUATERNION_ROOT
+from hfield.certificates.glossary import QUATERNION_ROOT, WITNESS
 from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.problem import Problem
@@ -52,7 +52,7 @@ def by_quaternion_roots(problem: Problem) -> Decision | None:
     )
     return Decision(
         PROVED,
-        "witness",
+        WITNESS,
         steps=steps,
         scope=FIELD,
         assumes=(QUATERNION_ROOT,),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE
+from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS, SIGN_CHANGE, WITNESS
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import FIELD, PROVED, Decision
@@ -50,7 +50,7 @@ def by_roots(problem: Problem) -> Decision | None:
     evidence, theorem, why = by
     return Decision(
         PROVED,
-        "witness",
+        WITNESS,
         steps=(f"{shown} {why}", f"so it has a root: {theorem}"),
         scope=FIELD,
         assumes=(theorem,),

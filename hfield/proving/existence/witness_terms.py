@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, product
 
+from hfield.certificates.glossary import WITNESS
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place
@@ -43,7 +44,7 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
             terms_found = {n: [t] for n, t in named_terms.items()} if free else None
             return replace(
                 decision,
-                method="witness",
+                method=WITNESS,
                 witness=terms_found,
                 scope=FIELDS if problem.field is None else FIELD,
                 steps=(f"take {shown}", *decision.steps),

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from hfield.certificates.glossary import LINEAR_ALGEBRA, WITNESS
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place, witness_texts
@@ -42,7 +43,7 @@ def decide_closed(problem: Problem) -> Decision:
     decision = _by_contrary(problem)
     if decision.verdict not in (PROVED, REFUTED) and solutions.none:
         steps = (f"solving the equations over {problem.ring.name} shows that there is none",)
-        return Decision(REFUTED, "linear algebra", steps=steps)
+        return Decision(REFUTED, LINEAR_ALGEBRA, steps=steps)
     return decision
 
 
@@ -53,7 +54,7 @@ def _by_contrary(problem: Problem) -> Decision:
         return replace(
             decision,
             verdict=PROVED,
-            method="witness",
+            method=WITNESS,
             scope=FIELD,
             steps=(f"true for {shown(decision.witness or {})}",),
         )
@@ -95,7 +96,7 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
     witness = witness_texts(problem.ring, lifted(problem.ring, found))
     return Decision(
         PROVED,
-        "witness",
+        WITNESS,
         witness=witness,
         steps=(f"true for {shown(witness)}",),
         scope=FIELD,

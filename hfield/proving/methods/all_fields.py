@@ -3,11 +3,12 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from hfield.certificates.glossary import IDENTITY
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search
-from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
+from hfield.proving.decision import FIELDS, PROVED, REFUTED, Decision, counted, undecided
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.methods import one_field
 from hfield.proving.methods.decisions import expanding, implied, scope_of_identity
@@ -52,7 +53,7 @@ def decide(problem: Problem) -> Decision:
     if found is not None:
         return found if x is None else _with_exceptions(problem, found)
     tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", _why(x))
-    return Decision(UNDECIDED, "none", tried=tried)
+    return undecided(*tried)
 
 
 def _with_exceptions(problem: Problem, found: Decision) -> Decision:
@@ -84,7 +85,7 @@ def _identity(statement: Statement, x: Expanded) -> Decision:
         "all coefficients of the difference are 0 in ℤ",
     )
     scope = scope_of_identity(statement, x)
-    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
+    return Decision(PROVED, IDENTITY, steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
 
 
 def _quickly(problem: Problem) -> bool:

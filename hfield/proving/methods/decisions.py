@@ -1,6 +1,12 @@
 """Decisions put together from what the procedures found."""
 
-from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
+from hfield.certificates.glossary import (
+    COUNTEREXAMPLE,
+    FLOATS_EXACT,
+    IDENTITY,
+    IMPLICATION,
+    WITNESS,
+)
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import witness_texts
 from hfield.proving.decision import (
@@ -10,8 +16,9 @@ from hfield.proving.decision import (
     PROVED,
     REFUTED,
     Decision,
-    characteristics,
+    Scope,
     counted,
+    in_characteristics,
 )
 from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.methods.implications import Proof
@@ -32,7 +39,7 @@ def expanding(x: Expanded) -> str:
     return f"expand both sides in the {counted('coordinate', x.unknowns)} of what is unknown"
 
 
-def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
+def scope_of_identity(statement: Statement, x: Expanded) -> Scope | None:
     """Return where all clauses are polynomial identities, over every commutative ring there is.
 
     What divides, or compares with ``!=``, is claimed of fields alone: over F₂ × F₂ an element that is
@@ -42,7 +49,7 @@ def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
     if not x.clauses and not x.has_constants:
         return FIELDS if fields_only else COMMUTATIVE_RINGS
     primes = () if fields_only else primes_of_identity(x)
-    return characteristics(list(primes)) if primes else None
+    return Scope.characteristics(primes) if primes else None
 
 
 def primes_of_identity(x: Expanded) -> tuple[int, ...]:
@@ -68,16 +75,15 @@ def is_conjunction_of_identities(statement: Statement) -> bool:
     )
 
 
-def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) -> Decision:
+def identity(statement: Statement, x: Expanded, field: Ring, scope: Scope | None) -> Decision:
     """Return the decision "proved" for what holds coefficient by coefficient."""
     p = field.characteristic
-    holds_in_p = scope in (COMMUTATIVE_RINGS, FIELDS) or (
-        scope is not None and p in _listed_characteristics(scope)
-    )
-    if not holds_in_p:
-        scope = FIELD
     steps = [expanding(x)]
-    if scope in (COMMUTATIVE_RINGS, FIELDS):
+    general = scope in (COMMUTATIVE_RINGS, FIELDS)
+    holds_in_p = scope is not None and p in scope.primes
+    if not (general or holds_in_p):
+        scope = FIELD
+    if general:
         steps.append("all coefficients of the difference are 0 in ℤ")
     elif holds_in_p:
         steps.append(f"all coefficients of the difference are divisible by {p}")
@@ -87,12 +93,6 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) 
         steps.append(f"all coefficients of the difference are 0 in {field.name}")
     evidence = Evidence(Kind.IDENTITY)
     return Decision(PROVED, IDENTITY, steps=tuple(steps), scope=scope, evidence=evidence)
-
-
-def _listed_characteristics(scope: str) -> list[int]:
-    """Read the numbers of a scope "characteristics [...]"."""
-    inside = scope.partition("[")[2].rstrip("]")
-    return [int(n) for n in inside.split(",") if n.strip()]
 
 
 def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
@@ -128,9 +128,9 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
     primes = tuple(p for p in primes if x is not None and _algebra_may_exist(x, p))
     scope = None
     if primes:
-        where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
+        where = in_characteristics(primes)
         if is_conjunction_of_identities(problem.statement):
-            scope = characteristics(list(primes))
+            scope = Scope.characteristics(primes)
             steps.append(f"it holds exactly in {where}")
         else:
             steps.append(f"over fields of {where} it holds")
@@ -166,4 +166,4 @@ def implied(proof: Proof, problem: Problem) -> Decision:
         items=[dict(item.evidence) for item in proof.items],
     )
     scope, steps = proof.scope(problem.statement), (*facts, *proof.steps)
-    return Decision(PROVED, "implication", None, steps, scope, assumes, (), evidence)
+    return Decision(PROVED, IMPLICATION, None, steps, scope, assumes, (), evidence)

@@ -1,9 +1,10 @@
 """Deciding over a finite ring by all cases."""
 
+from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import MANY, look
-from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
+from hfield.proving.decision import FIELD, PROVED, Decision, undecided
 from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.methods.decisions import refuted
 from hfield.proving.polynomials.expansion import Expanded
@@ -19,12 +20,12 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
         found = look(problem, MANY)
         if found is not None:
             return refuted(problem, found)
-        return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
+        return undecided(str(error), f"{MANY} small places")
     if found is not None:
         return refuted(problem, found)
     steps = (f"true in {_each(cases)} over {problem.ring.name}",)
     evidence = Evidence(Kind.EXHAUSTION, cases=cases)
-    return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)
+    return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=evidence)
 
 
 def _each(cases: int) -> str:

@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+from hfield.certificates.glossary import IDENTITY
 from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import COMMUTATIVE_RINGS, FIELDS, PROVED, Decision
 from hfield.proving.problem import Problem
@@ -21,7 +22,7 @@ def by_exponents(problem: Problem) -> Decision | None:
     steps = ("both sides are the same product of powers: their exponents add up to the same",)
     divides = problem.statement.divides or problem.setting.divides
     scope = FIELDS if divides else COMMUTATIVE_RINGS
-    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
+    return Decision(PROVED, IDENTITY, steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
 
 
 def _powers(node: Node, statement: Statement) -> Counter[int | str] | None:

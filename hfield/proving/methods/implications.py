@@ -14,7 +14,7 @@ from hfield.proving.decision import (
     FIELD,
     FIELDS,
     REDUCED_RINGS,
-    characteristics,
+    Scope,
     counted,
 )
 from hfield.proving.methods.contradiction import Conditions, member, refute
@@ -75,14 +75,14 @@ class Proof:
         """Whether the proof is valid over every commutative ring."""
         return all(item.direct for item in self.items) and abs(self.denominator) == 1
 
-    def scope(self, statement: Statement) -> str:
+    def scope(self, statement: Statement) -> Scope:
         """Return where the proof is valid."""
         if self.rules or self.has_constants:
             return FIELD
         if self.characteristic:  # by contradiction it is shown over fields, not over F₂[ε]
             fields_only = statement.divides or statement.compares_unequal
             direct = self.is_direct and not fields_only
-            return characteristics([self.characteristic]) if direct else FIELD
+            return Scope.characteristics([self.characteristic]) if direct else FIELD
         if abs(self.denominator) != 1:
             return FIELD
         if statement.divides or statement.compares_unequal:

@@ -10,10 +10,11 @@ from fractions import Fraction
 from itertools import product
 from math import gcd
 
+from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import FEW, look
-from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
+from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision, undecided
 from hfield.proving.evaluation.all_cases import FEW_CASES, coordinates
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
@@ -66,7 +67,7 @@ def decide(problem: Problem) -> Decision:
         tried.append(
             f"where something divides, what holds over fields says nothing of {field.name}"
         )
-    return _at_units(problem) or Decision(UNDECIDED, "none", tried=tuple(tried))
+    return _at_units(problem) or undecided(*tried)
 
 
 def _at_units(problem: Problem) -> Decision | None:
@@ -86,7 +87,7 @@ def _at_units(problem: Problem) -> Decision | None:
             return None
     shown = ", ".join(units)
     steps = (f"{shown} must be units of ZZ: 1 or -1, and there it holds",)
-    return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD)
+    return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD)
 
 
 def _factors(node: Node) -> tuple[str, ...]:

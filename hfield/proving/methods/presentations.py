@@ -10,6 +10,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from hfield.certificates.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import NotationError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
@@ -19,10 +20,10 @@ from hfield.proving.decision import (
     FIELD,
     PROVED,
     REFUTED,
-    UNDECIDED,
     VACUOUS,
     Decision,
-    characteristics,
+    Scope,
+    undecided,
 )
 from hfield.proving.methods.algebra_tables import Table, find_table
 from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
@@ -79,7 +80,7 @@ def decide_presentation(
         found = find_table("eijk", "e" if identity else None, read_relations, read_goals, q, clock)
         if found is not None:
             return _refuted(found, target, q, field is None)
-    return Decision(UNDECIDED, "presentation", tried=("rewriting", "tables with entries 0, ±1"))
+    return undecided("rewriting", "tables with entries 0, ±1", method=PRESENTATION)
 
 
 def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: bool = True) -> str:
@@ -145,8 +146,8 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
         )
     evidence = Evidence(Kind.PRESENTATION, characteristic=p, **target, proofs=entries)
     integral = all(scale == 1 for _, scale in proof)
-    scope = characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
-    return Decision(PROVED, "presentation", None, tuple(steps), scope, evidence=evidence)
+    scope = Scope.characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
+    return Decision(PROVED, PRESENTATION, None, tuple(steps), scope, evidence=evidence)
 
 
 def _vacuous(proof: Proof, target: dict[str, Any], p: int) -> Decision:
@@ -181,7 +182,7 @@ def _refuted(
     witness = {place: [str(c) for c in v] for place, v in products.items()}
     if everywhere:
         witness["F"] = [f"GF({p})" if p else "QQ"]
-    return Decision(REFUTED, "algebra", witness, steps, evidence=evidence)
+    return Decision(REFUTED, ALGEBRA, witness, steps, evidence=evidence)
 
 
 def _listed(f: Words) -> list[list[Any]]:

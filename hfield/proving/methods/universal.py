@@ -1,8 +1,9 @@
 """Deciding a statement without quantifiers, wherever the problem says: the choice of the method."""
 
+from hfield.certificates.glossary import FLOATS
 from hfield.proving.counterexamples.candidates import prime_search
 from hfield.proving.counterexamples.refuting import FEW, lifted
-from hfield.proving.decision import UNDECIDED, Decision
+from hfield.proving.decision import Decision, undecided
 from hfield.proving.methods import all_fields, one_field, over_rings
 from hfield.proving.methods.decisions import refuted
 from hfield.proving.methods.exponents import by_exponents
@@ -32,4 +33,4 @@ def _over_floats(problem: Problem) -> Decision:
         if found is not None:
             return refuted(problem, lifted(field, found))
     tried = (f"{field.name} is inexact, so nothing is proved there: decide over RR or QQ",)
-    return Decision(UNDECIDED, "floats", tried=tried)
+    return undecided(*tried, method=FLOATS)
