@@ -5,6 +5,7 @@ in its own way.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
@@ -68,8 +69,12 @@ class Kind(StrEnum):
     ORDER = "order"
 
 
+@dataclass(init=False)
 class Evidence:
     """Evidence of a kind, with its values by their names, in the order in which JSON has them."""
+
+    kind: Kind
+    values: Mapping[str, Any]
 
     def __init__(self, kind: Kind, **values: Any) -> None:
         self.kind, self.values = kind, values
@@ -84,9 +89,6 @@ class Evidence:
     def to_json(self) -> dict[str, Any]:
         """Return the evidence as JSON data."""
         return {"kind": self.kind.value, **_plain(self.values)}
-
-    def __repr__(self) -> str:
-        return f"Evidence({self.to_json()})"
 
 
 def _plain(x: Any) -> Any:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from hfield.certificates.glossary import COUNT, DETERMINANT, PROVED, REFUTED
 from hfield.evidence import Evidence, Kind
 from hfield.proving.decision import Decision
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 
@@ -30,10 +31,8 @@ class IsBasis:
         """Count the vectors and their coordinates, then take the determinant over ℤ."""
         lengths = {len(v) for v in self.vectors}
         if lengths != {self.dimension} or len(self.vectors) != self.dimension:
-            step = (
-                f"{len(self.vectors)} vectors with {', '.join(map(str, sorted(lengths)))} coordinates "
-                f"cannot be a basis of a space of dimension {self.dimension}."
-            )
+            listed = ", ".join(map(str, sorted(lengths)))
+            step = say("not-enough", n=len(self.vectors), m=listed, d=self.dimension)
             last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
             return Decision(
                 REFUTED,
@@ -46,7 +45,7 @@ class IsBasis:
 
         det = int(fmpz_mat([list(v) for v in self.vectors]).det())
         unit = abs(det) == 1 if field is None else field.is_unit(field(det))
-        step = f"The determinant is {det}, {'a unit' if unit else 'not a unit'}."
+        step = say("determinant-unit" if unit else "determinant-none", d=det)
         return Decision(
             PROVED if unit else REFUTED,
             DETERMINANT,

@@ -13,6 +13,7 @@ from hfield.ledger.base_field import hamilton, texts
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
 from hfield.proving.decision import FIELDS, Decision
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 
@@ -40,9 +41,7 @@ class Centre:
         names = ", ".join(element_text(field, q, "unicode", "e") for q in basis)
         whole = field.characteristic == self.special
         right = len(basis) == 4 if whole else len(basis) == 1 and field.is_unit(basis[0][0])
-        steps = (
-            f"Solving q·i = i·q and q·j = j·q over {field}: dimension {len(basis)}, basis {names}.",
-        )
+        steps = (say("centre-solved", F=field, n=len(basis), basis=names),)
         witness = None if right else {f"c{n}": texts(field, q) for n, q in enumerate(basis, 1)}
         return Decision(
             PROVED if right else REFUTED,
@@ -60,12 +59,10 @@ class Centre:
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
         special = sorted({p for d in divisors for p in _primes(abs(d))})
         dimension = {p: 4 - sum(1 for d in divisors if d % p) for p in special}
+        told = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
         steps = (
-            f"Over ℤ, q·i = i·q and q·j = j·q has the elementary divisors {', '.join(map(str, divisors))}.",
-            f"So the centre is F·e in every field of characteristic not in {special}; "
-            + ", ".join(
-                f"in characteristic {p} its dimension is {n}" for p, n in dimension.items()
-            ),
+            say("centre-divisors", list=", ".join(map(str, divisors))),
+            say("centre-is", list=special, rest=told[0] if len(told) == 1 else ", ".join(told)),
         )
         right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
         witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}

@@ -31,6 +31,7 @@ from hfield.ledger.linear_forms import (
 )
 from hfield.notation import BASIS
 from hfield.proving.decision import COMMUTATIVE_RINGS, Decision
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 _NAMES: dict[Any, str] = {
@@ -95,10 +96,7 @@ class DeterminedBy:
             if not _determines(self.choice, k):
                 t = next(t for t in all_tuples(k) if t not in given)
                 vectors = ", ".join(BASIS[n] for n in t)
-                steps.append(
-                    f"k = {k}: let f be 1·e on ({vectors}) and 0 on the other basis tuples, g = 0: "
-                    "they agree on all tuples named, yet f ≠ g."
-                )
+                steps.append(say("left-out", k=k, t=vectors))
                 witness: dict[str, Any] = {
                     f"a{m}": [str(int(n == r)) for r in range(N)] for m, n in enumerate(t, 1)
                 }
@@ -110,9 +108,7 @@ class DeterminedBy:
                     steps=tuple(steps),
                     evidence=Evidence(Kind.LEFT_OUT, tuple=_word(t)),
                 )
-            steps.append(
-                f"k = {k}: f − g = Σ h_t·a₁[t₁]⋯aₖ[tₖ] over {len(given)} tuples t, all h_t = 0."
-            )
+            steps.append(say("all-tuples", k=k, n=len(given)))
         return Decision(
             PROVED,
             BASIS_TUPLES,
@@ -155,12 +151,11 @@ class CurriedIsLinear:
                 a, fixed = form.arguments[slot], form.basis(last)
                 mixed = form.at(slot, [s * u + y * v for u, v in zip(a, b, strict=True)], fixed)
                 if mixed != s**self.power * form.at(slot, a, fixed) + y * form.at(slot, b, fixed):
-                    step = "Take s = 2, y = 0: the left side doubles, the right side does not."
+                    step = say("doubles")
                     witness = {"s": ["2"], "y": ["0"]}
                     refuted = Decision(REFUTED, IDENTITY, witness=witness, steps=(step,))
                     return _over_all(field, refuted)
-        step = "Both sides expand to the same polynomial for m = 1, 2, each slot, each basis vector e₀."
-        return _expanded(step)
+        return _expanded(say("expand-slots"))
 
 
 def _expanded(step: str) -> Decision:
@@ -177,7 +172,7 @@ def _expanded(step: str) -> Decision:
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
     """A difference s² − s vanishes on GF(2), where a map is told by its values, not by its formula."""
     if field is not None and field.order == 2:
-        return Decision(PROVED, EXHAUSTION, steps=("s² = s for both elements s of GF(2).",))
+        return Decision(PROVED, EXHAUSTION, steps=(say("two-elements"),))
     return decision
 
 
@@ -214,13 +209,9 @@ class LastArgument:
                 total = [u + x[n] * v for u, v in zip(total, vectors[n], strict=True)]
             if left != form(*fixed, total):
                 n = min(self.upper, N)
-                step = (
-                    f"The two sides differ by the summand number {n + (self.upper > N)}: "
-                    f"V has {N} basis vectors, and the sum on the right runs to {self.upper}."
-                )
+                step = say("summand", n=n + (self.upper > N), m=N, k=self.upper)
                 witness = {f"x{m + 1}": [str(int(m == n))] for m in range(N + 1)}
                 return Decision(
                     REFUTED, IDENTITY, witness=witness, steps=(step,), evidence=BY_EXPANDING
                 )
-        step = f"Both sides expand to the same polynomial in {', '.join(map(str, self.arities))} arguments."
-        return _expanded(step)
+        return _expanded(say("expand-arguments", n=", ".join(map(str, self.arities))))

@@ -19,6 +19,7 @@ from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_text
+from hfield.proving.steps import indented, say
 from hfield.rings.base import Ring
 from hfield.syntax import Node
 
@@ -103,7 +104,7 @@ class Every:
                     decision, steps=(*steps, part.text, *decision.steps), evidence=evidence
                 )
             decisions.append(decision)
-            steps += [part.text, *(f"  {step}" for step in decision.steps)]
+            steps += [part.text, *map(indented, decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
         empty = all(decision.verdict == "vacuous" for decision in decisions)
         return Decision(
@@ -153,7 +154,7 @@ class Implication:
             return by_lemmas(self.everywhere) if self.everywhere else search_panel(self)
         first = self.hypothesis.decide(field)
         if first.verdict == "refuted":
-            steps = (f"The hypothesis fails over {field}:", *first.steps)
+            steps = (say("hypothesis-fails", F=field), *first.steps)
             evidence = Evidence(Kind.HYPOTHESIS, evidence=first.evidence)
             return replace(first, verdict="vacuous", steps=steps, evidence=evidence)
         if first.verdict not in TRUE:
@@ -194,10 +195,10 @@ class Equivalence:
             return unsettled[0]
         a, b = sides
         steps = (
-            f"{self.left.text}: {a.verdict}",
-            *(f"  {s}" for s in a.steps),
-            f"{self.right.text}: {b.verdict}",
-            *(f"  {s}" for s in b.steps),
+            say(a.verdict, text=self.left.text),
+            *map(indented, a.steps),
+            say(b.verdict, text=self.right.text),
+            *map(indented, b.steps),
         )
         verdict = "proved" if a.verdict == b.verdict else "refuted"
         method = a.method if a.method == b.method else f"{a.method}; {b.method}"

@@ -19,6 +19,7 @@ from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decision import Decision
+from hfield.proving.steps import Step, say
 from hfield.rings.base import Ring
 
 TRUE = ("proved", "vacuous")
@@ -44,12 +45,7 @@ class Negation:
         """Go through the panel (or look at the one field given) and show what was found in each."""
         names = [field.name] if field else [name for name in PANEL if name != UNIVERSAL]
         found = {name: self.proposition.decide(ring(name)) for name in names}
-        steps = [
-            f"{name}: {d.verdict}"
-            + (f", {witness_text(d.witness)}" if d.witness else "")
-            + (f" — {d.steps[-1]}" if d.steps else "")
-            for name, d in found.items()
-        ]
+        steps = [_found(name, decision) for name, decision in found.items()]
         fails = {name: d for name, d in found.items() if d.verdict == "refuted"}
         if fails:
             name, first = next(iter(fails.items()))
@@ -117,6 +113,14 @@ class Only:
         return replace(decision, assumes=(*decision.assumes, *self.assumes))
 
 
+def _found(name: str, decision: Decision) -> Step:
+    """Say what was found over one field: the verdict, where it fails, and the last step."""
+    line = say(decision.verdict, text=name)
+    if decision.witness:
+        line = say("at", verdict=line, values=witness_text(decision.witness))
+    return say("because", verdict=line, reason=decision.steps[-1]) if decision.steps else line
+
+
 def by_lemmas(everywhere: Proposition) -> Decision:
     """Decide over all fields by what shows it there; the lemmas' proofs become the evidence."""
     decision = everywhere.decide(None)
@@ -135,7 +139,7 @@ def search_panel(proposition: Proposition) -> Decision:
         decision = proposition.decide(ring(name))
         if decision.verdict == "refuted":
             witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
-            steps = (f"It fails over {name}:", *decision.steps)
+            steps = (say("fails-over", F=name), *decision.steps)
             evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=decision.evidence)
             return replace(decision, witness=witness, steps=steps, evidence=evidence)
     return Decision(UNDECIDED, THE_PANEL, tried=("a counterexample in each field of the panel",))

@@ -22,6 +22,7 @@ from hfield.proving.methods import universal
 from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.question import TIMEOUT, Question, read_question
+from hfield.proving.steps import say
 from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
 from hfield.syntax import Not
@@ -87,9 +88,7 @@ def _never_false(problem: Problem) -> Decision | None:
         return None
     if not closed_solutions(problem.about(Not(problem.matrix))).none:
         return None
-    steps = (
-        f"solving the equations of a counterexample over {field.name} shows that there is none",
-    )
+    steps = (say("no-counterexample", F=field.name),)
     return Decision(PROVED, LINEAR_ALGEBRA, steps=steps, scope=FIELD)
 
 
@@ -116,7 +115,7 @@ def _with_hypotheses(problem: Problem) -> Decision:
 def _no_algebra(problem: Problem) -> Decision:
     """Return the decision about an algebra whose structure constants are never defined."""
     setting = problem.setting
-    where = "any field" if setting.field is None else setting.field.name
-    values = f" for any {', '.join(setting.letters)}" if setting.letters else ""
-    why = f"there is no algebra {setting.algebra}: its constants are not defined in {where}{values}"
+    where = say("any-field") if setting.field is None else setting.field.name
+    named = "no-algebra-for" if setting.letters else "no-algebra"
+    why = say(named, A=setting.algebra, F=where, letters=", ".join(setting.letters))
     return Decision(NOT_APPLICABLE, NONE, steps=(why,), tried=(why,))

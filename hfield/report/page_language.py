@@ -36,7 +36,7 @@ class Language(dict[str, str]):
 
     def say(self, text: str) -> str | None:
         """Return a text in this language, or None where it is known in English only."""
-        return text if self._translation is None else self._translation.say(" ".join(text.split()))
+        return text if self._translation is None else self._translation.say(text)
 
     def html(self, text: str, tag: str = "span", most: int | None = None) -> str:
         """Set a text in this language, cut after ``most`` letters; what stays English is marked."""

@@ -19,6 +19,7 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import FALSE, implication
+from hfield.proving.steps import say
 from hfield.syntax import Compare, Logic, Name, Node, Number, parse
 
 MAX_ISOLATED = 40
@@ -200,14 +201,18 @@ def _put_together(
         for case, proof in zip(cases, proofs, strict=True)
     ]
     steps = [
-        f"where {case.when} take " + ", ".join(f"{name} = {term}" for name, term in case.terms)
+        say(
+            "take-where",
+            when=case.when,
+            terms=", ".join(f"{name} = {term}" for name, term in case.terms),
+        )
         for case in cases
     ]
     assumes = tuple(dict.fromkeys(a for d in (cover, *proofs) for a in d.assumes))
     return Decision(
         PROVED,
         WITNESS,
-        steps=(*steps, "one of these cases always applies"),
+        steps=(*steps, say("always-one")),
         scope=FIELDS if problem.field is None else FIELD,
         assumes=assumes,
         evidence=Evidence(Kind.CASES, cases=told, cover=cover.evidence),

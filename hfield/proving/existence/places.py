@@ -28,6 +28,7 @@ from hfield.proving.statements.language import Sort
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import put_letters
 from hfield.proving.statements.trees import conjunction, quaternion_node, substitute, walk
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 from hfield.syntax import Name, Negate, Not, Number, parse
 
@@ -83,17 +84,13 @@ def by_places(problem: Problem) -> Decision:
     if unproved is not None:
         return unproved
     if finite and not problem.is_late:
-        steps = (f"there is one for {_each(count)}",)
+        steps = (say("one-each" if count > 1 else "one-only", n=count),)
         counted = Evidence(Kind.EXHAUSTION, cases=count)
         return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=counted)
     tried = ["terms in the unknowns", f"{looked} places"]
     if problem.is_late:
         tried.append("the time was over")
     return undecided(*tried)
-
-
-def _each(count: int) -> str:
-    return f"each of the {count} values of what is given" if count > 1 else "the only value given"
 
 
 def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision | None:
@@ -179,5 +176,5 @@ def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
 
 def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
     evidence = Evidence(Kind.PLACE, values=place, proof=one.evidence)
-    at = (f"at {shown(place)} there is none",) if place else ()
+    at = (say("none-at", values=shown(place)),) if place else ()
     return replace(one, witness=place, steps=(*at, *one.steps), evidence=evidence)

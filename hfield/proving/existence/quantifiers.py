@@ -28,6 +28,7 @@ from hfield.proving.existence.witnesses import FEW, decide_closed
 from hfield.proving.methods import all_fields, universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.trees import conjunction
+from hfield.proving.steps import say
 from hfield.syntax import Not
 
 
@@ -40,7 +41,7 @@ def vacuous(problem: Problem) -> Decision | None:
     if decision.verdict != PROVED:
         return None
     evidence = Evidence(Kind.UNSATISFIABLE, proof=decision.evidence)
-    steps = (*decision.steps, "so the hypotheses are never all true")
+    steps = (*decision.steps, say("never-all"))
     # A conclusion with constants of the field speaks of no other, whatever its hypotheses do.
     scope = FIELD if problem.statement.constants else decision.scope
     return replace(decision, verdict=VACUOUS, scope=scope, steps=steps, evidence=evidence)

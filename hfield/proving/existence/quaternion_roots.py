@@ -8,6 +8,7 @@ from hfield.proving.decision import FIELD, PROVED, Decision
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import BASIS, Sort
 from hfield.proving.statements.trees import occurrences
+from hfield.proving.steps import say
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power
 
 MAX_DEGREE = 1_000
@@ -47,8 +48,8 @@ def by_quaternion_roots(problem: Problem) -> Decision | None:
     if not (1 <= top.degree <= MAX_DEGREE and top.single):
         return None
     steps = (
-        f"a polynomial in {name} with a single monomial of the highest degree, {top.degree}",
-        f"so it has a root: {QUATERNION_ROOT}",
+        say("single-top", q=name, n=top.degree),
+        say("so-root", theorem=QUATERNION_ROOT),
     )
     return Decision(
         PROVED,

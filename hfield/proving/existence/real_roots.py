@@ -12,6 +12,7 @@ from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
+from hfield.proving.steps import Step, say
 from hfield.syntax import Compare
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def by_roots(problem: Problem) -> Decision | None:
     if len(left) != 1 or not 1 <= left[0].degrees()[world.variables.index(name)] <= MAX_DEGREE:
         return None
     f, at = left[0], world.variables.index(name)
-    shown = f"{polynomial_text(f, world.variables)} as a polynomial in {name}"
+    shown = polynomial_text(f, world.variables)
     by = _complex(f, at) if field.closure == "algebraically closed" else _real(f, at)
     if by is None:
         return None
@@ -51,39 +52,39 @@ def by_roots(problem: Problem) -> Decision | None:
     return Decision(
         PROVED,
         WITNESS,
-        steps=(f"{shown} {why}", f"so it has a root: {theorem}"),
+        steps=(say("as-polynomial", f=shown, x=name, why=why), say("so-root", theorem=theorem)),
         scope=FIELD,
         assumes=(theorem,),
         evidence=evidence,
     )
 
 
-Reason = tuple[Evidence, str, str]  # evidence, theorem, words
+Reason = tuple[Evidence, str, Step]  # evidence, theorem, words
 
 
 def _complex(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     lead = _coefficients(f, at)[-1]
     if not lead.is_constant():
         return None
-    return Evidence(Kind.COMPLEX_ROOT), COMPLEX_ROOT, "has a number other than 0 in front"
+    return Evidence(Kind.COMPLEX_ROOT), COMPLEX_ROOT, say("number-in-front")
 
 
 def _real(f: flint.fmpz_mpoly, at: int) -> Reason | None:
     c = _coefficients(f, at)
     degree = len(c) - 1
     if degree % 2 and c[-1].is_constant():
-        return Evidence(Kind.REAL_ROOT, by="odd degree"), ODD_DEGREE, f"has the odd degree {degree}"
+        return Evidence(Kind.REAL_ROOT, by="odd degree"), ODD_DEGREE, say("odd-degree", n=degree)
     if degree == 2 and c[1] == 0 and c[2].is_constant():
         rest = -c[0] if int(c[2].leading_coefficient()) > 0 else c[0]
         if all(
             coefficient > 0 and not any(int(e) % 2 for e in m) for m, coefficient in rest.terms()
         ):
-            words = "is a multiple of its square minus a sum of squares"
+            words = say("square-minus-squares")
             return Evidence(Kind.REAL_ROOT, by="square"), REAL_ROOTS, words
     if all(x.is_constant() for x in c):
         ends = _sign_change([int(x.leading_coefficient()) if x != 0 else 0 for x in c])
         if ends is not None:
-            words = f"has values of both signs, at {ends[0]} and {ends[1]}"
+            words = say("both-signs", a=ends[0], b=ends[1])
             between = [str(n) for n in ends]
             evidence = Evidence(Kind.REAL_ROOT, by="sign change", between=between)
             return evidence, SIGN_CHANGE, words

@@ -13,6 +13,7 @@ from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import BASIS, Sort
 from hfield.proving.statements.trees import divides_in, implication, substitute
+from hfield.proving.steps import say
 from hfield.syntax import Compare, Logic, Node, Not, parse
 
 MAX_TERMS = 400
@@ -47,7 +48,7 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
                 method=WITNESS,
                 witness=terms_found,
                 scope=FIELDS if problem.field is None else FIELD,
-                steps=(f"take {shown}", *decision.steps),
+                steps=(say("take", terms=shown), *decision.steps),
                 evidence=evidence,
             )
     return None

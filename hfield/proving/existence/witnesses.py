@@ -18,6 +18,7 @@ from hfield.proving.existence.real_roots import by_roots
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
+from hfield.proving.steps import say
 from hfield.syntax import Not, parse
 
 FEW = 400
@@ -42,7 +43,7 @@ def decide_closed(problem: Problem) -> Decision:
             return decision
     decision = _by_contrary(problem)
     if decision.verdict not in (PROVED, REFUTED) and solutions.none:
-        steps = (f"solving the equations over {problem.ring.name} shows that there is none",)
+        steps = (say("none-solving", R=problem.ring.name),)
         return Decision(REFUTED, LINEAR_ALGEBRA, steps=steps)
     return decision
 
@@ -56,11 +57,11 @@ def _by_contrary(problem: Problem) -> Decision:
             verdict=PROVED,
             method=WITNESS,
             scope=FIELD,
-            steps=(f"true for {shown(decision.witness or {})}",),
+            steps=(say("true-for", values=shown(decision.witness or {})),),
         )
     if decision.verdict == PROVED:
         evidence = Evidence(Kind.NONE_EXISTS, proof=decision.evidence)
-        steps = (*decision.steps, "so there is none")
+        steps = (*decision.steps, say("none"))
         return replace(decision, verdict=REFUTED, scope=None, evidence=evidence, steps=steps)
     return decision
 
@@ -98,7 +99,7 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
         PROVED,
         WITNESS,
         witness=witness,
-        steps=(f"true for {shown(witness)}",),
+        steps=(say("true-for", values=shown(witness)),),
         scope=FIELD,
         evidence=Evidence(Kind.WITNESS, ring=problem.ring.data, values=witness),
     )

@@ -8,7 +8,7 @@ from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search
-from hfield.proving.decision import FIELDS, PROVED, REFUTED, Decision, counted, undecided
+from hfield.proving.decision import FIELDS, PROVED, REFUTED, Decision, undecided
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.methods import one_field
 from hfield.proving.methods.decisions import expanding, implied, scope_of_identity
@@ -17,6 +17,7 @@ from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators
+from hfield.proving.steps import say
 
 # Where a counterexample is looked for, in this order.
 FIELDS_TRIED = (
@@ -68,10 +69,7 @@ def _with_exceptions(problem: Problem, found: Decision) -> Decision:
         return found
     failing = [q for q in primes if not prove_clauses(problem.within(1.0), q).complete]
     where = " and ".join(map(str, failing))
-    kind = counted("characteristic", len(failing), number=False)
-    step = f"over the fields of every characteristic but {where} it holds"
-    if len(failing) > 1:
-        step = f"it holds over all fields but, perhaps, those of the {kind} {where}"
+    step = say("holds-but-perhaps" if len(failing) > 1 else "holds-but", p=where)
     return replace(found, steps=(*found.steps, step))
 
 
@@ -80,10 +78,7 @@ def _why(x: Expanded | None) -> str:
 
 
 def _identity(statement: Statement, x: Expanded) -> Decision:
-    steps = (
-        expanding(x),
-        "all coefficients of the difference are 0 in ℤ",
-    )
+    steps = (expanding(x), say("all-zero", R="ℤ"))
     scope = scope_of_identity(statement, x)
     return Decision(PROVED, IDENTITY, steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
 

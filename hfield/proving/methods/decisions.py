@@ -17,8 +17,6 @@ from hfield.proving.decision import (
     REFUTED,
     Decision,
     Scope,
-    counted,
-    in_characteristics,
 )
 from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.methods.implications import Proof
@@ -28,15 +26,16 @@ from hfield.proving.polynomials.vanishing import common_primes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.trees import conjuncts
+from hfield.proving.steps import Step, say
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node, Not
 
 
-def expanding(x: Expanded) -> str:
+def expanding(x: Expanded) -> Step:
     """Say how both sides of an identity are compared."""
     if not x.unknowns:
-        return "compute both sides"
-    return f"expand both sides in the {counted('coordinate', x.unknowns)} of what is unknown"
+        return say("compute")
+    return say("expand-one" if x.unknowns == 1 else "expand", n=x.unknowns)
 
 
 def scope_of_identity(statement: Statement, x: Expanded) -> Scope | None:
@@ -84,13 +83,13 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: Scope | None
     if not (general or holds_in_p):
         scope = FIELD
     if general:
-        steps.append("all coefficients of the difference are 0 in ℤ")
+        steps.append(say("all-zero", R="ℤ"))
     elif holds_in_p:
-        steps.append(f"all coefficients of the difference are divisible by {p}")
+        steps.append(say("all-divisible", p=p))
     elif field.order is not None and p not in primes_of_identity(x):
-        steps.append(f"all coefficients of the difference are 0 after reducing x^{field.order} = x")
+        steps.append(say("all-zero-reduced", relation=f"x^{field.order} = x"))
     else:
-        steps.append(f"all coefficients of the difference are 0 in {field.name}")
+        steps.append(say("all-zero", R=field.name))
     evidence = Evidence(Kind.IDENTITY)
     return Decision(PROVED, IDENTITY, steps=tuple(steps), scope=scope, evidence=evidence)
 
@@ -123,17 +122,17 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
     field = problem.ring
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
-    steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
+    steps = [say("false-at", F=field.name, values=shown) if shown else say("false")]
     primes = () if x is None else primes_of_identity(x)
     primes = tuple(p for p in primes if x is not None and _algebra_may_exist(x, p))
     scope = None
     if primes:
-        where = in_characteristics(primes)
+        where, many = ", ".join(map(str, primes)), "-some" if len(primes) > 1 else ""
         if is_conjunction_of_identities(problem.statement):
             scope = Scope.characteristics(primes)
-            steps.append(f"it holds exactly in {where}")
+            steps.append(say(f"exactly-in{many}", p=where))
         else:
-            steps.append(f"over fields of {where} it holds")
+            steps.append(say(f"holds-in{many}", p=where))
     return Decision(
         REFUTED,
         _method(problem),
@@ -158,7 +157,7 @@ def implied(proof: Proof, problem: Problem) -> Decision:
     setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
-    facts = [f"over {setting.algebra} {rule}" for rule in used]
+    facts = [say("over", A=setting.algebra, fact=rule.fact) for rule in used]
     assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
     evidence = Evidence(
         Kind.IMPLICATION,

@@ -9,6 +9,7 @@ from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.methods.decisions import refuted
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.problem import Problem
+from hfield.proving.steps import say
 
 
 def exhaust(problem: Problem, x: Expanded | None) -> Decision:
@@ -23,13 +24,9 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
         return undecided(str(error), f"{MANY} small places")
     if found is not None:
         return refuted(problem, found)
-    steps = (f"true in {_each(cases)} over {problem.ring.name}",)
+    steps = (say("each-case" if cases > 1 else "only-case", n=cases, R=problem.ring.name),)
     evidence = Evidence(Kind.EXHAUSTION, cases=cases)
     return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=evidence)
-
-
-def _each(cases: int) -> str:
-    return f"each of the {cases} cases" if cases > 1 else "the only case"
 
 
 def used_variables(x: Expanded) -> frozenset[str]:

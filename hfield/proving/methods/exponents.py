@@ -8,6 +8,7 @@ from hfield.proving.decision import COMMUTATIVE_RINGS, FIELDS, PROVED, Decision
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.trees import conjuncts
+from hfield.proving.steps import say
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power
 
 
@@ -19,7 +20,7 @@ def by_exponents(problem: Problem) -> Decision | None:
         left, right = (_powers(x, problem.statement) for x in (equation.left, equation.right))
         if left is None or left != right:
             return None
-    steps = ("both sides are the same product of powers: their exponents add up to the same",)
+    steps = (say("same-powers"),)
     divides = problem.statement.divides or problem.setting.divides
     scope = FIELDS if divides else COMMUTATIVE_RINGS
     return Decision(PROVED, IDENTITY, steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))

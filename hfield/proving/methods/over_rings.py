@@ -28,6 +28,7 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import put_letters
 from hfield.proving.statements.trees import FALSE, divides_in, substitute, walk
+from hfield.proving.steps import say
 from hfield.rings import ZZ
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
@@ -85,8 +86,7 @@ def _at_units(problem: Problem) -> Decision | None:
         one = decide(replace(there, setting=put_letters(problem.setting, chosen)))
         if one.verdict != PROVED:
             return None
-    shown = ", ".join(units)
-    steps = (f"{shown} must be units of ZZ: 1 or -1, and there it holds",)
+    steps = (say("units", letters=", ".join(units)),)
     return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD)
 
 
@@ -129,7 +129,7 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
         decision = one_field.decide(problem.over(above))
         if decision.verdict == PROVED:
             evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)
-            step = f"{field.name} lies in {above.name}, where this holds"
+            step = say("in-fractions", R=field.name, F=above.name)
             return replace(decision, steps=(*decision.steps, step), evidence=evidence)
     return _modulo(problem, x) if not p else None
 
@@ -156,7 +156,7 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
     if decision.verdict != PROVED:
         return None
     evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)
-    step = f"what it divides by are units of {field.name}, or the comparison is false"
+    step = say("divides-by-units", R=field.name)
     return replace(decision, steps=(*decision.steps, step), evidence=evidence if same else None)
 
 
@@ -210,7 +210,7 @@ def _modulo(problem: Problem, x: Expanded) -> Decision | None:
             continue
         if decision.verdict == PROVED:
             evidence = Evidence(Kind.REDUCTION, modulus=n, proof=decision.evidence)
-            step = f"so in {field.name} too there is nothing else: it would stay true modulo {n}"
+            step = say("modulo", R=field.name, n=n)
             return replace(decision, scope=FIELD, steps=(*decision.steps, step), evidence=evidence)
     return None
 

@@ -29,6 +29,7 @@ from hfield.proving.methods.algebra_tables import Table, find_table
 from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import MEMORY
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
 
@@ -152,7 +153,7 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
 
 def _vacuous(proof: Proof, target: dict[str, Any], p: int) -> Decision:
     shown = _proved(proof, {**target, "goals": [_listed(ONE)]}, p)
-    steps = (*shown.steps, "1 = 0: the relations hold in no algebra other than 0.")
+    steps = (*shown.steps, say("trivial-only"))
     evidence = Evidence(Kind.UNSATISFIABLE, proof=shown.evidence)
     return replace(shown, verdict=VACUOUS, steps=steps, evidence=evidence)
 
@@ -171,12 +172,9 @@ def _refuted(
         for place, v in products.items()
     )
     vector = _shown([[c, names[n]] for n, c in enumerate(value) if c])
-    steps = (
-        f"an associative algebra with basis e, i, j, k: {shown}",
-        "all relations hold in it",
-        f"{_shown(target['goals'][goal])} is {vector} there, not 0"
-        + (f", in characteristic {p}" if p else ""),
-    )
+    failing = {"x": _shown(target["goals"][goal]), "y": vector, "p": p}
+    last = say("is-there-in" if p else "is-there", **failing)
+    steps = (say("table", table=shown), say("relations-hold"), last)
     shown_by = {"table": products, "goal": goal, "value": value}
     evidence = Evidence(Kind.ALGEBRA, characteristic=p, **target, **shown_by)
     witness = {place: [str(c) for c in v] for place, v in products.items()}

@@ -25,6 +25,7 @@ from hfield.proving.decision import PROVED, REFUTED, Decision
 from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem
+from hfield.proving.steps import say
 from hfield.rings import QQ
 from hfield.rings.base import Ring
 from hfield.rings.closed_fields.radicands import reduced
@@ -56,7 +57,7 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
             continue
         if decision.verdict == wanted:
             root = F.up_to(near, NEAR)
-            step = f"{K} lies in {F}, with {K.gen_name} near {root} (Hensel's lemma)"
+            step = say("in-subfield", K=K, F=F, x=K.gen_name, root=root)
             return replace(
                 decision,
                 witness={
