@@ -12,6 +12,16 @@ class Step(str):
     name: str
     slots: Mapping[str, object]
 
+    def at(self, text: str) -> "Step":
+        """Return the line with other blanks around it."""
+        line = Step(text)
+        line.name, line.slots = self.name, self.slots
+        return line
+
+    def strip(self, chars: str | None = None) -> "Step":
+        """Return the line without the blanks around it."""
+        return self.at(super().strip(chars))
+
     def said(self, language: str, other: Callable[[str], str | None]) -> str | None:
         """Return the line in a language; ``other`` says what stands in a slot and is no line itself."""
         said = {}
@@ -43,8 +53,4 @@ def say(name: str, **slots: object) -> Step:
 
 def indented(line: str) -> str:
     """Return a line, further to the right."""
-    if not isinstance(line, Step):
-        return f"  {line}"
-    moved = Step(f"  {line}")
-    moved.name, moved.slots = line.name, line.slots
-    return moved
+    return line.at(f"  {line}") if isinstance(line, Step) else f"  {line}"

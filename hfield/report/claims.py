@@ -125,7 +125,7 @@ def _field(row: Row, number: int | None, which: str = "") -> str:
 
 def _reasons(decision: Decision, words: Language) -> str:
     """Set the steps of a decision, what it cites and what was tried, as lines."""
-    steps = [words.html(step, "li", MOST_LETTERS) for step in decision.steps]
+    steps = [words.html(step.strip(), "li", MOST_LETTERS) for step in decision.steps]
     if len(steps) > MOST_STEPS:
         more = words["more_steps"].format(n=len(steps) - MOST_STEPS + 1)
         steps = [*steps[: MOST_STEPS - 1], f"<li>{more}</li>"]

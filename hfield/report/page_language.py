@@ -11,7 +11,7 @@ from hfield.report.markup import formula, prose
 from hfield.report.words import LANGUAGES
 
 OURS = (
-    ("hfield.report", "steps.toml"),
+    ("hfield.report", "reasons.toml"),
 )  # what the prover says, and the claims that Python decides
 
 
