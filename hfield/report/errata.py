@@ -9,9 +9,9 @@ from hfield.ledger.claim import Row
 from hfield.ledger.errata import Erratum, errata
 from hfield.proving.decision import REFUTED
 from hfield.report.claims import description
-from hfield.report.ledger_terms import term
 from hfield.report.markup import anchor, field_html, verdict_html
 from hfield.report.page_language import Language
+from hfield.report.words import term
 
 
 def errata_html(rows: Sequence[Row], words: Language) -> str:
