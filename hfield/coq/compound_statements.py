@@ -5,10 +5,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.coq.base_rings import base_ring_of
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.judgement import Judgement
 from hfield.coq.presented import Presentation, is_presentation, presentation
-from hfield.coq.rooms import room_of
 from hfield.coq.sentences import Proved
 from hfield.coq.terms import NotCoveredError
 from hfield.evidence import Kind
@@ -74,7 +74,9 @@ def claimed(text: str, setting: Setting) -> str:
     if whole is None:
         if is_presentation(text):
             field = setting.field
-            return Presentation(text, 0 if field is None else room_of(field).characteristic).text
+            return Presentation(
+                text, 0 if field is None else base_ring_of(field).characteristic
+            ).text
         return Judgement("", text, setting).sentence.text
     parts = [claimed(part, setting) for part in whole.parts] if whole.word in LOGIC[:3] else []
     match whole.word, parts:

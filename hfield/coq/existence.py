@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from hfield.coq.base_rings import FIELDS, RINGS, BaseRing, base_ring_of, of_characteristic
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import FIELDS, RINGS, Room, of_characteristic, room_of
 from hfield.coq.sentences import COMPUTED, Proved, Sentence
 from hfield.coq.terms import NotCoveredError, Terms
 from hfield.evidence import Kind
@@ -38,12 +38,12 @@ def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     return Proved(sentence.text, tuple(lines), (instance.lemma(lemma),))
 
 
-def _room(j: Judgement, proved: Proved) -> Room:
+def _room(j: Judgement, proved: Proved) -> BaseRing:
     """Return the room of something proved for the field of the certificate, or for all fields."""
     field = j.setting.field
     if field is None:
         return FIELDS
-    room = room_of(field)
+    room = base_ring_of(field)
     large = of_characteristic(room.characteristic)
     return large if proved.text.startswith(large.opening) else room
 
@@ -126,7 +126,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if j.setting.letters:
         raise NotCoveredError("that nothing exists, in an algebra with letters")
     here = replace(j.setting, field=field)
-    room = room_of(field)
+    room = base_ring_of(field)
     sentence = Sentence(j.read(statement.text, here), here, room)
     if sentence.defined:
         raise NotCoveredError("that nothing exists, where structure constants divide")
@@ -185,7 +185,7 @@ def _whole_text(j: Judgement, sentence: Sentence) -> str:
     return Sentence(j.statement, j.setting, FIELDS).text
 
 
-def _call(lemma: str, proved: Proved, room: Room, judgement: Judgement) -> str:
+def _call(lemma: str, proved: Proved, room: BaseRing, judgement: Judgement) -> str:
     """Return a lemma applied to the ring and the unknowns of a proof in the room."""
     names = room.names
     if proved.text.startswith(RINGS.opening) and room is not RINGS:

@@ -1,15 +1,15 @@
 """A certificate about a statement of the language as a theorem of Coq, proved by its evidence.
 
 The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
-for computations that Coq has proved to be right (evidence.v, judges.v): where it does not show the
+for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the
 statement, Coq rejects the proof.
 """
 
 from collections.abc import Mapping
 from typing import Any
 
+from hfield.coq.base_rings import FIELDS, BaseRing, base_ring_of
 from hfield.coq.existence import by_cases, by_terms, none_exists
-from hfield.coq.rooms import FIELDS, Room, room_of
 from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.coq.universal import conjunction, exhausted, implied, multilinear
@@ -117,7 +117,9 @@ class Judgement:
     def sentence(self) -> Sentence:
         """The statement as a proposition, over the field or over every field."""
         field = self.setting.field
-        return Sentence(self.statement, self.setting, FIELDS if field is None else room_of(field))
+        return Sentence(
+            self.statement, self.setting, FIELDS if field is None else base_ring_of(field)
+        )
 
     def by(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
         """Prove what a verdict says."""
@@ -130,11 +132,11 @@ class Judgement:
         """The names of the unknowns that the statement is for all values of."""
         return [n for n, _ in self.statement.unknowns if n not in self.statement.exists]
 
-    def one_room(self) -> tuple[Room, Sentence]:
+    def one_ring(self) -> tuple[BaseRing, Sentence]:
         """Return the ring of the certificate, and the statement there."""
         if self.setting.field is None:
             raise NotCoveredError("something computed over all fields at once")
-        room = room_of(self.setting.field)
+        room = base_ring_of(self.setting.field)
         return room, Sentence(self.statement, self.setting, room)
 
 

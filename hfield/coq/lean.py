@@ -11,8 +11,8 @@ from typing import Any
 
 from hfield.certificates.first_schema import current
 from hfield.certificates.glossary import SCHEMA
+from hfield.coq.base_rings import RINGS
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import RINGS
 from hfield.coq.sentences import Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import HFieldError, TooLargeError

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from hfield.certificates.glossary import PROVED, REFUTED, VACUOUS
+from hfield.coq.base_rings import base_ring_of
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import room_of
 from hfield.coq.sentences import COMPUTED, IN_RINGS, Proved
 from hfield.coq.terms import NotCoveredError
 from hfield.evidence import Kind
@@ -119,7 +119,7 @@ def presentation(text: str, setting: Setting, verdict: str, evidence: Mapping[st
     Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
     all rings. Raises :class:`NotCoveredError` for proofs that divide.
     """
-    p = 0 if setting.field is None else room_of(setting.field).characteristic
+    p = 0 if setting.field is None else base_ring_of(setting.field).characteristic
     said = Presentation(text, p)
     kind = evidence["kind"]
     if (kind, verdict) == (Kind.PRESENTATION, PROVED):

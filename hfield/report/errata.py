@@ -10,8 +10,7 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.proving.decision import REFUTED
 from hfield.report.claims import description
 from hfield.report.markup import anchor, field_html, verdict_html
-from hfield.report.page_language import Language
-from hfield.report.words import term
+from hfield.report.words import Language, term
 
 
 def errata_html(rows: Sequence[Row], words: Language) -> str:

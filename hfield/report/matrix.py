@@ -11,7 +11,7 @@ from hfield.ledger.matrix import MARKS, columns_of, tally
 from hfield.ledger.run import contradictions
 from hfield.proving.decision import UNDECIDED, VERDICTS
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
-from hfield.report.page_language import Language
+from hfield.report.words import Language
 
 
 def summary_html(rows: Sequence[Row], certificates: int, words: Words) -> str:

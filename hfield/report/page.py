@@ -12,7 +12,7 @@ from hfield.report.claims import claims_html
 from hfield.report.errata import errata_html
 from hfield.report.matrix import filters_html, matrix_html, summary_html
 from hfield.report.packed_certificates import Certificates
-from hfield.report.page_language import Language
+from hfield.report.words import Language
 
 
 def page(

@@ -21,8 +21,7 @@ from hfield.proving.existence.case_distinction import (
     by_zero_or_not,
 )
 from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
-from hfield.proving.existence.quaternion_roots import by_quaternion_roots
-from hfield.proving.existence.real_roots import by_roots
+from hfield.proving.existence.roots_by_theorem import by_roots
 from hfield.proving.existence.witness_terms import by_terms
 from hfield.proving.existence.witnesses import FEW, decide_closed
 from hfield.proving.methods import all_fields, universal
@@ -107,7 +106,7 @@ def _for_all_exists(problem: Problem) -> Decision:
     if decision is None and place is not None:
         decision = refuted_at(problem, place)
     if decision is None:
-        decision = by_roots(problem) or by_quaternion_roots(problem)
+        decision = by_roots(problem)
     if decision is None:
         found = at_zero(problem)
         decision = None if found is None else by_terms(problem, [found])

@@ -13,7 +13,7 @@ from hfield.errors import TooLargeError
 from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.evaluation.searcher import Assignment
-from hfield.proving.existence.linear_coefficients import Row
+from hfield.proving.existence.elimination import Row
 from hfield.proving.existence.linear_systems import System
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem

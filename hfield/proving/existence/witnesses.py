@@ -13,8 +13,7 @@ from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
-from hfield.proving.existence.quaternion_roots import by_quaternion_roots
-from hfield.proving.existence.real_roots import by_roots
+from hfield.proving.existence.roots_by_theorem import by_roots
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
@@ -38,7 +37,7 @@ def decide_closed(problem: Problem) -> Decision:
         if test(place):
             return _witnessed(problem, place)
     if problem.statement.exists:
-        decision = by_roots(problem) or by_quaternion_roots(problem)
+        decision = by_roots(problem)
         if decision is not None:
             return decision
     decision = _by_contrary(problem)

@@ -12,7 +12,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import HFieldError
-from hfield.ledger.centre import _equations
+from hfield.ledger.linear_algebra import _equations
 from hfield.product import Constants, multiply, norm
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
