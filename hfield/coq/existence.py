@@ -14,7 +14,7 @@ from hfield.evidence import Kind
 from hfield.fields.names import ring_of_data
 from hfield.proving.existence.witness_terms import put_in
 from hfield.proving.statements.language import Sort
-from hfield.proving.statements.trees import substitute
+from hfield.proving.statements.trees import implication, substitute
 from hfield.syntax import Binary, Logic, Name, Node, Not, parse
 
 if TYPE_CHECKING:
@@ -53,8 +53,7 @@ def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
     if set(terms) != set(j.statement.exists):
         raise MismatchError("the terms are not those of what exists")
     trees = {name: parse(text) for name, text in terms.items()}
-    given = [(n, s) for n, s in j.statement.unknowns if n not in j.statement.exists]
-    own = Terms(given, [], j.setting.constants)
+    own = Terms(j.statement.given, [], j.setting.constants)
     for name, sort in j.statement.unknowns:
         if name in trees and (own.term(trees[name]).is_scalar) != (sort is Sort.SCALAR):
             if sort is Sort.SCALAR:
@@ -74,9 +73,8 @@ def _instance(
     j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: Mapping[str, Any]
 ) -> tuple[Proved, Judgement]:
     """Prove the statement with terms put in, under the hypotheses ``more``."""
-    whole = put_in(j.statement.conclusion, trees)
-    for h in reversed([*more, *j.statement.hypotheses]):
-        whole = Logic("=>", h, whole)
+    served = put_in(j.statement.conclusion, trees)
+    whole = implication([*more, *j.statement.hypotheses], served)
     other = j.about(whole)
     if not {n for n, _ in other.statement.unknowns} <= set(j.given):
         raise MismatchError("the terms are about other unknowns than those given")
@@ -90,9 +88,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     one_of = conditions[-1]
     for condition in reversed(conditions[:-1]):
         one_of = Logic("or", condition, one_of)
-    for h in reversed(j.statement.hypotheses):
-        one_of = Logic("=>", h, one_of)
-    covered = j.about(one_of)
+    covered = j.about(implication(j.statement.hypotheses, one_of))
     if not {n for n, _ in covered.statement.unknowns} <= set(j.given):
         raise MismatchError("the cases are about other unknowns than those given")
     cover = covered.proved(evidence["cover"])
@@ -130,9 +126,8 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     sentence = Sentence(j.read(statement.text, here), here, room)
     if sentence.defined:
         raise NotCoveredError("that nothing exists, where structure constants divide")
-    matrix, proof = statement.conclusion, evidence["proof"]
-    for h in reversed(statement.hypotheses):
-        matrix = Logic("=>", h, matrix)
+    proof = evidence["proof"]
+    matrix = implication(statement.hypotheses, statement.conclusion)
     arguments = []
     if evidence["kind"] == Kind.PLACE:
         values = {name: _tree(texts) for name, texts in evidence["values"].items()}

@@ -130,7 +130,7 @@ class Judgement:
     @property
     def given(self) -> list[str]:
         """The names of the unknowns that the statement is for all values of."""
-        return [n for n, _ in self.statement.unknowns if n not in self.statement.exists]
+        return [n for n, _ in self.statement.given]
 
     def one_ring(self) -> tuple[BaseRing, Sentence]:
         """Return the ring of the certificate, and the statement there."""

@@ -37,7 +37,7 @@ class Sentence:
             raise NotCoveredError(f"{statement.constants[0]!r} names a constant of the field")
         self.statement, self.setting, self.room = statement, setting, room
         sorts = statement.unknowns
-        self.given = [(n, s) for n, s in sorts if n not in statement.exists]
+        self.given = list(statement.given)
         self.found = [(n, s) for n, s in sorts if n in statement.exists]
         self.terms = Terms(self.given, self.found, setting.constants)
         formulas = Formulas(self.terms, room.type, room.is_field)

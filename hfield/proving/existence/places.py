@@ -18,13 +18,12 @@ from hfield.proving.decision import (
 )
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import Assignment, Searcher
+from hfield.proving.evaluation.searcher import Assignment, Searcher, read_back
 from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.existence.witnesses import decide_closed, shown
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem, constants_in
-from hfield.proving.statements.language import Sort
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import put_letters
 from hfield.proving.statements.trees import conjunction, quaternion_node, substitute, walk
@@ -36,18 +35,10 @@ MAX_PLACES = 2_000
 MOST_LOOKED = 40  # of infinitely many
 SMALL = 5  # elements of an infinite field
 
-Free = list[tuple[str, Sort]]
-
-
-def given(problem: Problem) -> Free:
-    """Return the unknowns that are given, with their sorts."""
-    statement = problem.statement
-    return [(name, sort) for name, sort in statement.unknowns if name not in statement.exists]
-
 
 def by_places(problem: Problem) -> Decision:
     """Refute at one place of the given unknowns, or prove at all of them over a finite field."""
-    field, free = problem.ring, given(problem)
+    field, free = problem.ring, problem.statement.given
     width = sum(sort.width for _, sort in free)
     finite = field.order is not None and field.order**width <= MAX_PLACES
     if finite:
@@ -110,7 +101,7 @@ def at_zero(problem: Problem) -> tuple[str, ...] | None:
     """Return what exists when all that is given is 0 (letters −1): it may serve everywhere."""
     setting = problem.setting
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
-    zeros = {name: Number(0) for name, _ in given(problem)}
+    zeros = {name: Number(0) for name, _ in problem.statement.given}
     exists = problem.statement.exists
     instance = replace(problem.about(substitute(problem.matrix, zeros), exists), setting=there)
     if not algebra_exists(replace(problem, setting=there)):
@@ -127,7 +118,7 @@ def _small(field: Ring) -> list[Scalar]:
 
 def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
     """Run through places near those that are found by solving: the hypotheses, or where a term fails."""
-    field, statement, free = problem.ring, problem.statement, given(problem)
+    field, statement, free = problem.ring, problem.statement, problem.statement.given
     terms = [texts for texts in isolated(statement).values() if texts]
     failing = []
     if len(terms) == len(statement.exists) == 1:
@@ -140,10 +131,7 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
         witness = universal.decide(problem.about(node, names).share(1 / 4)).witness
         if witness is None:
             continue
-        found: Assignment = {
-            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
-            for name, texts in witness.items()
-        }
+        found = read_back(field, witness)
         used = {n.name for n in walk(node) if isinstance(n, Name)} | set(problem.setting.letters)
         others = [(name, sort) for name, sort in free if name not in used]
         for place in by_weight(others, _small(field), 3):
@@ -155,14 +143,14 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
 
 def _meant(problem: Problem) -> Callable[[Assignment], bool]:
     """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
-    names = tuple(name for name, _ in given(problem))
+    names = tuple(name for name, _ in problem.statement.given)
     meant = problem.about(conjunction(problem.statement.hypotheses), names)
     return Searcher(meant, RingScalars(problem.ring), True).test
 
 
 def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
     """Put values in for what is given: into the statement, and for letters into the algebra."""
-    values = {name: quaternion_node(place[name]) for name, _ in given(problem)}
+    values = {name: quaternion_node(place[name]) for name, _ in problem.statement.given}
     instance = problem.about(substitute(problem.matrix, values), problem.statement.exists)
     there = put_letters(problem.setting, values)
     new = (c for tree in there.trees for c in constants_in(tree, problem.ring))

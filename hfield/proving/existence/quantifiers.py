@@ -20,7 +20,7 @@ from hfield.proving.existence.case_distinction import (
     by_linear_algebra,
     by_zero_or_not,
 )
-from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
+from hfield.proving.existence.places import at_zero, by_places, refuted_at
 from hfield.proving.existence.roots_by_theorem import by_roots
 from hfield.proving.existence.witness_terms import by_terms
 from hfield.proving.existence.witnesses import FEW, decide_closed
@@ -54,7 +54,7 @@ def decide(problem: Problem) -> Decision:
     if not field.is_exact:
         tried = (f"{field.name} is inexact, so nothing is proved there to exist, or not to",)
         return undecided(*tried, method=FLOATS)
-    return _for_all_exists(problem) if given(problem) else decide_closed(problem)
+    return _for_all_exists(problem) if problem.statement.given else decide_closed(problem)
 
 
 def _over_all_fields(problem: Problem) -> Decision:

@@ -22,7 +22,7 @@ MAX_TERMS = 400
 def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None) -> Decision | None:
     """Prove by a term in the given unknowns for each one that is said to exist."""
     statement = problem.statement
-    free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
+    free = dict(statement.given)
     if choices is None:
         kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
         choices = combined(kinds, MAX_TERMS)

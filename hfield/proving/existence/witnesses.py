@@ -7,10 +7,9 @@ from hfield.certificates.glossary import LINEAR_ALGEBRA, WITNESS
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place, witness_texts
-from hfield.proving.counterexamples.refuting import lifted
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import Assignment, Searcher
+from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.existence.roots_by_theorem import by_roots

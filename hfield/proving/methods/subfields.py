@@ -47,7 +47,7 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
     if not isinstance(F, LocalField) or F.global_field != QQ or problem.setting.letters:
         return None
     bound = set(statement.exists)
-    if bound and any(name not in bound for name, _ in statement.unknowns):
+    if bound and statement.given:
         return None
     wanted = PROVED if bound else REFUTED
     for K, near in _subfields(F, problem):

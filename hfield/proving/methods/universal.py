@@ -5,8 +5,9 @@ from collections import Counter
 from hfield.certificates.glossary import FLOATS, IDENTITY
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import prime_search
-from hfield.proving.counterexamples.refuting import FEW, lifted
+from hfield.proving.counterexamples.refuting import FEW
 from hfield.proving.decision import COMMUTATIVE_RINGS, FIELDS, PROVED, Decision, undecided
+from hfield.proving.evaluation.searcher import lifted
 from hfield.proving.methods import all_fields, one_field, over_rings
 from hfield.proving.methods.decisions import refuted
 from hfield.proving.polynomials.expansion import MAX_WEIGHT
