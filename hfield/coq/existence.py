@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.coq.base_rings import FIELDS, RINGS, BaseRing, base_ring_of, of_characteristic
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.sentences import COMPUTED, Proved, Sentence
+from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError, Terms
+from hfield.coq.witnesses import in_one_field
 from hfield.evidence import Kind
 from hfield.fields.names import ring_of_data
 from hfield.proving.existence.witness_terms import put_in
@@ -157,14 +158,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     pattern = "c"
     for name in reversed(found):
         pattern = f"[{name} {pattern}]"
-    everywhere = j.setting.field is None
-    lines = ["intro F."]
-    start = "F"
-    if everywhere:
-        p = room.characteristic
-        if p:
-            lines.append(f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]}).")
-        start = f"F (GF {p}) _ _ (GF_field {p} prime)" if p else "F Qc _ _ rational_field"
+    lines, start = in_one_field(room) if j.setting.field is None else (["intro F."], "F")
     lines.append(f"pose proof ({' '.join([start, *arguments])}) as G.")
     if names:
         lines.append(f"apply ({' '.join([lemma, *zeros])}); intros {' '.join(names)}; exfalso.")

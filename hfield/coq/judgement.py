@@ -8,6 +8,7 @@ statement, Coq rejects the proof.
 from collections.abc import Mapping
 from typing import Any
 
+from hfield.certificates.glossary import PROVED, REFUTED, VACUOUS
 from hfield.coq.base_rings import FIELDS, BaseRing, base_ring_of
 from hfield.coq.existence import by_cases, by_terms, none_exists
 from hfield.coq.sentences import Proved, Sentence
@@ -47,32 +48,30 @@ class Judgement:
 
     def proved(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the statement."""
-        kind = evidence.get("kind")
-        if self.statement.exists:
-            match kind:
-                case Kind.WITNESS:
-                    return example(self, evidence)
-                case Kind.EXHAUSTION:
-                    return exhausted(self)
-                case Kind.TERMS:
-                    return by_terms(self, evidence)
-                case Kind.CASES:
-                    return by_cases(self, evidence)
-            raise NotCoveredError(f"evidence of the kind {kind!r} for something that exists")
-        match kind:
-            case Kind.IDENTITY if self._is_of_fractions:
+        match evidence.get("kind"), bool(self.statement.exists):
+            case Kind.EXHAUSTION, _:
                 return exhausted(self)
-            case Kind.IDENTITY:
-                return implied(self, [])
-            case Kind.IMPLICATION:
+            case Kind.WITNESS, True:
+                return example(self, evidence)
+            case Kind.TERMS, True:
+                return by_terms(self, evidence)
+            case Kind.CASES, True:
+                return by_cases(self, evidence)
+            case Kind.IDENTITY, False:
+                return exhausted(self) if self._is_of_fractions else implied(self, [])
+            case Kind.IMPLICATION, False:
                 return implied(self, evidence["items"], evidence["facts"])
-            case Kind.EXHAUSTION:
-                return exhausted(self)
-            case Kind.MULTILINEAR:
+            case Kind.MULTILINEAR, False:
                 return multilinear(self, evidence)
-            case Kind.FRACTIONS if self.setting.field == ZZ and evidence["ring"] == QQ.data:
+            case Kind.FRACTIONS, False if self._is_over_integers(evidence):
                 return self.proved(evidence["proof"])
-        raise NotCoveredError(f"evidence of the kind {kind!r}")
+            case kind, exists:
+                what = " for something that exists" if exists else ""
+                raise NotCoveredError(f"evidence of the kind {kind!r}{what}")
+
+    def _is_over_integers(self, evidence: Mapping[str, Any]) -> bool:
+        """Whether it is a proof over ℚ of what is said of ℤ."""
+        return self.setting.field == ZZ and evidence["ring"] == QQ.data
 
     @property
     def _is_of_fractions(self) -> bool:
@@ -123,9 +122,8 @@ class Judgement:
 
     def by(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
         """Prove what a verdict says."""
-        return {"proved": self.proved, "refuted": self.refuted, "vacuous": self.vacuous}[verdict](
-            evidence
-        )
+        by = {PROVED: self.proved, REFUTED: self.refuted, VACUOUS: self.vacuous}
+        return by[verdict](evidence)
 
     @property
     def given(self) -> list[str]:

@@ -67,23 +67,20 @@ def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if not room.is_field:
         raise MismatchError(f"{field.name} is no field")
     everywhere = Sentence(j.statement, j.setting, FIELDS)
-    p = room.characteristic
-    if p > MAX_PRIME:
+    if room.characteristic > MAX_PRIME:
         raise NotCoveredError(f"a counterexample in GF(p) with p above {MAX_PRIME}")
-    if p:
-        lines = [
-            "intro F.",
-            f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]}).",
-            f"unshelve refine ({judge} (F (GF {p}) _ _ (GF_field {p} prime))).",
-            f"all: {COMPUTED}",
-        ]
-    else:
-        lines = [
-            "intro F.",
-            f"unshelve refine ({judge} (F Qc _ _ rational_field)).",
-            f"all: {COMPUTED}",
-        ]
+    start, there = in_one_field(room)
+    lines = [*start, f"unshelve refine ({judge} ({there})).", f"all: {COMPUTED}"]
     return Proved(f"~ ({everywhere.text})", tuple(lines))
+
+
+def in_one_field(room: BaseRing) -> tuple[list[str], str]:
+    """Return how a proof against all fields begins, and what they say of this one."""
+    p = room.characteristic
+    if not p:
+        return ["intro F."], "F Qc _ _ rational_field"
+    prime = f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]})."
+    return ["intro F.", prime], f"F (GF {p}) _ _ (GF_field {p} prime)"
 
 
 def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
