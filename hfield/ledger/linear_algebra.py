@@ -55,13 +55,13 @@ class Centre:
             LINEAR_ALGEBRA,
             witness=witness,
             steps=steps,
-            evidence=_minor(_equations()) if right else None,
+            evidence=_minor(centre_equations()) if right else None,
         )
 
     def _everywhere(self) -> Decision:
         from flint import fmpz_mat
 
-        rows = _equations()
+        rows = centre_equations()
         smith = fmpz_mat(rows).snf()
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
         special = sorted({p for d in divisors for p in _primes(abs(d))})
@@ -83,7 +83,7 @@ class Centre:
         )
 
 
-def _equations() -> list[list[int]]:
+def centre_equations() -> list[list[int]]:
     """Return the coefficients of q·i = i·q and q·j = j·q over ℤ: eight rows, a column a coordinate."""
     c = Constants(-1, 0, -1)
     units: list[Coordinates] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
