@@ -5,6 +5,7 @@ from .film import Clip as Clip
 from .film import clip as clip
 from .model import Model as Model
 from .motion import Motion as Motion
+from .output import Film as Film
 from .physics import Body as Body
 from .physics import Launch as Launch
 from .physics import physical as physical
@@ -13,6 +14,7 @@ from .picture.look import Look as Look
 from .pipelines import PIPELINES as PIPELINES
 from .pipelines import compare as compare
 from .pipelines import kinematic as kinematic
+from .rendering import Scene as Scene
 from .rendering import render as render
 from .timeline import Timeline as Timeline
 from .top import Top as Top

@@ -47,6 +47,11 @@ class Scene:
 
     ``blur`` is the part of the time between two frames during which the shutter is open, 0 to 1; a
     blurred frame is the mean of ``steps`` pictures. Raises :class:`~anim.errors.AnimationError`.
+
+    >>> from anim import Look, Model, clip, kinematic
+    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+    >>> scene.task(0).matrices.shape
+    (1, 3, 3)
     """
 
     model: Model

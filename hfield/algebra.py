@@ -16,6 +16,7 @@ from hfield.errors import (
     RingError,
     shorten,
 )
+from hfield.factorisation import factorise
 from hfield.fields.names import ring as read_ring
 from hfield.fields.rationals.symbols import from_ramification_q
 from hfield.invariants import Invariants
@@ -25,6 +26,8 @@ from hfield.product import Constants
 from hfield.quaternion import Quaternion, held_by, is_many
 from hfield.rings.base import Ring
 from hfield.rings.holding import Batch, Holding
+from hfield.rings.integers import QQ
+from hfield.structure.global_field import field_named_by
 
 LISTED = 10_000
 
@@ -32,18 +35,27 @@ LISTED = 10_000
 class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
-    ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Calling the
-    algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
+    ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
+    are rational numbers, or elements of one number field; a text names the algebra, and an int alone is the
+    discriminant of a definite algebra over ℚ. Raises :class:`RingError` for what is none of these.
+
+    Calling the algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
     may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
 
     >>> A = QuaternionAlgebra("QQ", -1, -1)
     >>> e, i, j, k = A.basis
     >>> i*j == k, j*i == -k
     (True, True)
+    >>> QuaternionAlgebra(-1, -11), QuaternionAlgebra("(-1,-11|QQ)"), QuaternionAlgebra(11)
+    ((-1,-11|QQ), (-1,-11|QQ), (-1,-11|QQ))
     """
 
-    def __init__(self, ring: Ring | str, a: object, b: object, t: object = 0) -> None:
-        self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)
+    def __init__(
+        self, ring: Ring | str | object, a: object = None, b: object = None, t: object = 0
+    ) -> None:
+        if b is None:
+            ring, a, b, t = _constants(ring, a, t)
+        self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)  # type: ignore[arg-type]
         self.constants = Constants(F(a), F(t), F(b))
 
     @classmethod
@@ -58,9 +70,9 @@ class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
     ) -> QuaternionAlgebra:
         """Return an algebra over ℚ or a number field that ramifies exactly at these places.
 
-        Over ℚ they are primes, and ∞ if ``infinite``, which may be left out as places ramify in even
-        number; over a number field they are its places or their texts. Raises :class:`RingError` for what is
-        no such place or comes twice, for an odd number of places, and for another field, and
+        Over ℚ they are primes and ``"inf"``, which may be left out or said by ``infinite``, as places ramify
+        in even number; over a number field they are its places or their texts. Raises :class:`RingError` for
+        what is no such place or comes twice, for an odd number of places, and for another field, and
         :class:`UndecidedError` where no constants were found.
 
         >>> QuaternionAlgebra.from_ramification("QQ", [2, 3]).discriminant()
@@ -81,7 +93,7 @@ class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
                     "QQ, or a number field and its places, infinite ones too"
                 )
             return cls(F, *field.with_ramification(named))
-        a, b = from_ramification_q(named, len(named) % 2 == 1 if infinite is None else infinite)
+        a, b = from_ramification_q(named, infinite)
         return cls(F, a, b)
 
     @cached_property
@@ -294,6 +306,27 @@ class QuaternionAlgebra(Invariants, OrderMakers, ArrayMakers):
     def __reduce__(self) -> tuple[object, ...]:
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
+
+
+def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, object]:
+    """Return the ring and the constants a, b, t of an algebra that is named by less than all of them."""
+    if b is not None and not isinstance(a, Ring):
+        return field_named_by(a, b) or QQ, a, b, t
+    if b is None and isinstance(a, str):
+        F, c = notation.parse_algebra(a)
+        return F, c.a, c.b, c.t
+    if b is None and isinstance(a, int) and not isinstance(a, bool):
+        primes = factorise(a) if a > 1 else {}
+        if len(primes) % 2 == 0 or max(primes.values()) > 1:
+            raise RingError(
+                f"{shorten(a)} is not the discriminant of a definite algebra over QQ: expected a product of "
+                "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
+            )
+        return QQ, *from_ramification_q(primes, True), 0
+    raise RingError(
+        f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
+        f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"
+    )
 
 
 def H(ring: Ring | str) -> QuaternionAlgebra:

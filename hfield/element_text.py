@@ -35,6 +35,9 @@ class ElementText(BatchMethods):
     def __repr__(self) -> str:
         return self.text("unicode")
 
+    def __format__(self, spec: str) -> str:
+        return format(str(self), spec)
+
     def _repr_latex_(self) -> str | None:
         return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
 

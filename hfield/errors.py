@@ -91,11 +91,19 @@ class NotFiniteError(HFieldError, TypeError):
 
 
 class LatticeError(HFieldError, ValueError):
-    """What is no lattice, order or ideal, or not one of the kind asked for."""
+    """What is no lattice, order or ideal, or not one of the kind asked for.
+
+    >>> issubclass(LatticeError, ValueError)
+    True
+    """
 
 
 class IndefiniteError(LatticeError, NotFiniteError):
-    """A question with an answer in definite algebras only, asked of an indefinite one."""
+    """A question with an answer in definite algebras only, asked of an indefinite one.
+
+    >>> issubclass(IndefiniteError, LatticeError)
+    True
+    """
 
 
 class UndecidedError(HFieldError, ArithmeticError):

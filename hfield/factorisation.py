@@ -64,7 +64,11 @@ class Unfactored:
 
 
 class UnfactoredError(UndecidedError):
-    """A decision needs primes that are not known; ``rest`` is the divisor that was not factored."""
+    """A decision needs primes that are not known; ``rest`` is the divisor that was not factored.
+
+    >>> issubclass(UnfactoredError, UndecidedError)
+    True
+    """
 
     def __init__(self, rest: Unfactored) -> None:
         self.rest = rest

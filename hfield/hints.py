@@ -66,6 +66,11 @@ ELEMENT = {
     "x": "coordinates[1]",
     "y": "coordinates[2]",
     "z": "coordinates[3]",
+    "pair": "(p * q.conjugate()).trace()",
+    "is_constant": "vector_part.is_zero()",
+    "list": "coordinates",
+    "vector": "vector_part",
+    "sqrt": "square_roots()",
 }
 """Sage, GAP, Magma, numpy-quaternion."""
 
@@ -87,6 +92,26 @@ ALGEBRA = {
     "modp_splitting_data": "split()",
     "is_exact": "ring.is_exact",
     "random": "random_element()",
+    "ngens": "len(basis), which is 4",
+    "dimension": "len(basis), which is 4",
+    "base_field": "ring",
+    "characteristic": "ring.characteristic",
+    "free_module": "coordinates of an element",
+    "vector_space": "coordinates of an element",
+    "pair": "(p * q.conjugate()).trace()",
+    "inner_product_matrix": "(p * q.conjugate()).trace() for p and q in basis",
+    "is_totally_definite": "ramified_places(), which has inf for a definite algebra over QQ",
+    "is_unramified": "ramified_places()",
+    "isomorphism_to": "isomorphism(other)",
+    "maximal_order_with_level": "eichler_order(level)",
+    "order_with_level": "eichler_order(level)",
+    "maximal_orders": "maximal_order().class_set().left_orders()",
+    "ideal": "maximal_order().left_ideal(elements)",
+    "zbasis": "maximal_order().basis",
+    "class_set": "maximal_order().class_set()",
+    "right_class_set": "maximal_order().class_set()",
+    "brandt_matrix": "maximal_order().class_set().brandt_matrix(n)",
+    "ternary_quadratic_form": "maximal_order().ternary_theta_series(n)",
 }
 """Sage, Magma, PARI."""
 
@@ -104,6 +129,10 @@ LATTICE = {
     "scale": "L * x or x * L",
     "multiply_by_conjugate": "L.conjugate() * M",
     "quaternion_order": "left_order() or right_order()",
+    "zbasis": "basis",
+    "free_module": "basis",
+    "reduced_norm": "norm()",
+    "theta_series_vector": "theta_series(n)",
 }
 """Sage, Magma: lattices."""
 
@@ -120,6 +149,16 @@ IDEAL = LATTICE | {
 ORDER = LATTICE | {
     "class_number": "len(class_set()), or algebra.class_number(level)",
     "right_ideals": "class_set()",
+    "right_class_set": "class_set()",
+    "left_class_set": "class_set().left_ideals()",
+    "left_ideals": "class_set().left_ideals()",
+    "brandt_matrix": "class_set().brandt_matrix(n)",
+    "type_set": "class_set().types",
+    "ternary_quadratic_form": "ternary_theta_series(n)",
+    "maximal_order": "maximal_overorder()",
+    "is_conjugate": "is_isomorphic(other)",
+    "embed": "embeddings(discriminant)",
+    "eichler_invariant": "eichler_symbol(p)",
     "right_ideal_classes": "class_set()",
     "left_ideal_classes": "class_set().left_ideals()",
     "brandt_module": "class_set(), which has brandt_matrix(n)",

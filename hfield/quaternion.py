@@ -218,6 +218,9 @@ class Quaternion(ElementFacts, ElementText):
         result: Quaternion = power(self._algebra.basis[0], base, abs(n))
         return result
 
+    def __xor__(self, other: object) -> NoReturn:
+        raise CoercionError("powers are written q**2; to Python q^2 + 1 would be q^(2 + 1)")
+
     def __eq__(self, other: object) -> Any:
         how = self._how
         if type(other) is Quaternion and other._how is how:

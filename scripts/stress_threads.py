@@ -333,12 +333,15 @@ def _forked(task: Callable[[], None], wrong: list[str]) -> int:
 def _import_all(chosen: list[str]) -> None:
     """Import what the calls need: of an import in another thread a child has the lock, and no end."""
     import hfield.algebra
+    import hfield.fields
     import hfield.kernels
     import hfield.native
     import hfield.rings
+    import hfield.structure
     import rotation
 
-    for package in (hfield.native, hfield.kernels, hfield.rings, rotation):
+    rooms = (hfield.native, hfield.kernels, hfield.rings, hfield.structure, hfield.fields)
+    for package in (*rooms, rotation):
         for found in walk_packages(package.__path__, f"{package.__name__}."):
             if found.name.split(".")[1] not in APART and (
                 "galois" not in found.name or set(chosen) & set(calls()["galois"])

@@ -14,9 +14,10 @@ from hfield.rings.base import Ring
 
 NAMES = {
     "hfield": """
-        CC CoercionError Description GF H HFieldError Ideal Lattice MixedParentsError NotFiniteError
-        NotInvertibleError NotationError NumberField Order QQ Quaternion QuaternionAlgebra RDF
-        RR RingError TooLargeError UndecidedError ZZ Zmod conj conjugator errors explain
+        CC ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
+        LedgerError MixedParentsError NotFiniteError NotInvertibleError NotationError NumberField Order QQ
+        Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError TooLargeError
+        UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check conj conjugator errors explain
         four_squares hilbert_symbol info inv norm places prove ring trace verify
     """,
     "rotation": """
@@ -27,7 +28,7 @@ NAMES = {
         squad swing_twist threads warm_up
     """,
     "anim": """
-        AnimationError Body Camera Clip Launch Look Model Motion PIPELINES Timeline Top
+        AnimationError Body Camera Clip Film Launch Look Model Motion PIPELINES Scene Timeline Top
         apparent_spin clip compare errors kinematic physical render
     """,
 }

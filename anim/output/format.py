@@ -24,6 +24,9 @@ class Film:
 
     ``crf`` (0 best to 51) and ``preset`` are x264's; the other formats have no such choice. Raises
     :class:`AnimationError` for another ``crf``.
+
+    >>> Film((640, 480), frames=100, fps=50.0).crf
+    18
     """
 
     size: tuple[int, int]

@@ -99,6 +99,10 @@ def check(data: object, pin: Pin | None = None, work: Work | None = None) -> Est
 
     ``work`` is how much may be done, ``Work(10)`` by default: ten million units, each of which takes a
     microsecond and 100 bytes at worst; its ``spent`` tells afterwards what was.
+
+    >>> from hfield import prove
+    >>> check(prove("p + q == q + p").certificate).verdict
+    'proved'
     """
     try:
         with bounded(work):

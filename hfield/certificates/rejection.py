@@ -8,7 +8,13 @@ MAX_LIST = 20_000
 
 
 class Rejected(Exception):  # noqa: N818  it is a verdict, not a failure
-    """The certificate does not establish what it states; the message says where it fails."""
+    """The certificate does not establish what it states; the message says where it fails.
+
+    >>> from hfield import check
+    >>> check({})
+    Traceback (most recent call last):
+    hfield.certificates.rejection.Rejected: the schema must be 'hfield-cert/2'
+    """
 
 
 def reject(why: str) -> NoReturn:

@@ -29,7 +29,7 @@ COLUMNS = (
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    what = "such as '(-1,-3|QQ)', '[1,t|GF(4)(t))' or 'H(GF(9))'"
+    what = "such as '(-1,-3|QQ)', '[1,t|GF(4)(t))', 'H(GF(9))', or a discriminant, 11"
     add_inputs(parser, "ALGEBRA", what, "plain", "json", "latex")
     add_standalone(parser)
     add_factors(parser)
@@ -43,14 +43,13 @@ def run(args: Namespace) -> int:
 
 
 def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
-    from hfield.algebra import QuaternionAlgebra
     from hfield.commands.count import count_latex, count_lines, counts
     from hfield.description import info
     from hfield.description.page import page, page_latex
 
     Waiting.at(f"describing {text}")
-    A = QuaternionAlgebra.from_text(text)
-    description = info(A)
+    description = info(text)
+    A = description.algebra
     counted = counts(A, quick=True) if A.ring.order is not None else None
     data = {**description.to_json(), "counts": counted and counted.to_json()}
 

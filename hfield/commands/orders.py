@@ -77,19 +77,10 @@ def add_where(parser: ArgumentParser) -> None:
 
 
 def algebra_of(text: str) -> QuaternionAlgebra:
-    """Read an algebra, or the definite one of a discriminant. Raises :class:`UsageError`."""
+    """Read an algebra, or the definite one of a discriminant. Raises :class:`RingError`."""
     from hfield.algebra import QuaternionAlgebra
-    from hfield.factorisation import factorise
 
-    if not (text.isascii() and text.isdecimal()):
-        return QuaternionAlgebra.from_text(text)
-    primes = factorise(int(text)) if int(text) > 1 else {}
-    if len(primes) % 2 == 0 or max(primes.values()) > 1:
-        raise UsageError(
-            f"{shorten(text)} is not the discriminant of a definite algebra over QQ: expected a product of "
-            "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
-        )
-    return QuaternionAlgebra.from_ramification("QQ", sorted(primes))
+    return QuaternionAlgebra(int(text) if text.isascii() and text.isdecimal() else text)
 
 
 def announce(number: int, seconds: float, instead: str) -> None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
 from hfield import structure
-from hfield.algebra import QuaternionAlgebra
-from hfield.errors import TooLargeError, UndecidedError
+from hfield.algebra import H, QuaternionAlgebra
+from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
@@ -18,7 +19,7 @@ from hfield.lattices.over_integers import IntegersOrder
 from hfield.maps import Division, Splitting
 from hfield.notation import element_text
 from hfield.quaternion import Quaternion
-from hfield.rings.base import INFINITY
+from hfield.rings.base import INFINITY, Ring
 
 SCHEMA = "hfield-info/1"
 ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of a second
@@ -144,10 +145,11 @@ def place_json(place: object) -> object:
     return place if isinstance(place, int) else str(place)
 
 
-def info(A: QuaternionAlgebra | str, factors: Factors | None = None) -> Description:
+def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None) -> Description:
     """Return all that is known of an algebra: what ``hfield info`` prints, as an object that shows itself.
 
-    ``A`` is an algebra, or a text such as ``"(-1,-3|QQ)"``. ``factors`` may name primes of a and b, which
+    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of a definite algebra over ℚ,
+    or a ring or its text for H(F). ``factors`` may name primes of a and b, which
     spares their factorisation where it is too hard. Nothing raises where something is merely undecided: see
     ``undecided``. Raises :class:`NotationError` for a text that names no algebra.
 
@@ -156,9 +158,20 @@ def info(A: QuaternionAlgebra | str, factors: Factors | None = None) -> Descript
     >>> about.division, about.discriminant, about.ramified
     (True, 3, (3, 'inf'))
     """
-    algebra = QuaternionAlgebra.from_text(A) if isinstance(A, str) else A
     with known_primes(factors):
-        return _describe(algebra)
+        return _describe(algebra_named(A))
+
+
+def algebra_named(by: QuaternionAlgebra | Ring | int | str) -> QuaternionAlgebra:
+    """Return an algebra as it is, or of its text, H(F) of F or its text, or the one of a discriminant."""
+    if isinstance(by, QuaternionAlgebra):
+        return by
+    if isinstance(by, str):
+        if by.isascii() and by.isdecimal():
+            return QuaternionAlgebra(int(by))
+        with suppress(RingError):
+            return H(by)
+    return H(by) if isinstance(by, Ring) else QuaternionAlgebra(by)
 
 
 def _describe(A: QuaternionAlgebra) -> Description:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL
+from hfield.rings.base import Ring
 from hfield.syntax.brackets import split
 
 
@@ -19,9 +20,10 @@ def read_column(text: str) -> str:
     return word.lower() if word.lower() in (UNIVERSAL, NO_FIELD) else ring(word).name
 
 
-def split_columns(texts: Sequence[str]) -> list[str]:
-    """Read field names given one by one or with commas between them; the same one counts once."""
-    parts = [part for text in texts for part in split(text, ",")]
+def split_columns(fields: Ring | str | Iterable[Ring | str]) -> list[str]:
+    """Read fields, or names of theirs, also with commas between them; the same one counts once."""
+    each = [fields] if isinstance(fields, (Ring, str)) else fields
+    parts = [part for field in each for part in split(str(field), ",")]
     return list(dict.fromkeys(read_column(part) for part in parts))
 
 

@@ -16,17 +16,23 @@ from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Proposition
 from hfield.ledger.columns import split_columns
 from hfield.ledger.propositions import Every, Statement
 from hfield.proving.statements.setting import read_setting
+from hfield.syntax import plain
 
 SCHEMA = "hfield-ledger/1"
 REQUIRED = ("id", "name", "section", "kind", "statement")
 TEXTS = (*REQUIRED, "printed", "note", "algebra", "holds_words", "corrected_words")
-LISTS = ("holds", "corrected", "spoilt", "given", "fields")
+STATEMENTS = ("holds", "corrected", "spoilt", "given")
+LISTS = (*STATEMENTS, "fields")
 FLAGS = ("headline",)
 MAX_BYTES = 4_000_000
 
 
 class LedgerError(HFieldError, ValueError):
-    """A ledger that cannot be read; the message names the file, the line or the claim, and the key."""
+    """A ledger that cannot be read; the message names the file, the line or the claim, and the key.
+
+    >>> issubclass(LedgerError, ValueError)
+    True
+    """
 
 
 @dataclass(frozen=True)
@@ -168,7 +174,8 @@ class _Document:
                 items = value if isinstance(value, list) else [value]
                 if not items:
                     self.fail(name, key, "the list is empty; leave the key out")
-                out[key] = tuple(self._text(name, key, item) for item in items)
+                read = plain if key in STATEMENTS else str
+                out[key] = tuple(read(self._text(name, key, item)) for item in items)
             else:
                 known = ", ".join((*TEXTS, *LISTS, *FLAGS))
                 self.fail(name, key, f"there is no such key; a claim has {known}")
@@ -247,7 +254,7 @@ class _Document:
             self.fail(
                 claim.id, "holds", "it is missing, though the claim has a corrected or a spoilt"
             )
-        for key in ("given", "holds", "corrected", "spoilt"):
+        for key in STATEMENTS:
             for text in data.get(key, ()):
                 failed: NotationError | None = None
                 for column in claim.fields:

@@ -17,6 +17,7 @@ from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts
+from hfield.rings.base import Ring
 from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
@@ -66,8 +67,8 @@ class Explanation:
         return f"${self.latex()}$"
 
 
-def explain(claim: str, field: str | None = None) -> Explanation:
-    """Decide a claim over one field (a text; QQ by default), and show each step.
+def explain(claim: str, field: Ring | str | None = None) -> Explanation:
+    """Decide a claim over one field, or its name (QQ by default), and show each step.
 
     ``claim`` is its id, its name or its number in the thesis; the number of a section stands for all its
     claims.
@@ -79,7 +80,7 @@ def explain(claim: str, field: str | None = None) -> Explanation:
 
     Raises :class:`hfield.errors.HFieldError` for a claim or field that does not exist.
     """
-    column = split_columns(["QQ" if field is None else field])
+    column = split_columns("QQ" if field is None else field)
     if len(column) > 1:
         raise SelectionError(
             f"one decision is explained at a time; {len(column)} fields were given"

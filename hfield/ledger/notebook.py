@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from hfield.executors import InProcess
@@ -14,6 +14,7 @@ from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
+from hfield.rings.base import Ring
 from hfield.rings.latex_names import latex_name
 
 
@@ -46,11 +47,11 @@ class Report:
         return f"${self.latex()}$"
 
 
-def verify(*names: str, field: str | Sequence[str] = ()) -> Report:
+def verify(*names: str, field: Ring | str | Iterable[Ring | str] = ()) -> Report:
     """Decide claims of the thesis and show what came out, with the errata.
 
-    ``names`` are ids, names or numbers (all claims without any), ``field`` texts of fields, separated by
-    commas (the whole panel without any).
+    ``names`` are ids, names or numbers (all claims without any), ``field`` is a field, its name, names with
+    commas between them, or several of these (the whole panel without any).
 
     >>> [row.as_printed.verdict for row in verify("centre", field="GF4,QQ").rows]
     ['proved', 'proved']
@@ -58,6 +59,6 @@ def verify(*names: str, field: str | Sequence[str] = ()) -> Report:
     Raises :class:`hfield.errors.HFieldError` for claims or fields that do not exist.
     """
     chosen = [claim for name in names for claim in find_all(name)]
-    fields = split_columns([field] if isinstance(field, str) else field)
+    fields = split_columns(field)
     pieces = rows_to_decide(chosen or claims(), fields, strict=bool(chosen))
     return Report(tuple(decide_rows(pieces, InProcess())), bool(chosen))

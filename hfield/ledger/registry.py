@@ -82,12 +82,11 @@ def find(name: str, ledger: Sequence[Claim] | None = None) -> Claim:
     from difflib import get_close_matches
 
     known = [text for claim in among for text in (claim.id, claim.name)]
-    close = get_close_matches(name, known, n=3) or get_close_matches(wanted, known, n=3)
-    listed = (
-        "`hfield claims` lists them" if ledger is None else f"there are {', '.join(known[::2])}"
+    close = get_close_matches(name, known, 5, 0.3) or get_close_matches(wanted, known, 5, 0)
+    listed = "; `hfield claims` lists all" if ledger is None else ""
+    raise UnknownClaimError(
+        f"there is no claim {name!r}; the nearest are {', '.join(close)}{listed}"
     )
-    hint = f"did you mean {' or '.join(close)}?" if close else listed
-    raise UnknownClaimError(f"there is no claim {name!r}: {hint}")
 
 
 @lru_cache(maxsize=1)
@@ -105,4 +104,8 @@ def _by_spelling(ledger: Sequence[Claim]) -> dict[str, int]:
 
 
 class UnknownClaimError(HFieldError, LookupError):
-    """A claim's id or name that is not in the ledger."""
+    """A claim's id or name that is not in the ledger; the message has the nearest that are.
+
+    >>> issubclass(UnknownClaimError, LookupError)
+    True
+    """

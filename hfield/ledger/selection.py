@@ -9,7 +9,11 @@ from hfield.ledger.claim import NO_FIELD, Claim
 
 
 class SelectionError(HFieldError, ValueError):
-    """Claims, sections or fields that do not exist or do not go together."""
+    """Claims, sections or fields that do not exist or do not go together.
+
+    >>> issubclass(SelectionError, ValueError)
+    True
+    """
 
 
 def in_section(section: str, ledger: Sequence[Claim]) -> list[Claim]:

@@ -1,9 +1,14 @@
 """``prove``: a statement in, an answer out that prints, has a certificate and exports itself."""
 
+from __future__ import annotations
+
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
+from hfield.errors import NotationError
 from hfield.evidence import is_complete, why_rejected
 from hfield.proving.decide import answer
 from hfield.proving.decision import (
@@ -21,8 +26,12 @@ from hfield.proving.statements.setting import Setting
 from hfield.rings.base import Ring
 from hfield.syntax import plain
 
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+
 MAX_STEPS = 12  # shown to people; the decision has them all
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
+_COMPARISON = re.compile(r"[=!]=|=>|[=≠⇒⇔]")
 _SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APPLICABLE: "–"}
 
 
@@ -163,24 +172,30 @@ def _value(texts: list[str]) -> str:
 def prove(
     statement: str,
     field: Ring | str | None = None,
-    given: Iterable[str] = (),
-    algebra: str | None = None,
+    given: str | Iterable[str] = (),
+    algebra: QuaternionAlgebra | str | None = None,
     timeout: float = TIMEOUT,
 ) -> Answer:
     """Decide a statement about quaternions and return the answer with its evidence.
 
-    ``field`` is a ring or its text; None decides for all fields at once. ``given`` are hypotheses
-    put in front of the statement; both may have the signs in which answers are printed (``p·q̄ ≠ 0``).
-    ``algebra`` is a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None), ``timeout`` the time in
-    seconds. Raises :class:`NotationError` with a position for what cannot be read. The language is
-    described in docs/language.md.
+    ``field`` is a ring or its text; None decides for all fields at once. ``given`` is a hypothesis, or
+    several, put in front of the statement; both may have the signs in which answers are printed
+    (``p·q̄ ≠ 0``). ``algebra`` is one, or a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None),
+    ``timeout`` the time in seconds. Raises :class:`NotationError` with a position for what cannot be read.
+    The language is described in docs/language.md.
 
     >>> prove("p*q == q*p", field="QQ").witness
     {'p': ['0', '1', '0', '0'], 'q': ['0', '0', '1', '0']}
     >>> bool(prove("(p*q)*r == p*(q*r)"))
     True
     """
-    hypotheses = tuple(map(plain, given))
-    question = read_question(plain(statement), field, hypotheses, algebra, timeout)
+    if not isinstance(statement, str) or (isinstance(field, str) and _COMPARISON.search(field)):
+        raise NotationError(
+            f"the statement comes first, as a text: prove('p*q == q*p', field='QQ'), "
+            f"not prove({statement!r}, …)"
+        )
+    hypotheses = tuple(map(plain, [given] if isinstance(given, str) else given))
+    where = None if algebra is None else str(algebra)
+    question = read_question(plain(statement), field, hypotheses, where, timeout)
     problem = question.problem
     return Answer(problem.statement, problem.setting, answer(question))

@@ -64,6 +64,10 @@ class Ring(ABC, Generic[E]):
 
     ``name`` is the text that :func:`hfield.ring` reads back; two rings are equal when their names
     are. ``order`` is None for an infinite ring, ``gen_name`` the text of the generator, if any.
+
+    >>> from hfield import GF
+    >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
+    (True, 9, 'x')
     """
 
     name: str

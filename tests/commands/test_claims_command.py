@@ -112,7 +112,7 @@ def test_explain_says_what_was_tried(broken):
     ("words", "hint"),
     [
         ([], "CLAIM"),
-        (["slpi"], "did you mean slip"),
+        (["slpi"], "slip"),
         (["slip", "--field", "GF(6)"], "GF(6)"),
         (["slip", "--field", "QQ,RR"], "one decision"),
         (["slip", "--field", "-"], "C1.1-a"),

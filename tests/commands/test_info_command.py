@@ -106,7 +106,7 @@ def test_info_goes_to_a_file_and_refuses_what_is_no_algebra(capsys, tmp_path):
     assert target.read_text(encoding="utf-8").startswith(
         "(-1,-3|QQ)  over the rational numbers ℚ\n"
     )
-    for words in (["info", "QQ"], ["info", "(1|QQ)"], ["info", "(1,x|QQ)"], ["info"]):
+    for words in (["info", "12"], ["info", "(1|QQ)"], ["info", "(1,x|QQ)"], ["info"]):
         status, out, err = run(capsys, *words)
         assert (status, out) == (2, "")
         assert err.startswith("hfield: error: ")

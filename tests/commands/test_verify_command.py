@@ -185,7 +185,7 @@ def test_a_full_disk(run):
     ("words", "hint"),
     [
         (["C9.9-z"], "there is no claim"),
-        (["tabel"], "did you mean table"),
+        (["tabel"], "the nearest are table"),
         (["--field", "GF(6)"], "GF(6)"),
         (["--field", "GF(0)"], "0"),
         (["--field", "GF(4, x^2)"], "irreducible"),

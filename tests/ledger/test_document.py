@@ -180,3 +180,11 @@ def test_the_title_is_what_the_file_says_or_its_name(tmp_path: Path) -> None:
     path.write_text("title = 3\n" + claim, encoding="utf-8")
     with pytest.raises(LedgerError, match=r"title.*expected a text, found int"):
         read_ledger(path)
+
+
+def test_statements_may_have_the_signs_of_the_answers(tmp_path: Path) -> None:
+    more = 'holds = "q·q̄ = N(q)"\ngiven = "N(q) ≠ 0"\nfields = "QQ"\n'
+    (claim,) = read_ledger(written(tmp_path, HEAD + more))
+    assert claim.as_printed is not None
+    assert claim.as_printed.text == "norm(q) != 0 => q*conj(q) == norm(q)"
+    assert decide(claim, "QQ").as_printed.verdict == "proved"

@@ -99,7 +99,7 @@ class Walk:
         """Return √f·x for the coordinates x of each vector at each infinite place."""
         embeddings = self.field.embeddings
         roots = [
-            [embeddings.value(f.poly, k, bits).sqrt() for f in self.form]
+            [_root(embeddings.value(f.poly, k, bits)) for f in self.form]
             for k in range(embeddings.count)
         ]
         return self._apart(
@@ -166,6 +166,11 @@ class Walk:
             total = sum((f * x * x for f, x in zip(self.form, v, strict=True)), self.field.zero)
             if not total:
                 yield v
+
+
+def _root(z: Any) -> Any:
+    """Return a square root of a ball; a ball around a negative number is not cut by the branch."""
+    return z.sqrt() if z.real.mid() >= 0 else (-z).sqrt() * flint.acb(0, 1)
 
 
 @cache

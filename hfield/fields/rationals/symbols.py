@@ -110,16 +110,24 @@ def discriminant_q(places: Iterable[Place]) -> int:
     return math.prod(p for p in places if isinstance(p, int))
 
 
-def from_ramification_q(primes: Iterable[object], infinite: bool) -> tuple[int, int]:
+def from_ramification_q(primes: Iterable[object], infinite: bool | None) -> tuple[int, int]:
     """Return integers (a, b) such that ``(a, b | ℚ)`` ramifies exactly at the places named.
 
+    ∞ is one where it stands among them or is said to be, and where neither is said as often as it takes.
     Raises :class:`RingError` unless the primes are distinct primes and the places even in number.
     The construction is that of Voight, *Quaternion Algebras*, section 14.2: b is the product of the
     primes up to sign, and a is, up to sign, 1 or a prime in a suitable residue class.
     """
-    wanted = [place_of_q(p) for p in primes]
-    if INFINITE in wanted:
-        raise RingError("give the infinite place as infinite=True, not among the primes")
+    places = [place_of_q(p) for p in primes]
+    wanted = [p for p in places if p != INFINITE]
+    if len(places) > len(wanted):
+        if infinite is False or len(places) > len(wanted) + 1:
+            raise RingError(
+                "the infinite place stands among the places, and is denied or named twice"
+            )
+        infinite = True
+    elif infinite is None:
+        infinite = len(wanted) % 2 == 1
     if len(set(wanted)) != len(wanted):
         raise RingError("the same prime was named twice among the ramified places")
     if (len(wanted) + bool(infinite)) % 2:

@@ -147,7 +147,7 @@ def _generated_by(text: str) -> Data:
     spelled = _mentioned(text)
     found = [_number(x) or refuse("a number that is none") for x in spelled]
     if text.strip("()") in (x.rstrip(")") for x in spelled) or re.search(r"root\([^(]*,2\)", text):
-        refuse("brackets around a number, or a square root in other words")
+        raise Unsure("brackets around a number, or a square root in other words")
     field = field_of(found)
     for n, part in enumerate(spelled):
         text = text.replace(part, f"y{n}")

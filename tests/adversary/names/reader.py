@@ -143,7 +143,10 @@ def _finite(inside: str) -> Data:
 
 @cache
 def _conway(p: int, n: int) -> list[int]:
-    powers, coefficients = ConwayPolyDatabase().fetch(p, n)
+    try:
+        powers, coefficients = ConwayPolyDatabase().fetch(p, n)
+    except LookupError:
+        raise Unsure("a field without a Conway polynomial in the database") from None
     terms = dict(zip(powers, coefficients, strict=True))
     return [int(terms.get(k, 0)) for k in range(n + 1)]
 

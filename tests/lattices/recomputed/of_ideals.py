@@ -4,6 +4,7 @@ import itertools
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import count
 from random import Random
 from typing import Any
 
@@ -258,18 +259,19 @@ def equivalent_of_prime_norm(rng: Random) -> None:
 
 
 def klpt(rng: Random) -> None:
-    p = rng.choice(PRIMES)
+    p = next(
+        n for n in count(rng.randrange(3, 10 ** rng.choice((3, 4, 6, 9)))) if plainly.is_prime(n)
+    )
     A = QuaternionAlgebra.from_ramification("QQ", [p])
     O, plain = A.extremal_order(), Plain(A)
-    I = O.random_ideal(rng.choice((101, 103, 1009)), "left", rng.randrange(10**9))
-    prime = rng.choice((2, 3))
+    prime = rng.choice([n for n in (2, 3, 5, 7) if n != p])
+    norm = rng.choice([n for n in (2, 3, 7, 101, 103, 1009, 1_000_003) if n not in (p, prime)])
+    I = O.random_ideal(norm, "left", rng.randrange(10**9))
     J, c, e = I.equivalent_of_power_norm(prime, rng.randrange(100))
     assert span(plain.mul(x, vector(c)) for x in rows(I)) == rows(J)
     assert plain.product(rows(O), rows(J)) == rows(J)
     assert plain.norm_of(rows(J)) == prime**e
 
-
-PRIMES = [p for p in (*range(211, 400), *range(10_007, 10_100)) if plainly.is_prime(p)]
 
 OPERATIONS = {
     "ideals of generators: left, right, two-sided": from_generators,
