@@ -76,8 +76,8 @@ class Evidence:
     kind: Kind
     values: Mapping[str, Any]
 
-    def __init__(self, kind: Kind, **values: Any) -> None:
-        self.kind, self.values = kind, values
+    def __init__(self, kind: str, **values: Any) -> None:
+        self.kind, self.values = Kind(kind), values
 
     def __getitem__(self, name: str) -> Any:
         return self.values[name]
