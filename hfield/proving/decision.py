@@ -92,6 +92,8 @@ class Decision:
     def __post_init__(self) -> None:
         if self.verdict not in VERDICTS:
             raise ValueError(f"{self.verdict!r} is not a verdict; expected one of {VERDICTS}")
+        if self.scope is not None and not isinstance(self.scope, Scope):  # a word of anyone's claim
+            object.__setattr__(self, "scope", Scope(self.scope))
 
     def certificate(
         self, statement: str, algebra: str, field: str | None

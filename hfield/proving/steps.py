@@ -10,7 +10,7 @@ class Step(str):
     """A line in English that knows which sentence it is, and what stands in its slots."""
 
     name: str
-    slots: Mapping[str, object]
+    slots: Mapping[str, str]
 
     def at(self, text: str) -> "Step":
         """Return the line with other blanks around it."""
@@ -26,7 +26,7 @@ class Step(str):
         """Return the line in a language; ``other`` says what stands in a slot and is no line itself."""
         said = {}
         for slot, value in self.slots.items():
-            text = value.said(language, other) if isinstance(value, Step) else other(str(value))
+            text = value.said(language, other) if isinstance(value, Step) else other(value)
             if text is None:
                 return None
             said[slot] = text
@@ -46,8 +46,9 @@ def say(name: str, **slots: object) -> Step:
     >>> say("all-zero", R="ℤ").said("pl", str)
     'wszystkie współczynniki różnicy są równe 0 w ℤ'
     """
-    line = Step(sentences()[name]["en"].format_map(slots))
-    line.name, line.slots = name, slots
+    told = {slot: x if isinstance(x, Step) else str(x) for slot, x in slots.items()}
+    line = Step(sentences()[name]["en"].format_map(told))
+    line.name, line.slots = name, told
     return line
 
 
