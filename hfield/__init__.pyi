@@ -1,11 +1,11 @@
 from . import errors as errors
 from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
+from .algebra.quaternion import Quaternion as Quaternion
 from .certificates.check import check as check
 from .certificates.rejection import Rejected as Rejected
 from .description import Description as Description
 from .description import info as info
-from .elements import conjugator as conjugator
 from .errors import CoercionError as CoercionError
 from .errors import HFieldError as HFieldError
 from .errors import IndefiniteError as IndefiniteError
@@ -21,6 +21,7 @@ from .factorisation import UnfactoredError as UnfactoredError
 from .fields.names import ring as ring
 from .fields.number_fields.ring import NumberField as NumberField
 from .functions import conj as conj
+from .functions import conjugator as conjugator
 from .functions import inv as inv
 from .functions import norm as norm
 from .functions import trace as trace
@@ -34,7 +35,6 @@ from .ledger.notebook import verify as verify
 from .ledger.registry import UnknownClaimError as UnknownClaimError
 from .ledger.selection import SelectionError as SelectionError
 from .proving.prove import prove as prove
-from .quaternion import Quaternion as Quaternion
 from .rings import CC as CC
 from .rings import GF as GF
 from .rings import QQ as QQ

@@ -1,11 +1,11 @@
-"""What methods of elements do, as functions with the names of the language: conj, inv, norm, trace."""
+"""What methods of elements do, as functions: the names of the language, and the conjugator."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import CoercionError, shorten
-from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
     import flint
@@ -57,6 +57,20 @@ def trace(q: Quaternion) -> flint.fmpq:
     Raises :class:`CoercionError` for what is no quaternion.
     """
     return _quaternion("trace", q).trace()
+
+
+def conjugator(p: Quaternion, q: object) -> Quaternion | None:
+    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none.
+
+    >>> from hfield import H
+    >>> _, i, j, _ = H("QQ").basis
+    >>> x = conjugator(i, j)
+    >>> x * i * inv(x)
+    j
+
+    Raises :class:`CoercionError` where p is no quaternion.
+    """
+    return _quaternion("conjugator", p).conjugator(q)
 
 
 def _quaternion(function: str, q: object) -> Quaternion:

@@ -29,8 +29,8 @@ from .pool import threads as threads
 from .quaternions import T_q as T_q
 from .rigid import RigidTransform as RigidTransform
 from .rigid import sclerp as sclerp
+from .rigid_motions import Screw as Screw
 from .rotation import Rotation as Rotation
-from .screws import Screw as Screw
 from .spline import RotationSpline as RotationSpline
 from .swing import swing_twist as swing_twist
 from .warming import warm_up as warm_up

@@ -7,11 +7,11 @@ import numpy as np
 
 from rotation import hints
 from rotation.errors import DTypeError, MemberError, RotationError
+from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, is_numpy, namespace
-from rotation.shaped import Shaped
 
 
-class Batch(Shaped):
+class Batch(ImmutableArray):
     """Holds unit quaternions (…, 4), scalar first, and nothing else."""
 
     __slots__ = ()
@@ -90,7 +90,7 @@ class Batch(Shaped):
         return f"Rotation.from_quat({array})"
 
     def _repr_html_(self) -> str | None:
-        from rotation.shown import table
+        from rotation.html_table import table
 
         return table(self._q)
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rotation import kernels
-from rotation.acting import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, FEW_SINES, by_euler, write
+from rotation.action import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, FEW_SINES, by_euler, write
 from rotation.arrays import (
     Array,
     Layout,

@@ -180,7 +180,7 @@ class RigidTransform(Forms):
         return f"RigidTransform.from_components({self._t!r}, {Rotation._of(self._q)!r})"
 
     def _repr_html_(self) -> str | None:
-        from rotation.shown import table
+        from rotation.html_table import table
 
         return table(self._q, self._t)
 

@@ -10,17 +10,16 @@ from rotation import sampling, vectors
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
+from rotation.immutable_arrays import ImmutableArray
 from rotation.matrices import from_matrix
 from rotation.namespaces import Array, copied, expect_last, floats, is_numpy, namespace
 from rotation.rotation import Rotation
-from rotation.screws import Screw, from_screw, to_screw
-from rotation.shaped import Shaped
 
 HELD = 16_384  # transforms whose matrices, computed a second time, are held: 2 MB
 _ASKED = np.empty(0)  # stands for matrices that were asked for once
 
 
-class Forms(Shaped):
+class Forms(ImmutableArray):
     """Holds unit quaternions (…, 4) and translations (…, 3), and matrices that were asked for again."""
 
     __slots__ = ("_matrix", "_t")
@@ -134,7 +133,7 @@ class Forms(Shaped):
         RotationError
             An axis is zero.
         """
-        return cls._of(*from_screw(axis, point, angle, displacement, degrees))
+        return cls._of(*motions.from_screw(axis, point, angle, displacement, degrees))
 
     @property
     def rotation(self) -> Rotation:
@@ -179,9 +178,9 @@ class Forms(Shaped):
             [xp.roll(d[..., :4], -1, axis=-1), xp.roll(d[..., 4:], -1, axis=-1)], axis=-1
         )
 
-    def as_screw(self, degrees: bool = False) -> Screw:
+    def as_screw(self, degrees: bool = False) -> motions.Screw:
         """Return the screws of the motions: every rigid motion is along one (Chasles)."""
-        return to_screw(self._q, self._t, degrees)
+        return motions.to_screw(self._q, self._t, degrees)
 
 
 def _copied(value: Any, what: str, length: int = 3) -> Array:

@@ -5,7 +5,7 @@ from itertools import product
 
 import numpy as np
 
-from rotation import acting, euler, jacobians, kernels, rigid_motions, rotation, rowwise, spline
+from rotation import action, euler, jacobians, kernels, rigid_motions, rotation, rowwise, spline
 from rotation.arrays import Array
 
 _PRECISIONS = ((np.float64, np.float64), (np.float32, np.float64), (np.float32, np.float32))
@@ -45,7 +45,7 @@ def warm_up(sequences: str | Iterable[str] = ("ZYX", "xyz")) -> None:
         axes, intrinsic = euler.sequence(seq)
         turns.append((axes[::-1] if intrinsic else axes, intrinsic))
         for degrees in (False, True):
-            acting.by_euler(*turns[-1], degrees)
+            action.by_euler(*turns[-1], degrees)
     rowwise.compile_all()
     for (kind, finer), columns in product(_PRECISIONS, (False, True)):
         _loops(np.dtype(kind), np.dtype(finer), columns, turns)

@@ -72,6 +72,23 @@ def test_immutable_hashable_picklable() -> None:
     assert pickle.loads(pickle.dumps(q.algebra)) == q.algebra
 
 
+def test_what_older_pickles_name_is_there() -> None:
+    """Pickles of version 0.2, spelt out: the text names a function or a class, then come its arguments."""
+    A = H("GF(7)")
+    q = A([1, 2], 0, 0, [3, 4])
+    for path, name, arguments in (
+        ("hfield.quaternion", "Quaternion", (A, q.coordinates)),
+        ("hfield.element_text", "_from_array", (A, q.to_array())),
+        (
+            "hfield.element_text",
+            "_from_states",
+            (type(q), A, (2,), ([1, 2], [0, 0], [0, 0], [3, 4])),
+        ),
+    ):
+        make = pickle.loads(f"c{path}\n{name}\n.".encode())
+        assert (make(*arguments) == q).all()
+
+
 def test_text_reads_back() -> None:
     for name in ("QQ", "GF(9)", "QQ(sqrt(2))", "GF(2)(t)", "ZZ[a,b,c]", "RR"):
         A = QuaternionAlgebra(ring(name), -1, -1)

@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 
 from hfield import GF, QQ, H, QuaternionAlgebra, hilbert_symbol, places, ring
+from hfield.algebra.maps import Isomorphism
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
     RingError,
     UndecidedError,
 )
-from hfield.maps import Isomorphism
 
 VECTORS = Path(__file__).parent / "vectors"
 

@@ -161,7 +161,7 @@ class HeavyTop:
                 np.asarray(times, dtype=np.float64),
                 self.step,
                 landed if landed >= 0 else inf,
-                self._rates,
+                self.rates,
             )
         )
 
@@ -171,19 +171,21 @@ class HeavyTop:
 
     def energies(self, states: Floats) -> Floats:
         """Return the kinetic and potential energies (n,) of states (n, 7), in J."""
-        up, moments = self._vertical(states), self._moments
+        up, moments = self._vertical(states), self.moments
         return np.asarray((states[:, 4:] ** 2 @ moments) / 2 + self.torque * up[:, 2])
 
     def vertical_momenta(self, states: Floats) -> Floats:
         """Return the angular momenta about the vertical, L_z (n,), of states (n, 7), in kg·m²/s."""
-        return np.asarray(np.sum(states[:, 4:] * self._vertical(states) * self._moments, axis=1))
+        return np.asarray(np.sum(states[:, 4:] * self._vertical(states) * self.moments, axis=1))
 
     @property
-    def _moments(self) -> Floats:
+    def moments(self) -> Floats:
+        """The moments of inertia about the axes of the body, in kg·m²."""
         return np.array([self.body.transverse, self.body.transverse, self.body.axial])
 
     @property
-    def _rates(self) -> "Rates":
+    def rates(self) -> "Rates":
+        """What the integrator takes for this top: its torque, its losses, where it touches."""
         from anim.physics.integrator import Rates
 
         body, launch = self.body, self.launch
@@ -200,7 +202,7 @@ class HeavyTop:
         """The states after every EVERY steps, and when the rim touched, or −1."""
         from anim.physics.integrator import run_compiled
 
-        kept, landed = run_compiled(self.start, self.step, self.steps, EVERY, self._rates)
+        kept, landed = run_compiled(self.start, self.step, self.steps, EVERY, self.rates)
         return kept, float(landed)
 
     @staticmethod

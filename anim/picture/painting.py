@@ -33,11 +33,11 @@ class Painter:
         self.model, self.look = model, look
         style = STYLES[look.style]
         self.view, background = style.scene(model, look)
-        self._mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt)))
-        self._parts = pieces(self._mesh)
-        self._light = light.direction(look.camera)
-        self._body = style.body(self._mesh, _colours(model, look), self._light, look.quality)
-        self._canvas = Canvas(background, smooth=look.quality > 1)
+        self.mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt)))
+        self._parts = pieces(self.mesh)
+        self.light = light.direction(look.camera)
+        self.body = style.body(self.mesh, _colours(model, look), self.light, look.quality)
+        self.canvas = Canvas(background, smooth=look.quality > 1)
         self._pen = max(1.0, min(look.size) / 320)
 
     def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
@@ -51,7 +51,7 @@ class Painter:
         :class:`~anim.errors.AnimationError` for anything but a rotation and finite points.
         """
         rotation = _rotation(matrix)
-        canvas = self._canvas
+        canvas = self.canvas
         canvas.clear()
         near: list[Floats] = []
         from_above = self.view.eye[2] >= 0
@@ -60,16 +60,16 @@ class Painter:
         if self.look.trace and trail is not None:
             near, far = near_and_far(_points(trail), self.view)
             canvas.stroke(far, TRACE, self._pen)
-        self._body.draw(canvas, self.view.turned(rotation), rotation)
+        self.body.draw(canvas, self.view.turned(rotation), rotation)
         canvas.stroke(near, TRACE, self._pen)
         if self.look.shadow and not from_above:
             self._draw_shadow(rotation)
         return canvas.rgb()
 
     def _draw_shadow(self, rotation: Floats) -> None:
-        loops = light.shadow(self._mesh, self._parts, rotation, self._light, self.view)
+        loops = light.shadow(self.mesh, self._parts, rotation, self.light, self.view)
         if loops:
-            self._canvas.fill(loops, SHADE, SHADE_OPACITY)
+            self.canvas.fill(loops, SHADE, SHADE_OPACITY)
 
 
 def painter(model: Model, look: Look | None = None) -> Painter:

@@ -20,9 +20,9 @@ from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
+    from hfield.algebra.quaternion import Quaternion
     from hfield.lattices.answers import Answer
     from hfield.lattices.certificates import Claim
-    from hfield.quaternion import Quaternion
 
 PATIENCE = 10
 """Seconds: for what takes longer, one is told before how long it will be."""

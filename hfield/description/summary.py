@@ -10,15 +10,15 @@ from typing import Any
 
 from hfield import structure
 from hfield.algebra import H, QuaternionAlgebra
+from hfield.algebra.maps import Division, Splitting
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
 from hfield.lattices.order import Order
 from hfield.lattices.over_integers import IntegersOrder
-from hfield.maps import Division, Splitting
 from hfield.notation import element_text
-from hfield.quaternion import Quaternion
 from hfield.rings.base import INFINITY, Ring
 
 SCHEMA = "hfield-info/1"

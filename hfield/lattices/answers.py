@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.lattices import certificates
-from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.certificates import Claim

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from hfield.lattices.hermite import tuples
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.lattices.lattice import Lattice
-    from hfield.quaternion import Quaternion
 
 
 def rows_json(lattice: Lattice) -> dict[str, object]:

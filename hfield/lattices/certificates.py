@@ -15,13 +15,13 @@ from hfield.lattices.as_json import basis_json, element_json
 from hfield.lattices.order_invariants import OrderInvariants
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Parent
     from hfield.lattices.answers import Answer
     from hfield.lattices.classes import ClassSet
     from hfield.lattices.ideal import Ideal
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
     from hfield.lattices.quadratic_orders import Embeddings
-    from hfield.quaternion import Parent
 
 DOUBLINGS = 6
 MOST = 10**5

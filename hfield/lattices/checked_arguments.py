@@ -7,10 +7,10 @@ from collections.abc import Iterable
 
 import flint
 
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
 from hfield.primality import is_prime
-from hfield.quaternion import Parent, Quaternion
 from hfield.rings.rational import rational
 from hfield.rings.whole_numbers import fraction
 

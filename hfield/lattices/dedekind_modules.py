@@ -14,7 +14,7 @@ from hfield.fields.number_fields.integral_basis import coordinate_rows, element_
 from hfield.fields.number_fields.ring import NumberField
 
 if TYPE_CHECKING:
-    from hfield.quaternion import Quaternion
+    from hfield.algebra.quaternion import Quaternion
 
     PseudoBasis = tuple[tuple[tuple[Any, ...], Quaternion], ...]
 

@@ -14,12 +14,12 @@ from fractions import Fraction
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.answers import STRONG_APPROXIMATION, Answer
 from hfield.lattices.as_json import element_json, rows_json
-from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from hfield.algebra.quaternion import Parent
 from hfield.errors import LatticeError
 from hfield.lattices.modulo_primes import kronecker
 from hfield.lattices.order import Order
 from hfield.lattices.regular_representation import regular
 from hfield.primality import is_prime
-from hfield.quaternion import Parent
 
 
 def quadratic_part(p: int) -> int:

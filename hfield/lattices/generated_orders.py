@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
+from hfield.algebra.quaternion import Parent
 from hfield.errors import LatticeError, shorten
 from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import element_row, listed
 from hfield.lattices.regular_representation import Regular, regular
-from hfield.quaternion import Parent
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import Lattice

@@ -7,9 +7,9 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError
 from hfield.lattices.order import Order
-from hfield.quaternion import Parent, Quaternion
 from hfield.structure import hurwitz
 
 

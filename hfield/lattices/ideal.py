@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, shorten
 from hfield.hints import IDEAL
 from hfield.lattices import (
@@ -23,7 +24,6 @@ from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import prime as checked_prime
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.one_sided_ideals import OneSidedIdeal
-from hfield.quaternion import Quaternion
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 

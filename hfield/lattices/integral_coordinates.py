@@ -20,9 +20,9 @@ from hfield.product import Constants, Scalar
 from hfield.structure.forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.dedekind_modules import PseudoBasis
-    from hfield.quaternion import Quaternion
 
 
 class Frame:

@@ -22,9 +22,9 @@ from hfield.lattices.equivalence import element_of_norm, root
 from hfield.lattices.maximal_orders import endpoints
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
-    from hfield.quaternion import Quaternion
 
 
 def isomorphism(first: Order, second: Order) -> Answer:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.lattices import hermite
 from hfield.lattices.modulo_primes import kernel
@@ -23,7 +24,6 @@ from hfield.lattices.norm_equations import in_frame
 from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
 from hfield.lattices.small_ideals import by_norm, longer
 from hfield.primality import is_probable_prime
-from hfield.quaternion import Quaternion
 from hfield.rings.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:

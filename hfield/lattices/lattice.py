@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat
 
+from hfield.algebra.quaternion import Parent
 from hfield.errors import LatticeError, MixedParentsError, shorten
 from hfield.hints import LATTICE, Hinted
 from hfield.lattices import hermite
 from hfield.lattices.checked_arguments import checked_side, element_row, listed
 from hfield.lattices.normed_lattice import NormedLattice
 from hfield.lattices.regular_representation import regular
-from hfield.quaternion import Parent
 from hfield.rings.whole_numbers import fraction
 
 if TYPE_CHECKING:

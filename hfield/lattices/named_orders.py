@@ -7,6 +7,7 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.algebra.quaternion import Parent
 from hfield.errors import CoercionError
 from hfield.lattices import class_number as class_numbers
 from hfield.lattices import hermite
@@ -15,7 +16,6 @@ from hfield.lattices.hurwitz_order import HurwitzOrder
 from hfield.lattices.maximal_orders import eichler_suborder
 from hfield.lattices.order import Order
 from hfield.lattices.regular_representation import regular
-from hfield.quaternion import Parent
 from hfield.structure.clifford import maximal_basis
 
 

@@ -12,10 +12,10 @@ import math
 import random
 from typing import TYPE_CHECKING
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError, shorten
 from hfield.lattices import enumeration
 from hfield.lattices.quadratic_orders import Frame, frame, represent
-from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.order import Order

@@ -10,11 +10,11 @@ from typing import Any
 
 from flint import fmpq, fmpz_mat, fmpz_poly
 
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.checked_arguments import natural
 from hfield.lattices.regular_representation import Regular, regular
-from hfield.quaternion import Parent, Quaternion
 from hfield.rings.whole_numbers import fraction
 
 MANY = 10**6

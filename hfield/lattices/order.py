@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, overload
 
 from flint import fmpz_mat
 
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, shorten
 from hfield.hints import ORDER
 from hfield.lattices import (
@@ -30,7 +31,6 @@ from hfield.lattices.classes import ClassSet
 from hfield.lattices.generated_orders import check_ring, generated
 from hfield.lattices.lattice import Lattice
 from hfield.lattices.order_invariants import OrderInvariants
-from hfield.quaternion import Parent, Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.answers import Answer

@@ -31,8 +31,8 @@ from hfield.primality import WORD
 from hfield.rings.residue_polynomials import coefficients
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.lattices.dedekind_modules import PseudoBasis
-    from hfield.quaternion import Quaternion
 
 TRIALS = 1_000
 

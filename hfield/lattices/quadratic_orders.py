@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError
 from hfield.lattices import certificates, enumeration, hermite
 from hfield.lattices.certificates import Certified, Claim
 from hfield.primality import is_probable_prime, primes
-from hfield.quaternion import Quaternion
 from hfield.rings.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:

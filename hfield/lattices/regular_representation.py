@@ -26,7 +26,7 @@ from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant
 
 if TYPE_CHECKING:
-    from hfield.quaternion import Parent
+    from hfield.algebra.quaternion import Parent
 
 
 UNITS: list[Any] = [tuple(fmpq(int(m == n)) for n in range(4)) for m in range(4)]

@@ -6,9 +6,9 @@ import random
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
 from hfield.primality import is_prime
-from hfield.quaternion import Quaternion
 
 if TYPE_CHECKING:
     from hfield.lattices.ideal import Ideal

@@ -30,9 +30,9 @@ from hfield.lattices.modulo_primes import echelon, roots
 from hfield.lattices.two_sided_ideals import two_sided_prime
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.lattices.lattice import Lattice
     from hfield.lattices.order import Order
-    from hfield.quaternion import Quaternion
 
 MOST = 10**5
 """No more ideals of one norm than this are listed."""

@@ -7,12 +7,14 @@ coordinates and serves every ring, a user's own too; a ring with a compact form 
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+import math
+from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any, Generic
 
 from hfield import product
 from hfield.errors import CoercionError
 from hfield.product import Constants, Coordinates, Scalar
+from hfield.rings.powers import FEW, bits, check_growth
 
 if TYPE_CHECKING:
     import numpy as np
@@ -103,6 +105,24 @@ class Holding(Generic[H]):
     def inverse(self, p: H, /) -> H | None:
         """Return p⁻¹, or None where the norm is not a unit of the ring."""
         return self.divided(self.conjugate(p), self.norm(p))
+
+    def one(self, p: H) -> H:
+        """Hold e; an array of it, as large as p is."""
+        return self.scalar(self.ring.one)
+
+    def power(self, p: H, n: int) -> H:
+        """Return pⁿ for n ≥ 0, by repeated squaring. Raises :class:`TooLargeError`."""
+        if n == 0:
+            return self.one(p)
+        result = p
+        start = bits(p) if n > FEW else None
+        for bit in bin(n)[3:]:
+            if start is not None:
+                check_growth(start, result)
+            result = self.product(result, result)
+            if bit == "1":
+                result = self.product(result, p)
+        return result
 
     # --- elements to the ring ------------------------------------------------------------------
 
@@ -227,6 +247,55 @@ class Batch(Holding[H]):
         if not self.ring.array_units(n).all():
             return None
         return self.scaled(self.conjugate(p), self.ring.array_inverse(n))
+
+    def one(self, p: H) -> H:
+        """Hold an array of e, of the shape of p."""
+        return self._filled(1, self.shape(p))
+
+    def total(self, p: H, axis: int | None) -> H:
+        """Return the sum along an axis, or of all elements. Raises :class:`CoercionError`."""
+        return self._folded(p, axis, self.sum, 0, in_order=False)
+
+    def ordered_product(self, p: H, axis: int | None) -> H:
+        """Return the product along an axis, or of all elements, in their order. Raises as ``total`` does."""
+        return self._folded(p, axis, self.product, 1, in_order=True)
+
+    def _folded(
+        self, p: H, axis: int | None, combine: Callable[[H, H], H], neutral: int, in_order: bool
+    ) -> H:
+        """Combine the elements along an axis, in a tree; only neighbours with each other if ``in_order``."""
+        shape = self.shape(p)
+        if axis is None:
+            p, shape, axis = self.reshaped(p, (-1,)), (math.prod(shape),), 0
+        if not -len(shape) <= axis < len(shape):
+            raise CoercionError(f"an array of quaternions of shape {shape} has no axis {axis}")
+        axis %= len(shape)
+        n = shape[axis]
+        if not n:
+            return self._filled(neutral, (*shape[:axis], *shape[axis + 1 :]))
+
+        def part(x: H, index: slice | int) -> H:
+            return self.part(x, (*(slice(None),) * axis, index))
+
+        tail = None  # what comes after the last of those that are left
+        while n > 1:
+            half = n // 2
+            if n % 2:
+                last = part(p, slice(n - 1, n))
+                tail = last if tail is None else combine(last, tail)
+            if in_order:
+                pairs = slice(0, 2 * half, 2), slice(1, 2 * half, 2)
+            else:
+                pairs = slice(half), slice(half, 2 * half)
+            p = combine(part(p, pairs[0]), part(p, pairs[1]))
+            n = half
+        return part(p if tail is None else combine(p, tail), 0)
+
+    def _filled(self, number: int, shape: tuple[int, ...]) -> H:
+        import numpy as np
+
+        zeros = np.zeros(shape, int)
+        return self.read((zeros + number, zeros, zeros, zeros))
 
     # --- what is equal -------------------------------------------------------------------------
 

@@ -1,16 +1,29 @@
-"""Answers that scipy gives where ours is an error: to matrices that are no rotations, to means of no one."""
+"""Answers that scipy gives where ours is an error, or another one.
 
+Matrices that are no rotations, means and best fits that many rotations share, groups in its order.
+"""
+
+import contextlib
+import warnings
 from typing import Any
 
 import numpy as np
 
+from rotation import groups
 from rotation.averaging import mean
 from rotation.errors import RotationError
+from rotation.matrices import from_matrix as to_quaternion
 from rotation.namespaces import quiet
 from rotation.optimum import davenport
 from rotation.quaternions import canonical
+from rotation.wahba import checked, fitted, remaining, sensitivity
 
 Array = Any
+_POORLY = "Optimal rotation is not uniquely or poorly defined for the given sets of vectors."
+_TURNS = np.zeros((3, 3, 3))  # the sign of a permutation of the axes
+for _k in range(3):
+    _TURNS[_k, _k - 2, _k - 1], _TURNS[_k, _k - 1, _k - 2] = 1.0, -1.0
+_BLOCK = 2**20  # products that are held at once
 
 
 @quiet
@@ -33,3 +46,103 @@ def averaged(q: Array, weights: Array | None, axes: tuple[int, ...]) -> Array:
         p = np.roll(q, -1, axis=-1)
         moments = np.sum(w[..., None, None] * p[..., :, None] * p[..., None, :], axis=axes)
         return canonical(np.roll(np.linalg.eigh(moments)[1][..., -1], 1, axis=-1))
+
+
+def group_elements(group: str, axis: str) -> Array:
+    """Return the quaternions of a group; the identity comes behind three half turns, if there are such."""
+    q = groups.elements(group, axis)
+    return q[[1, 2, 3, 0, *range(4, len(q))]] if group in groups.POLYHEDRAL else q
+
+
+def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
+    """Return which of (m, 4) and (n, 4) make ``l·p·r`` turn least: two index arrays, of the shape of p.
+
+    With two groups many are equally small. Rounding decides then, so this computes every scalar part with the
+    same sums in the same order as scipy.
+    """
+    flat = p.reshape(-1, 4)
+    step = max(1, _BLOCK // (len(left) * len(right)))
+    best = np.empty(len(flat), np.int64)
+    for start in range(0, len(flat), step):
+        piece = slice(start, start + step)
+        scalars = np.abs(_scalars(flat[piece], left, right)).swapaxes(0, 1)
+        best[piece] = np.argmax(scalars.reshape(scalars.shape[0], -1), axis=1)
+    m, n = np.divmod(best, len(right))
+    return m.reshape(p.shape[:-1]), n.reshape(p.shape[:-1])
+
+
+def _scalars(p: Array, left: Array, right: Array) -> Array:
+    """The scalar parts of ``l·p·r``, by the scalar and vector parts of the three."""
+    a, b, c = left[:, 0], p[:, 0], right[:, 0]
+    u, v, w = left[:, 1:], p[:, 1:], right[:, 1:]
+    return (
+        np.einsum("i,j,k", a, b, c)
+        - np.einsum("i,jx,kx", a, v, w)
+        - np.einsum("ix,j,kx", u, b, w)
+        - np.einsum("ix,jx,k", u, v, c)
+        - np.einsum("xyz,ix,jy,kz", _TURNS, u, v, w)
+    )
+
+
+def aligned(
+    a: Any, b: Any, weights: Any, with_sensitivity: bool
+) -> tuple[Array, Array, Array | None]:
+    """Solve Wahba's problem as scipy asks it, for one set of vectors, in its words for what does not fit.
+
+    Return the quaternion, the root of the sum that remains, and the sensitivity if asked for.
+    """
+    u, v = (np.asarray(x, dtype=np.float64) for x in (a, b))
+    for name, x in (("a", u), ("b", v)):
+        if not x.ndim or x.shape[-1] != 3:
+            raise RotationError(
+                f"Expected input `{name}` to have shape (3,) or (N, 3), got {x.shape}"
+            )
+    if u.shape != v.shape:
+        raise RotationError(
+            f"Expected inputs `a` and `b` to have same shapes, got {u.shape} and {v.shape}"
+        )
+    if u.ndim > 2:
+        raise RotationError(
+            f"Expected inputs `a` and `b` to have shape (3,) or (N, 3), got {u.shape} and {v.shape}"
+        )
+    u, v = np.atleast_2d(u), np.atleast_2d(v)
+    number = len(u)
+    w = np.ones(number) if weights is None else np.asarray(weights, dtype=np.float64)
+    if w.ndim != 1:
+        raise RotationError(f"Expected `weights` to be 1 dimensional, got shape {w.shape}.")
+    if number > 1 and len(w) != number:
+        raise RotationError(
+            "Expected `weights` to have number of values equal to number of input vectors, "
+            f"got {len(w)} values and {number} vectors."
+        )
+    if np.any(w < 0.0):
+        raise RotationError("`weights` may not contain negative values")
+    certain = np.array([True]) if number == 1 else np.isinf(w)
+    if certain.sum() > 1:
+        raise RotationError("Only one infinite weight is allowed")
+    if certain.any() and with_sensitivity:
+        raise RotationError(
+            "Cannot return sensitivity matrix with an infinite weight or one vector pair"
+        )
+    if certain.any() and not (u[certain].any() and v[certain].any()):
+        raise RotationError("Cannot align zero length primary vectors")
+    q, rssd = _best(u, v, np.ones(1) if number == 1 else w)
+    return q, rssd, sensitivity(q, u, v, w) if with_sensitivity else None
+
+
+def _best(u: Array, v: Array, w: Array) -> tuple[Array, Array]:
+    """The best rotation, or with a warning one of many that are equally good: that of scipy."""
+    if len(w) == 1 or not all(np.isfinite(x).all() for x in (u, v, w)):
+        return fitted(*checked(u, v, w))
+    # By powers of two near 1: nothing overflows, and scipy's threshold means the same.
+    p, q, share = (np.ldexp(x, -np.frexp(np.abs(x).max())[1]) for x in (u, v, w[:, None]))
+    left, values, right = np.linalg.svd(np.einsum("ji,jk->ik", share * p, q))
+    if np.linalg.det(left @ right) < 0.0:
+        values[2], left[:, 2] = -values[2], -left[:, 2]
+    if values[1] + values[2] < 1e-16 * values[0]:
+        warnings.warn(_POORLY, UserWarning, stacklevel=4)
+    else:
+        with contextlib.suppress(RotationError):
+            return fitted(*checked(u, v, w))
+    best = to_quaternion(left @ right)
+    return best, remaining(best, u, v, w)

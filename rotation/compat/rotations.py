@@ -7,7 +7,7 @@ import numpy as np
 
 from rotation import davenport, quaternions
 from rotation import rotation as ours
-from rotation.compat import answers, checks, groups
+from rotation.compat import answers, checks
 from rotation.compat.assignable import Assignable
 from rotation.errors import RotationError
 from rotation.euler import sequence
@@ -144,7 +144,7 @@ class Rotation(Assignable):
             raise RotationError("`group` must be one of 'I', 'O', 'T', 'Dn', 'Cn'")
         if group[1:].isdigit() and int(group[1:]) < 1:
             raise RotationError("Group order must be positive")
-        return cls._of(groups.elements(group, axis))
+        return cls._of(answers.group_elements(group, axis))
 
     # Reading
 
@@ -280,7 +280,7 @@ class Rotation(Assignable):
         sides = (self.identity() if side is None else side for side in (left, right))
         words = "left and right must be Rotations"
         p, q = (checks.expected(checks.quaternions(s), s, words).reshape(-1, 4) for s in sides)
-        m, n = groups.nearest(self._q, p, q)
+        m, n = answers.nearest(self._q, p, q)
         reduced = self._of(quaternions.product(quaternions.product(p[m], self._q), q[n]))
         if not return_indices:
             return reduced
@@ -291,9 +291,7 @@ class Rotation(Assignable):
         cls, a: Any, b: Any, weights: Any = None, return_sensitivity: bool = False
     ) -> Any:
         """Return the rotation that takes vectors b closest to vectors a."""
-        from rotation.compat.alignment import aligned
-
-        q, rssd, sensitivity = aligned(a, b, weights, return_sensitivity)
+        q, rssd, sensitivity = answers.aligned(a, b, weights, return_sensitivity)
         return (cls._of(q), rssd, sensitivity) if return_sensitivity else (cls._of(q), rssd)
 
     @staticmethod

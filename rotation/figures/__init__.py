@@ -6,8 +6,7 @@ text around them says. ``FIGURES`` maps the number of a figure to its :class:`Dr
 """
 
 from rotation.figures.drawing import Drawing
-from rotation.figures.letter import letter_t, letter_turned
-from rotation.figures.mirrors import letter_mirrored
+from rotation.figures.letter import letter_mirrored, letter_t, letter_turned
 from rotation.figures.points import polar_and_cartesian, turned_vector
 
 FIGURES: dict[str, Drawing] = {

@@ -1,18 +1,43 @@
-"""Figures 2.3 and 2.4: the letter T of example 2, and the same turned about the origin."""
+"""Figures 2.3 to 2.5: the letter T of example 2, turned about the origin, and under the matrices of 2.1.2.
+
+Those are drawn as printed and as they should be.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rotation.figures.drawing import BLUE, GREY, INK, PALE, RED
-from rotation.plane import LETTER_T, rotate2
+from rotation.plane import (
+    LETTER_T,
+    area,
+    printed_orthogonal,
+    printed_reflection,
+    reflection,
+    rotate2,
+    transform,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+Matrices = Callable[..., Any]
+
 STEP = 30  # degrees between the passing positions of figure 2.4, which the thesis does not tell
+ANGLES = np.arange(11) * 36.0  # degrees: 2πn/10 for n = 0 … 10
+BEYOND = (14.3, 6.5)  # where the number of an image stands: next to the bar of the T
+PANELS: tuple[tuple[str, str, Matrices], ...] = (
+    ("(a) as printed, O(θ) of example 3", "[cos θ, sin θ; sin θ, cos θ]", printed_orthogonal),
+    (
+        "(b) as printed for determinant −1",
+        "[cos θ, −sin θ; sin θ, −cos θ]",
+        printed_reflection,
+    ),
+    ("(c) as it should be: reflections", "[cos θ, sin θ; sin θ, −cos θ]", reflection),
+)
 
 
 def letter_t(figure: Figure) -> None:
@@ -60,3 +85,52 @@ def letter_turned(figure: Figure) -> None:
 
 def _turned(degrees: float) -> Any:
     return rotate2(LETTER_T, degrees, degrees=True)
+
+
+def letter_mirrored(figure: Figure) -> None:
+    """Draw figure 2.5: the images for the angles 2πn/10, n = 0 … 10, and their areas."""
+    axes = figure.subplots(2, 2)
+    for ax, (title, entries, matrices) in zip(axes.flat, PANELS, strict=False):
+        _images(ax, matrices)
+        ax.set_title(f"{title}\n{entries}")
+    _areas(axes[1, 1])
+
+
+def _images(ax: Any, matrices: Matrices) -> None:
+    """Draw the images: filled and firm where the area is that of the T, thin and dashed elsewhere."""
+    ax.set(aspect="equal", xlim=(-19, 19), ylim=(-19, 19))
+    ax.grid(True)
+    ax.set_axisbelow(True)
+    ax.tick_params(labelsize=8)
+    ax.axhline(0, color=GREY, lw=0.7)
+    ax.axvline(0, color=GREY, lw=0.7)
+    m = matrices(ANGLES[:10], degrees=True)
+    images = transform(m[:, None], LETTER_T)
+    kept = np.isclose(area(images), area(LETTER_T))
+    for image, keeps in zip(images, kept, strict=True):
+        look = {"facecolor": PALE, "lw": 1.6} if keeps else {"fill": False, "lw": 1.0, "ls": "--"}
+        ax.fill(*image.T, edgecolor=INK if keeps else GREY, **look)
+    ax.fill(*np.transpose(LETTER_T), fill=False, edgecolor=RED, lw=2.2, hatch="////")
+    for n, (x, y) in enumerate(transform(m, BEYOND)):
+        name, side = ("0, 10", "left") if n == 0 else (str(n), "center")
+        ax.text(x - 0.8 * (n == 0), y, name, fontsize=9, ha=side, va="center")
+
+
+def _areas(ax: Any) -> None:
+    """Plot the areas of the images over n."""
+    fine = np.linspace(0, 360, 361)
+    for matrices, colour, look in (
+        (reflection, BLUE, {"marker": "o", "ls": "-"}),
+        (printed_orthogonal, RED, {"marker": "s", "ls": "--"}),
+    ):
+        smooth = area(transform(matrices(fine, degrees=True)[:, None], LETTER_T))
+        ax.plot(fine / 36, smooth, color=colour, lw=1.4, ls=look["ls"])
+        points = area(transform(matrices(ANGLES, degrees=True)[:, None], LETTER_T))
+        ax.plot(range(11), points, color=colour, ls="none", marker=look["marker"], ms=6)
+    ax.text(2.5, 10.25, "(c) as it should be: always 10", color=BLUE, ha="center", va="bottom")
+    ax.text(5, 1.5, "as printed,\n(a) and (b):\n10 |cos 2θ|", color=RED, ha="center", va="center")
+    ax.set_title("(d) area of the image of the T, whose own area is 10")
+    ax.set(xlim=(-0.4, 10.4), ylim=(0, 11.4), xticks=range(11))
+    ax.set_xlabel("n,   θ = 2πn/10")
+    ax.set_ylabel("area")
+    ax.grid(True)

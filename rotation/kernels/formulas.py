@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
-from rotation import acting
+from rotation import action
 from rotation.coordinates import Coordinates, split, sum_of_squares
 from rotation.kernels.sincos import reachable, sincos
 from rotation.native import tracing
@@ -73,7 +73,7 @@ def _axis_angle(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
 
 
 def _axis_angle_carefully(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
-    return acting.about_axis(axis, angle, points, degrees)
+    return action.about_axis(axis, angle, points, degrees)
 
 
 def _quaternions(points: Rows, q: Rows) -> Any:
@@ -98,7 +98,7 @@ def _quaternions(points: Rows, q: Rows) -> Any:
 
 
 def _quaternions_carefully(points: Rows, q: Rows) -> Any:
-    return acting.turned_by(Rows((4,), list(normalise(q))), split(points), False)
+    return action.turned_by(Rows((4,), list(normalise(q))), split(points), False)
 
 
 def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows) -> Any:
@@ -108,14 +108,14 @@ def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, a
     for t in turns:
         fine = fine & reachable(t)
     waves = [sincos(t, degrees) for t in (turns[::-1] if backward else turns)]
-    image = acting.turned_about(axes, waves, split(points))
+    image = action.turned_about(axes, waves, split(points))
     return tuple(x + poison for x in image), fine
 
 
 def _euler_carefully(
     axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows
 ) -> Any:
-    return acting.by_angles(angles, points, axes, backward, degrees)
+    return action.by_angles(angles, points, axes, backward, degrees)
 
 
 def _contains_zero(rows: Rows) -> Any:

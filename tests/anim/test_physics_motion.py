@@ -106,10 +106,10 @@ def test_energy_and_momentum_stay_over_a_hundred_thousand_steps(launch):
     step = HeavyTop(BODY, launch, 1.0).longest_step
     top = HeavyTop(BODY, launch, 99_999.5 * step)
     assert top.steps == 100_000
-    states, landed = run_compiled(top.start, top.step, top.steps, 1, top._rates)
+    states, landed = run_compiled(top.start, top.step, top.steps, 1, top.rates)
     kept = states if landed < 0 else states[: int(landed / top.step)]
     energies, momenta = top.energies(kept), top.vertical_momenta(kept)
-    size = np.linalg.norm(kept[0, 4:] * top._moments)
+    size = np.linalg.norm(kept[0, 4:] * top.moments)
     assert abs(energies - energies[0]).max() < 1e-9 * top.torque
     assert abs(momenta - momenta[0]).max() < 1e-9 * size
     assert abs(kept[:, 6] - top.spin).max() < 1e-9 * abs(top.spin)
@@ -147,7 +147,7 @@ def test_steady_precession_keeps_its_tilt_and_rate():
 
 def test_the_compiled_run_is_the_plain_one():
     top = HeavyTop(BODY, Launch(), 10.0)
-    start, h, rates = top.start, top.step, top._rates
+    start, h, rates = top.start, top.step, top.rates
     plain, ours = run(start, h, 200, 10, rates), run_compiled(start, h, 200, 10, rates)
     assert abs(plain[0] - ours[0]).max() < 1e-12
     assert plain[1] == ours[1] == -1
@@ -159,7 +159,7 @@ def test_the_compiled_run_is_the_plain_one():
 def test_the_step_is_of_fourth_order():
     def end(steps):
         top = HeavyTop(BODY, FREE, 1.0)
-        return run_compiled(top.start, 1.0 / steps, steps, steps, top._rates)[0][-1, :4]
+        return run_compiled(top.start, 1.0 / steps, steps, steps, top.rates)[0][-1, :4]
 
     best = end(4000)
     errors = [np.linalg.norm(end(n) - best) for n in (100, 200)]
@@ -191,7 +191,7 @@ def test_without_gravity_and_friction_the_axis_goes_round_a_fixed_momentum():
     launch = Launch(20.0, 0.3, 3.0, gravity=0.0, spin_decay=inf, tilt_decay=inf)
     top = HeavyTop(BODY, launch, 3.0)
     states = top.states(np.linspace(0, 3, 50))
-    momenta = np.einsum("nij,nj->ni", to_matrix(states[:, :4]), states[:, 4:] * top._moments)
+    momenta = np.einsum("nij,nj->ni", to_matrix(states[:, :4]), states[:, 4:] * top.moments)
     assert abs(momenta - momenta[0]).max() < 1e-12
 
 

@@ -30,15 +30,15 @@ def coloured(model: Model, look: Look):
     """Return a painter whose pieces have the colours above and whose light is even."""
     brush = painter(model, look)
     if look.style == "shaded":
-        mesh = brush._mesh
+        mesh = brush.mesh
         body = shaded.ShadedBody(mesh, model.palette, np.array([0, 0, 1.0]), look.quality)
         pieces = np.repeat([0, 1, 1, 2], mesh.ring)
         bands = np.tile(mesh.keys, 4)
-        body._paints = shaded.LINEAR[np.array(COLOURS)][pieces, bands]
-        body._lighting = lambda view, rotation: np.tile([1.0, 0.0], (5 * mesh.ring, 1))
-        brush._body = body
+        body.paints = shaded.LINEAR[np.array(COLOURS)][pieces, bands]
+        body.lighting = lambda view, rotation: np.tile([1.0, 0.0], (5 * mesh.ring, 1))
+        brush.body = body
     else:
-        brush._body = flat.FlatBody(brush._mesh, COLOURS)
+        brush.body = flat.FlatBody(brush.mesh, COLOURS)
     return brush
 
 
@@ -54,7 +54,7 @@ def wrong(brush, rotation, empty) -> tuple[int, int]:
 
 
 def share_wrong(brush, rotations) -> float:
-    empty = brush._canvas.rgb()
+    empty = brush.canvas.rgb()
     counts = [wrong(brush, rotation, empty) for rotation in rotations]
     bad, total = np.sum(counts, axis=0)
     assert total > 100 * len(counts)
@@ -95,7 +95,7 @@ def test_between_the_rings_the_band_hides_both_cones():
     brush = coloured(Model(p2=0.9), Look(SIZE, "flat", Camera(0, -1.0, distance=8), tilt=0))
     height = brush.view.eye[2]
     assert 1 < height < 1.1
-    bad, total = wrong(brush, np.eye(3), brush._canvas.rgb())
+    bad, total = wrong(brush, np.eye(3), brush.canvas.rgb())
     assert bad <= LIMIT * total
 
 
@@ -117,7 +117,7 @@ def leaking(ring: int, rotations) -> float:
     """Return the share of the interior in which a top of a single colour shows another one."""
     look = Look(SIZE, "classic", background="white", tilt=180, colours=("#d02040", "#d02040"))
     brush = painter(Model(ring=ring), look)
-    empty = brush._canvas.rgb()
+    empty = brush.canvas.rgb()
     leaks = total = 0
     for rotation in rotations:
         picture = brush.draw(rotation)

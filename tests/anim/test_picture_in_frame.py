@@ -35,7 +35,7 @@ def scene_of(motion, look):
 
 
 def empty_room(scene):
-    return painter(scene.model, scene.look)._canvas.rgb()
+    return painter(scene.model, scene.look).canvas.rgb()
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
@@ -54,7 +54,7 @@ def test_long_shadows_from_every_side(style, camera):
     scene = scene_of(MOTIONS["a fall"], Look((320, 180), style, camera, trace=True, shadow=True))
     assert on_the_edge(drawn(frames(scene), empty_room(scene))) == [False] * 4
     brush = painter(scene.model, Look((320, 180), style, camera, shadow=True, tilt=60))
-    empty = brush._canvas.rgb()
+    empty = brush.canvas.rgb()
     leaning = [brush.draw(about_z(turn) @ about_y(np.pi / 3)) for turn in np.arange(0, 6.2, 0.35)]
     assert on_the_edge(drawn(leaning, empty)) == [False] * 4
 

@@ -32,17 +32,17 @@ def test_a_mesh_keeps_the_edges_of_the_bands_and_strays_little(ring, bands, magn
 
 def test_coarse_models_are_drawn_as_they_are():
     for ring in (3, 10, 60):
-        assert painter(Model(ring), Look())._mesh.ring == ring
+        assert painter(Model(ring), Look()).mesh.ring == ring
 
 
 @pytest.mark.parametrize("style", STYLES)
 def test_nobody_sees_what_the_mesh_leaves_out(style, monkeypatch):
     model, look = Model(), Look((320, 240), style, shadow=True)
     thin = painter(model, look)
-    assert thin._mesh.ring < 300
+    assert thin.mesh.ring < 300
     monkeypatch.setattr("anim.picture.mesh.INVISIBLE", 0.0)
     full = painter(model, look)
-    assert full._mesh.ring == 1000
+    assert full.mesh.ring == 1000
     rng = np.random.default_rng(3)
     for _ in range(10):
         turn = random_rotation(rng)
@@ -51,7 +51,7 @@ def test_nobody_sees_what_the_mesh_leaves_out(style, monkeypatch):
 
 
 def test_a_million_points_cost_what_the_picture_can_show():
-    assert painter(Model(1_000_000), Look((640, 480), "shaded"))._mesh.ring < 600
+    assert painter(Model(1_000_000), Look((640, 480), "shaded")).mesh.ring < 600
 
 
 @settings(max_examples=25, deadline=None)

@@ -104,7 +104,7 @@ def test_the_top_hides_the_trace_behind_it_and_not_before_it(style, perspective)
     ring = np.column_stack([np.cos(turns), np.sin(turns), np.zeros(30)]) * np.sqrt(5)
     before, behind = (ring * (side, 1, 0) + np.array([0, 0, 2.0]) for side in (1, -1))
     bare = brush.draw(np.eye(3)).astype(int)
-    top = (bare != painter(MODEL, look)._canvas.rgb()).any(axis=-1)
+    top = (bare != painter(MODEL, look).canvas.rgb()).any(axis=-1)
     near, far = (
         np.abs(brush.draw(np.eye(3), trail) - bare).max(axis=-1) > 20 for trail in (before, behind)
     )
@@ -130,7 +130,7 @@ def test_shadow_is_where_no_light_comes():
         x, y = np.meshgrid(np.arange(320) + 0.5, 239.5 - np.arange(240))
         origin, direction = rays(brush.view.matrix, x.ravel(), y.ravel())
         ground = origin - (origin[:, 2] / direction[:, 2])[:, None] * direction
-        light = np.broadcast_to(brush._light, ground.shape) @ rotation
+        light = np.broadcast_to(brush.light, ground.shape) @ rotation
         rims = list(zip(model.profile, model.profile[1:], strict=False))
         start = ground @ rotation + 1e-6 * light
         times = [cone_hits(start, light, a, b, least=0) for a, b in rims]
@@ -165,7 +165,7 @@ def test_a_top_sunk_into_the_ground_throws_the_shadow_of_what_is_above():
 def test_the_side_to_the_light_is_brighter_however_the_top_has_turned(spin):
     look = Look(SIZE, "shaded", Camera(0, 10), colours=("grey", "grey"), tilt=0)
     brush = painter(MODEL, look)
-    empty = brush._canvas.rgb()
+    empty = brush.canvas.rgb()
     picture = brush.draw(about_z(spin))
     body = np.flatnonzero((picture != empty).any(axis=-1)[100])
     row = picture[100, :, 1].astype(int)

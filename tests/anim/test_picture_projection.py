@@ -137,8 +137,8 @@ def test_a_camera_inside_a_large_top_is_refused():
 
 def test_a_classic_axis_has_few_numbers_so_that_they_do_not_touch(monkeypatch):
     seen = []
-    view_of = classic._view
-    monkeypatch.setattr(classic, "_view", lambda axes: seen.append(axes) or view_of(axes))
+    view_of = classic.view_of
+    monkeypatch.setattr(classic, "view_of", lambda axes: seen.append(axes) or view_of(axes))
     painter(MODEL, Look((640, 480), "classic", Camera(-60, 20), tilt=50))
     for axis in (seen[-1].xaxis, seen[-1].yaxis, seen[-1].zaxis):
         assert 3 <= len(axis.get_ticklabels()) <= 7

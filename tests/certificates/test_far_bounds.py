@@ -9,11 +9,11 @@ from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars import names, rationals, real_roots, surds
-from hfield.certificates.scalars.number_fields import _without
+from hfield.certificates.scalars.irreducible import root_discs
+from hfield.certificates.scalars.number_fields import without_common_factors
 from hfield.certificates.scalars.quotients import MAX_DEGREE
 from hfield.certificates.scalars.quotients import Quotient as Residues
 from hfield.certificates.scalars.real_roots import RealRoot
-from hfield.certificates.scalars.root_discs import root_discs
 from hfield.certificates.statement import HAMILTON
 from tests.certificates.ring_data import read_field
 
@@ -52,8 +52,8 @@ def test_numbers_and_moduli_that_are_too_long() -> None:
 
 def test_rational_roots_with_too_many_candidates() -> None:
     with pytest.raises(Rejected, match="are too large to list their divisors"):
-        rationals._divisors(10**10 + 1)
-    assert rationals._divisors(12) == [1, 2, 3, 4, 6, 12]
+        rationals.divisors(10**10 + 1)
+    assert rationals.divisors(12) == [1, 2, 3, 4, 6, 12]
     n = 735134400  # with 1344 divisors; 1 is a root modulo every prime
     with pytest.raises(Rejected, match="too many candidates"):
         rationals.has_no_rational_root([n, -2 * n, n])
@@ -88,7 +88,7 @@ def test_roots_that_are_not_found(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_polynomials_over_two_elements() -> None:
     # (1 + x + x²)(1 + x²) without 1 + x + x²
-    assert _without([1, 1, 0, 1, 1], [1, 1, 1]) == [1, 0, 1]
+    assert without_common_factors([1, 1, 0, 1, 1], [1, 1, 1]) == [1, 0, 1]
 
 
 def test_degrees_of_residue_fields() -> None:

@@ -11,10 +11,9 @@ from flint import fmpz_poly
 from hfield.certificates.anisotropy import is_certified
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.scalars.irreducible import check_irreducible
+from hfield.certificates.scalars.irreducible import BITS, check_irreducible, root_discs
 from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
 from hfield.certificates.scalars.real_roots import real_roots
-from hfield.certificates.scalars.root_discs import BITS, root_discs
 from hfield.certificates.work import bounded
 from tests.certificates import ring_data
 from tests.certificates.ring_data import (

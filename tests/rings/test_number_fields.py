@@ -9,7 +9,7 @@ import pytest
 from flint import arb
 
 from hfield import NumberField, QuaternionAlgebra, ring
-from hfield.embedding import embedding
+from hfield.algebra.embedding import embedding
 from hfield.errors import CoercionError, NotInvertibleError, RingError
 from hfield.fields.number_fields.places import place_of_number_field
 from hfield.rings.printing import from_unicode

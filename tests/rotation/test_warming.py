@@ -102,11 +102,11 @@ for n in (1, 50, 60_000):
 
 def test_warm_up_makes_the_formulas_of_rotations() -> None:
     code = """
-from rotation import acting, kernels, matrices, quaternions, vectors, warm_up
+from rotation import action, kernels, matrices, quaternions, vectors, warm_up
 from rotation.rowwise import Formula
 kernels._run = lambda *_: False
 warm_up()
-for room in (acting, matrices, quaternions, vectors):
+for room in (action, matrices, quaternions, vectors):
     for name, value in vars(room).items():
         found = value.values() if isinstance(value, dict) else value if isinstance(value, list) else [value]
         for f in found:

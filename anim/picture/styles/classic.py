@@ -48,7 +48,7 @@ def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     _set_up(axes, look, reached)
     _fit(axes, look, reached)
     canvas.draw()
-    return _view(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
+    return view_of(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
 
 
 def _set_up(axes: Any, look: Look, reached: Floats) -> None:
@@ -78,7 +78,7 @@ def _fit(axes: Any, look: Look, reached: Floats) -> None:
     """Place the axes so that their box and the leaning top fill the picture."""
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
-    seen = _view(axes).project(np.concatenate([reached, np.array(box)]))
+    seen = view_of(axes).project(np.concatenate([reached, np.array(box)]))
     margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 2.5 / LETTERS
     scale, shift = fitting(seen, look.size, margin, look.camera.zoom)
     size = np.array(look.size)
@@ -89,7 +89,7 @@ def _fit(axes: Any, look: Look, reached: Floats) -> None:
     axes.set_position([*((scale * corner + shift) / size), *(side / size)])
 
 
-def _view(axes: Any) -> View:
+def view_of(axes: Any) -> View:
     """Return the axes' projection into pixels from the lower left corner."""
     axes.apply_aspect()
     affine = axes.transData.get_matrix()

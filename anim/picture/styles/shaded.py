@@ -33,11 +33,11 @@ class ShadedBody:
     """The top under a light that is far away in the direction ``light`` (3,), a unit vector of the room."""
 
     def __init__(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> None:
-        self._points, self._samples, self._light = mesh.points, quality, light
+        self._points, self._samples, self.light = mesh.points, quality, light
         self._triangles = np.ascontiguousarray(mesh.triangles)
         self._lit, self._normals = _normals(mesh)
         palette = np.maximum(LINEAR[np.array(colours)], DARKEST)
-        self._paints = palette[np.tile(mesh.keys, 4)]
+        self.paints = palette[np.tile(mesh.keys, 4)]
         self._encoded = _encoding()
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
@@ -54,15 +54,15 @@ class ShadedBody:
             seen,
             self._triangles,
             self._lit,
-            self._lighting(view, rotation),
-            self._paints,
+            self.lighting(view, rotation),
+            self.paints,
             LINEAR,
             self._encoded,
         )
 
-    def _lighting(self, view: View, rotation: Floats) -> Floats:
+    def lighting(self, view: View, rotation: Floats) -> Floats:
         """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
-        light, up = self._light @ rotation, rotation[2]
+        light, up = self.light @ rotation, rotation[2]
         half = light + view.eye[:3] / np.linalg.norm(view.eye[:3])
         half /= np.linalg.norm(half)
         own = SKY * (1 + self._normals @ up / 3) + SUN * np.maximum(self._normals @ light, 0)

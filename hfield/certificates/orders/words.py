@@ -23,13 +23,13 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.language import Tree
 from hfield.certificates.orders.algebra import Algebra, times
-from hfield.certificates.orders.classes import need_class_set
 from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Element, Lattice, inverse
 from hfield.certificates.orders.local_types import (
     discriminant,
     eichler_symbol,
     factored,
+    need_class_set,
     need_locally_principal,
 )
 from hfield.certificates.orders.reading import (

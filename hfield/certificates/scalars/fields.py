@@ -6,9 +6,7 @@ from hfield.certificates.rejection import a_text, keyed, reject, shown
 from hfield.certificates.scalars import (
     completions,
     finite,
-    floats,
     functions,
-    multiquadratic,
     number_fields,
     polynomials,
     quadratic,
@@ -22,10 +20,8 @@ MAX_DATA = 20_000
 KINDS: dict[str, Kind] = {
     **rationals.KINDS,
     **finite.KINDS,
-    **floats.KINDS,
     **surds.KINDS,
     **quadratic.KINDS,
-    **multiquadratic.KINDS,
     **number_fields.KINDS,
     **functions.KINDS,
     **polynomials.KINDS,

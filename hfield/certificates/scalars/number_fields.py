@@ -157,7 +157,7 @@ class NumberField(Ring):
         charge(5 * self.degree**3)
         f = [int(c.numerator) * pow(c.denominator, -1, 2) % 2 for c in self.modulus]
         slope = [n * c % 2 for n, c in enumerate(f)][1:]
-        simple = _without(f, gcd_modulo(list(f), slope, 2))
+        simple = without_common_factors(f, gcd_modulo(list(f), slope, 2))
         power, n = [0, 1], self.degree
         for d in range(1, n + 1):  # x^(2^d) modulo f
             power = _rest([a for c in power for a in (c, 0)][:-1], f)
@@ -193,7 +193,7 @@ def _rest(f: list[int], g: list[int]) -> list[int]:
     return f
 
 
-def _without(f: list[int], g: list[int]) -> list[int]:
+def without_common_factors(f: list[int], g: list[int]) -> list[int]:
     """Return f divided by all that it has in common with g, over GF(2), again and again."""
     while len(g) > 1:
         out, rest = [0] * (len(f) - len(g) + 1), list(f)

@@ -1,4 +1,4 @@
-"""ℚ, and ℤ in it: fractions of integers; ℚ at a prime number."""
+"""ℚ, and ℤ in it: fractions of integers; ℚ at a prime number; floats, where they compute exactly."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -130,7 +130,7 @@ def has_no_rational_root(c: list[int]) -> bool:
         classes = [a % p for a in c]
         if classes[-1] and all(_value(classes, x, p) for x in range(p)):
             return True
-    tops, belows = _divisors(abs(last)), _divisors(abs(lead))
+    tops, belows = divisors(abs(last)), divisors(abs(lead))
     if len(tops) * len(belows) > 20_000:
         reject("a polynomial has too many candidates for rational roots")
     longest = max(tops[-1], belows[-1]).bit_length() * len(c)
@@ -150,12 +150,49 @@ def _value(c: list[int], x: int, p: int) -> int:
     return total
 
 
-def _divisors(n: int) -> list[int]:
+def divisors(n: int) -> list[int]:
+    """Return all divisors of a positive integer, which may not be too large."""
     if n > 10**10:
         reject("a polynomial's coefficients are too large to list their divisors")
     charge(isqrt(n))
     small = [d for d in range(1, isqrt(n) + 1) if n % d == 0]
     return sorted({*small, *(n // d for d in small)})
+
+
+class Floats(Rationals):
+    """Floats, which are no ring: only integers below 2⁵³, on which they compute exactly."""
+
+    is_exact = False
+
+    def __init__(self) -> None:
+        super().__init__(False)
+        self.name, self.is_integral = "RDF", False
+        self.words = "floating-point numbers"
+
+    def number(self, n: int) -> Fraction:
+        """Return n."""
+        return self._exact(Fraction(n))
+
+    def add(self, x: Fraction, y: Fraction) -> Fraction:
+        """Return x + y."""
+        return self._exact(x + y)
+
+    def mul(self, x: Fraction, y: Fraction) -> Fraction:
+        """Return x·y."""
+        return self._exact(x * y)
+
+    def inverse(self, x: Fraction) -> Fraction | None:
+        """Refuse: a quotient of floats is rounded."""
+        reject("quotients of floats are not exact")
+
+    def fraction(self, value: int | Fraction) -> Fraction:
+        """Return an integer, perhaps written with a decimal point."""
+        return self._exact(Fraction(value))
+
+    def _exact(self, x: Fraction) -> Fraction:
+        if x.denominator != 1 or abs(x) >= 1 << 53:
+            reject("floats are taken only where they are integers below 2^53")
+        return x
 
 
 QQ, ZZ = Rationals(True), Rationals(False)
@@ -171,4 +208,9 @@ def _integers(data: Mapping[str, object], ring: ReadRing) -> Ring:
     return ZZ
 
 
-KINDS: dict[str, Kind] = {"rationals": _rationals, "integers": _integers}
+def _floats(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    plain(data, "")
+    return Floats()
+
+
+KINDS: dict[str, Kind] = {"rationals": _rationals, "integers": _integers, "floats": _floats}

@@ -1,4 +1,4 @@
-"""The part of ℝ and ℂ that square roots of rational numbers generate.
+"""The part of ℝ and ℂ that square roots of rational numbers generate, and ℚ(√m, √n, …) in it.
 
 An element is a finite sum of rational multiples of √n, where n runs through products of −1 and
 distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940; docs/trust.md has a
@@ -7,10 +7,11 @@ proof), so an element is 0 only if all its coefficients are.
 
 from collections.abc import Mapping
 from fractions import Fraction
+from itertools import product
 from math import isqrt, prod
 
 from hfield.certificates.language import Tree
-from hfield.certificates.rejection import reject, shown
+from hfield.certificates.rejection import a_list, an_integer, reject, shown
 from hfield.certificates.scalars.names import plain
 from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
@@ -18,6 +19,7 @@ from hfield.certificates.work import Remembered, charge
 
 MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart
 MAX_SUMMANDS = 32
+MAX_ROOTS = 5  # of those that generate a field
 
 Radical = tuple[int, ...]  # primes and −1, in order; () is 1
 Surd = tuple[tuple[Radical, Fraction], ...]
@@ -180,6 +182,53 @@ def root_text(n: int) -> str:
     return "I" if n == -1 else f"sqrt({n})"
 
 
+class Multiquadratic(Surds):
+    """ℚ(√m, √n, …); if all roots are real, it has an ordering for each choice of their signs."""
+
+    def __init__(self, numbers: list[int]) -> None:
+        self.name = f"QQ({','.join(map(root_text, numbers))})"
+        self.words = f"the field of {', '.join(map(root_text, numbers))} over ℚ"
+        self.is_real = all(n > 0 for n in numbers)
+        self.roots: list[Radical] = []
+        span: set[Radical] = {()}
+        for n in numbers:
+            key, _ = radical(n)
+            if key not in span:
+                self.roots.append(key)
+                span |= {_product(key, other) for other in span}
+        self._span = span
+
+    def has_root(self, key: Radical) -> bool:
+        """Tell whether the root is a product of those in the name, up to a rational number."""
+        return key in self._span
+
+    def is_square(self, x: Surd) -> bool:
+        """Tell it of rational numbers, and of what is negative in an ordering."""
+        if all(not key for key, _ in x):
+            c = dict(x).get((), Fraction(0))
+            return self.has_root(radical(c.numerator * c.denominator)[0])
+        if -1 in self.signs(x):
+            return False
+        reject(f"whether a number is a square in {self.name} is not decided here")
+
+    def signs(self, x: Surd) -> tuple[int | None, ...]:
+        """Return the signs of x, the roots in the name taken as positive or negative in all ways."""
+        if not self.is_real:
+            return (None,)
+        out = []
+        for signs in product((1, -1), repeat=len(self.roots)):
+            at: dict[Radical, int] = {(): 1}
+            for key, sign in zip(self.roots, signs, strict=True):
+                at |= {_product(key, other): sign * s for other, s in at.items()}
+            out.append(self.sign(tuple((key, c * at[key]) for key, c in x)))
+        return tuple(out)
+
+
+def _product(a: Radical, b: Radical) -> Radical:
+    """Return the class of the product of two numbers that are products of different primes."""
+    return tuple(sorted({*a} ^ {*b}))
+
+
 def _reals(data: Mapping[str, object], ring: ReadRing) -> Ring:
     plain(data, "")
     return Reals()
@@ -190,4 +239,23 @@ def _complexes(data: Mapping[str, object], ring: ReadRing) -> Ring:
     return Complexes()
 
 
-KINDS: dict[str, Kind] = {"reals": _reals, "complexes": _complexes}
+def _multiquadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    numbers = [
+        an_integer(n, "a number under a root") for n in a_list(plain(data, "d")["d"], "d", 2)
+    ]
+    if len(numbers) > MAX_ROOTS:
+        reject(f"there are {len(numbers)} square roots; at most {MAX_ROOTS} are taken")
+    if (
+        -1 in numbers[:-1]
+        or len({*numbers}) < len(numbers)
+        or not all(radical(n)[0] for n in numbers)
+    ):
+        reject("the numbers under roots are different, none is a square, and −1 is the last")
+    return Multiquadratic(numbers)
+
+
+KINDS: dict[str, Kind] = {
+    "reals": _reals,
+    "complexes": _complexes,
+    "multiquadratic field": _multiquadratic,
+}

@@ -1,4 +1,4 @@
-"""The items of an implication: sums of cofactors times polynomials, multiplied out."""
+"""That polynomials lie in an ideal: sums of cofactors times its generators, multiplied out."""
 
 from collections.abc import Mapping, Sequence
 

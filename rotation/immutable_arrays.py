@@ -12,7 +12,7 @@ from rotation.errors import DTypeError
 from rotation.namespaces import Array
 
 
-class Shaped(Hinted):
+class ImmutableArray(Hinted):
     """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
 
     __slots__ = ("__weakref__", "_q")

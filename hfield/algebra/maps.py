@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.product import Coordinates, Scalar
-from hfield.quaternion import Parent, Quaternion
 from hfield.structure.isomorphisms import splitting
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
+    from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 
 
 Matrix = splitting.Matrix
@@ -173,7 +174,7 @@ class Division:
     ``places`` are the ramified places where they were computed; ``assumes`` the theorems cited.
     """
 
-    def __init__(self, algebra: Parent, found: Any) -> None:
+    def __init__(self, algebra: Parent, found: ZeroNorm) -> None:
         self.algebra = algebra
         self.method: str = found.method
         self.reason: str = found.reason

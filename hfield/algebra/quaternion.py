@@ -1,0 +1,699 @@
+"""The element: one quaternion, or an array of them, with the same methods."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
+
+from hfield import product, structure
+from hfield.algebra.embedding import embedding
+from hfield.errors import (
+    CoercionError,
+    MixedParentsError,
+    NotFiniteError,
+    NotInvertibleError,
+    shorten,
+)
+from hfield.hints import ELEMENT, Hinted
+from hfield.notation import element_text
+from hfield.product import Constants, Coordinates, Scalar
+from hfield.rings.base import Ring
+from hfield.rings.coefficients import Coefficients
+from hfield.rings.holding import Batch, Holding
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from hfield.rings.arrays import Index
+    from hfield.structure.single_elements.square_roots import SquareRoots as Found
+
+
+_blank: Any = object.__new__
+
+
+class Parent(Protocol):
+    """What an element asks of its algebra: :class:`hfield.algebra.QuaternionAlgebra`."""
+
+    ring: Ring
+    constants: Constants
+
+    @property
+    def holding(self) -> Holding: ...  # noqa: D102
+    @property
+    def array_holding(self) -> Batch: ...  # noqa: D102
+    @property
+    def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
+    def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
+    def scalar(self, x: object) -> Quaternion: ...  # noqa: D102
+    def from_array(self, values: object) -> Quaternion: ...  # noqa: D102
+    def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
+    def count(self, kind: str = ..., *, norm: Any = ..., square: Any = ...) -> int: ...  # noqa: D102
+    def latex(self) -> str: ...  # noqa: D102
+
+
+class Quaternion(Hinted):
+    """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
+
+    Elements are made by calling their algebra. The four coordinates are elements of the base ring,
+    or four arrays of one shape, and then every operation is elementwise. Ints and Fractions mix in
+    as multiples of e, elements of the base ring too. Elements of two algebras never mix:
+    arithmetic raises :class:`MixedParentsError`, and ``==`` between them is False.
+
+    >>> from hfield import H
+    >>> q = H("QQ")(1, 2, 0, 1)
+    >>> q * q.conjugate() == q.norm(), q.inverse()
+    (True, 1/6 − 1/3i − 1/6k)
+    """
+
+    # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
+    # No __setattr__ or __delattr__ of its own: they would make every new element slower.
+    __slots__ = ("_algebra", "_held", "_how")
+    elsewhere = ELEMENT
+    __array_ufunc__ = None  # or numpy would distribute ``array * q`` over the array's entries
+
+    _algebra: Parent
+    _how: Holding
+    _held: Any
+
+    def __init__(self, algebra: Parent, coordinates: Coordinates) -> None:
+        self._algebra = algebra
+        self._how = algebra.holding
+        if is_array(coordinates[0]):
+            self._how = algebra.array_holding
+            w, x, y, z = (c.copy() for c in coordinates)
+            coordinates = w, x, y, z
+        self._held = self._how.hold(coordinates)
+
+    @property
+    def algebra(self) -> Parent:
+        """The algebra of which it is an element."""
+        return self._algebra
+
+    @algebra.setter
+    def algebra(self, value: object) -> NoReturn:
+        _refuse_change()
+
+    @algebra.deleter
+    def algebra(self) -> NoReturn:
+        _refuse_change()
+
+    @property
+    def coordinates(self) -> Coordinates:
+        """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or read-only arrays."""
+        how = self._how
+        return how.handed_out(self._held) if isinstance(how, Batch) else how.coordinates(self._held)
+
+    @coordinates.setter
+    def coordinates(self, value: object) -> NoReturn:
+        _refuse_change()
+
+    @coordinates.deleter
+    def coordinates(self) -> NoReturn:
+        _refuse_change()
+
+    # --- shape ---------------------------------------------------------------------------------
+
+    @property
+    def ring(self) -> Ring:
+        """The base ring."""
+        return self._algebra.ring
+
+    @property
+    def is_batch(self) -> bool:
+        """Whether this is an array of quaternions."""
+        return self._how.is_batch
+
+    def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Quaternion:
+        return Quaternion(self._algebra, (w, x, y, z))
+
+    def _alike(self, held: Any) -> Quaternion:
+        """Return another element of this algebra, held as this one is."""
+        return held_by(self._algebra, self._how, held)
+
+    def _operand(self, other: object, operation: str) -> Quaternion:
+        """Bring the other operand into this algebra."""
+        if isinstance(other, str):
+            raise CoercionError(
+                f"cannot {operation} a quaternion and a text; read it first: A({other!r})"
+            )
+        q = other if isinstance(other, Quaternion) else self.algebra.scalar(other)
+        if q.algebra is not self.algebra and q.algebra != self.algebra:
+            raise MixedParentsError(
+                f"cannot {operation} an element of {self.algebra} and one of {q.algebra}: different "
+                f"algebras never mix; if one ring contains the other, use q.change_ring(L) first"
+            )
+        return q
+
+    def _join(self, other: object, operation: str) -> tuple[Holding, Any, Any]:
+        """Bring the other operand into this algebra, both to one kind (single or array), and hold both."""
+        q = self._operand(other, operation)
+        if self._how.is_batch == q._how.is_batch:
+            return self._how, self._held, q._held
+        batch = self._algebra.array_holding
+        p, q = (x._held if x.is_batch else batch.lift(x.coordinates) for x in (self, q))
+        return batch, p, q
+
+    # --- arithmetic ----------------------------------------------------------------------------
+    # Two elements that are held alike, which is nearly always so, skip every question and every call.
+
+    def __add__(self, other: object) -> Quaternion:
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            result: Quaternion = _blank(Quaternion)
+            result._algebra = self._algebra
+            result._how = how
+            add = how.sum
+            result._held = add(self._held, other._held)
+            return result
+        how, p, q = self._join(other, "add")
+        return held_by(self._algebra, how, how.sum(p, q))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: object) -> Quaternion:
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            return held_by(self._algebra, how, how.difference(self._held, other._held))
+        how, p, q = self._join(other, "subtract")
+        return held_by(self._algebra, how, how.difference(p, q))
+
+    def __rsub__(self, other: object) -> Quaternion:
+        how, p, q = self._join(other, "subtract")
+        return held_by(self._algebra, how, how.difference(q, p))
+
+    def __neg__(self) -> Quaternion:
+        how = self._how
+        return held_by(self._algebra, how, how.negative(self._held))
+
+    def __pos__(self) -> Quaternion:
+        return self
+
+    def __mul__(self, other: object) -> Quaternion:
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            result: Quaternion = _blank(Quaternion)
+            result._algebra = self._algebra
+            result._how = how
+            multiply = how.product
+            result._held = multiply(self._held, other._held)
+            return result
+        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+            return NotImplemented
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
+        how, p, q = self._join(other, "multiply")
+        return held_by(self._algebra, how, how.product(p, q))
+
+    def __rmul__(self, other: object) -> Quaternion:
+        how = self._how
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
+        how, p, q = self._join(other, "multiply")
+        return held_by(self._algebra, how, how.product(q, p))
+
+    def __truediv__(self, other: object) -> Quaternion:
+        """Return ``self · other⁻¹``."""
+        how = self._how
+        if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
+            held = how.divided(self._held, self._algebra.ring(other))
+            if held is not None:
+                return held_by(self._algebra, how, held)
+        return self * self._operand(other, "divide").inverse()
+
+    def __rtruediv__(self, other: object) -> Quaternion:
+        return self._operand(other, "divide") * self.inverse()
+
+    def __pow__(self, n: int) -> Quaternion:
+        if not isinstance(n, int):
+            raise CoercionError(f"the exponent {n!r} is not an int; only integer powers exist")
+        base = self if n >= 0 else self.inverse()
+        return self._alike(self._how.power(base._held, abs(n)))
+
+    def __xor__(self, other: object) -> NoReturn:
+        raise CoercionError("powers are written q**2; to Python q^2 + 1 would be q^(2 + 1)")
+
+    def __eq__(self, other: object) -> Any:
+        how = self._how
+        if type(other) is Quaternion and other._how is how:
+            if how.is_unique:
+                return self._held == other._held
+            return how.equal(self._held, other._held)
+        if isinstance(other, str):
+            return NotImplemented
+        if not isinstance(other, Quaternion):
+            try:
+                other = self.algebra.scalar(other)
+            except (CoercionError, NotInvertibleError):
+                return NotImplemented
+        if other.algebra != self.algebra:
+            return False
+        how, p, q = self._join(other, "compare")
+        return how.equal(p, q)
+
+    def __hash__(self) -> int:
+        if self.is_batch or not self.ring.is_exact:
+            what = "an array of quaternions" if self.is_batch else "a quaternion of floats"
+            raise TypeError(f"{what} cannot be hashed; single ones over an exact ring can")
+        return hash((self._algebra, self._how.key(self._held)))
+
+    def __bool__(self) -> bool:
+        if self.is_batch:
+            raise ValueError(
+                "the truth value of an array of quaternions is ambiguous; compare first"
+            )
+        return not self.is_zero()
+
+    # --- what the algebra knows of it ----------------------------------------------------------
+
+    def conjugate(self) -> Quaternion:
+        """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
+        how = self._how
+        return held_by(self._algebra, how, how.conjugate(self._held))
+
+    conj = conjugate  # as the language calls it
+
+    def norm(self) -> Any:
+        """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
+        norm = self._how.norm
+        return norm(self._held)
+
+    def trace(self) -> Any:
+        """Return the reduced trace, an element (or array) of the base ring."""
+        return self._how.trace(self._held)
+
+    def inverse(self) -> Quaternion:
+        """Return ``q⁻¹ = conj(q)/N(q)`` (Definition 4).
+
+        Raises :class:`NotInvertibleError`, a ZeroDivisionError, where the norm is not a unit; the
+        message shows some y ≠ 0 with q·y = 0 where there is one.
+        """
+        how = self._how
+        held = how.inverse(self._held)
+        if held is not None:
+            return held_by(self._algebra, how, held)
+        if not isinstance(how, Batch):
+            raise NotInvertibleError(self._why_no_inverse())
+        where = _first(~how.units(self._held))
+        q = self._new(*how.single(how.part(self._held, where)))
+        raise NotInvertibleError(f"at index {where} of the array: {q._why_no_inverse()}")
+
+    inv = inverse
+
+    def is_zero(self) -> Any:
+        """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
+        return self._how.is_zero(self._held)
+
+    def _single(self) -> tuple[Ring, Constants, Coordinates]:
+        """Return the arguments that functions of ``structure`` take."""
+        if self.is_batch:
+            raise CoercionError(
+                "this is asked of a single quaternion, not of an array: take one, q[n], or loop"
+            )
+        return self.ring, self.algebra.constants, self.coordinates
+
+    # --- parts ---------------------------------------------------------------------------------
+
+    @property
+    def scalar_part(self) -> Any:
+        """The coordinate of e, in the base ring (thesis 1.4.2)."""
+        return self.coordinates[0]
+
+    @property
+    def vector_part(self) -> Quaternion:
+        """The element without its scalar part, ``x·i + y·j + z·k`` (thesis 1.4.2)."""
+        w, x, y, z = self.coordinates
+        return self._new(w - w, x, y, z)
+
+    def matrix(self) -> tuple[tuple[Any, ...], ...]:
+        """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n)."""
+        columns = [(self * b).coordinates for b in self.algebra.basis]
+        return tuple(zip(*columns, strict=True))
+
+    def change_ring(self, ring: Ring | str) -> Quaternion:
+        """Return q in the algebra with the same constants over ``ring``, which must contain them."""
+        A = self.algebra.change_ring(ring)
+        return A(*map(embedding(self.ring, A.ring), self.coordinates))
+
+    # --- units and zero divisors ---------------------------------------------------------------
+
+    def is_unit(self) -> bool:
+        """Tell whether q has an inverse: its norm is a unit of the base ring."""
+        return structure.is_unit(*self._single())
+
+    def is_zero_divisor(self) -> bool:
+        """Tell whether q·y = 0 for some y ≠ 0. By this definition 0 is a zero divisor."""
+        ring, c, q = self._single()
+        return ring.annihilator(product.norm(c, q)) is not None
+
+    def annihilator(self) -> Quaternion | None:
+        """Return some nonzero y with ``q·y = 0``, or None if q is not a zero divisor.
+
+        q is one exactly when its norm is 0 or a zero divisor of the base ring: then ``conj(q)``
+        times an annihilator of the norm serves, and where that vanishes, an annihilator of all of
+        the coordinates of ``conj(q)``.
+        """
+        ring, c, q = self._single()
+        s = ring.annihilator(product.norm(c, q))
+        if s is None:
+            return None
+        y = self.algebra(*(s * x for x in product.conjugate(c, q)))
+        # If s·conj(q) = 0, then s·q = 0: the scalar s itself annihilates q.
+        return self.algebra.scalar(s) if y.is_zero() else y
+
+    def _why_no_inverse(self) -> str:
+        """Say why this single quaternion has no inverse."""
+        ring, c, q = self._single()
+        if all(map(ring.is_zero, q)):
+            return f"cannot invert 0 in {self.algebra}"
+        norm, y = shorten(ring.text(product.norm(c, q))), self.annihilator()
+        start = f"cannot invert q = {shorten(self)} in {self.algebra}: its norm"
+        if y is None:
+            return f"{start} {norm} is not a unit of {ring}"
+        return f"{start} is {norm}, and q·y = 0 for y = {shorten(y)}"
+
+    def order(self) -> int | None:
+        """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
+
+        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is not
+        known: for some transcendental numbers, over infinite rings of one's own, over RDF, and where a
+        factorisation is out of reach.
+
+        >>> from hfield import H
+        >>> H("RR").parse("cos(2*pi/7) + sin(2*pi/7)*k").order(), H("RR")(1, 1, 1, 1).order()
+        (7, None)
+        """
+        return structure.multiplicative_order(*self._single())
+
+    # --- polynomials and equations -------------------------------------------------------------
+
+    def minimal_polynomial(self) -> Coefficients:
+        """Return the coefficients, low degree first, monic: ``(−w, 1)`` or ``(N(q), −tr(q), 1)``.
+
+        They are a tuple that shows as the polynomial, in X.
+
+        >>> from hfield import H
+        >>> H("QQ")(1, 2, 0, 1).minimal_polynomial()
+        X²−2·X+6
+        """
+        ring, _, q = self._single()
+        if all(ring.is_zero(x) for x in q[1:]):
+            return Coefficients(ring, (-q[0], ring.one))
+        return self.characteristic_polynomial()
+
+    def characteristic_polynomial(self) -> Coefficients:
+        """Return the reduced one, ``x² − tr(q)·x + N(q)``: its coefficients, low degree first."""
+        ring, constants, q = self._single()
+        return Coefficients(ring, structure.characteristic_polynomial(ring, constants, q))
+
+    def is_nilpotent(self) -> bool:
+        """Tell whether some power of q is 0."""
+        return structure.is_nilpotent(*self._single())
+
+    def is_idempotent(self) -> bool:
+        """Tell whether ``q² = q``."""
+        return structure.is_idempotent(*self._single())
+
+    def square_roots(self) -> SquareRoots:
+        """Return the x with ``x² = q``, verified by squaring. The base ring must be a field.
+
+        Raises :class:`UndecidedError` where square roots of the base ring, or whether an element of
+        given trace and norm exists, are not decided.
+
+        >>> from hfield import H
+        >>> list(H("QQ").parse("2*i").square_roots())
+        [1 + i, −1 − i]
+        """
+        return SquareRoots(self, structure.square_roots(*self._single()))
+
+    def conjugacy(self, other: object) -> Conjugacy:
+        """Return x with ``x·q·x⁻¹ = other``, or the reason why there is none, as evidence.
+
+        Raises :class:`MixedParentsError` for elements of two algebras, and :class:`UndecidedError`
+        over a ring that is not a field.
+        """
+        ring, c, q = self._single()
+        if not isinstance(other, Quaternion):
+            other = self.algebra(other)
+        if other.algebra != self.algebra:
+            raise MixedParentsError(
+                f"{shorten(self)} is an element of {self.algebra} and {shorten(other)} one of "
+                f"{other.algebra}: only elements of one algebra can be conjugate"
+            )
+        found = structure.conjugator(ring, c, q, other._single()[2])
+        x = None if found.element is None else self.algebra(*found.element)
+        return Conjugacy(x, found.reason)
+
+    def conjugator(self, other: object) -> Quaternion | None:
+        """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` tells why.
+
+        In a central simple algebra there is one exactly when both have the same minimal polynomial
+        (Skolem and Noether).
+        """
+        return self.conjugacy(other).element
+
+    # --- arrays --------------------------------------------------------------------------------
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of an array of quaternions; ``()`` for a single one."""
+        return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("a single quaternion has no length; its coordinates are .coordinates")
+        return self.shape[0]
+
+    def __getitem__(self, index: Index) -> Quaternion:
+        """Take elements out of an array of quaternions, as numpy indexes arrays."""
+        how = self._how
+        if not isinstance(how, Batch) or not how.shape(self._held):
+            raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
+        return self._one_or_many(how, how.part(self._held, index))
+
+    def _one_or_many(self, how: Batch, held: Any) -> Quaternion:
+        """Return what is held: without a dimension it is a single element."""
+        return self._alike(held) if how.shape(held) else self._new(*how.single(held))
+
+    def __iter__(self) -> Iterator[Quaternion]:
+        return (self[n] for n in range(len(self)))
+
+    def _array(self, what: str) -> Batch:
+        if not isinstance(self._how, Batch):
+            raise CoercionError(f"a single quaternion has no {what}; arrays of quaternions have")
+        return self._how
+
+    def units(self) -> np.ndarray:
+        """Return a bool array: which entries have an inverse."""
+        return self._array("entries").units(self._held)
+
+    def sum(self, axis: int | None = None) -> Quaternion:
+        """Return the sum along an axis, or of all entries.
+
+        >>> from hfield import H
+        >>> H("GF(7)")([1, 2, 3], 1, 0, [4, 4, 4]).sum()
+        6 + 3i + 5k
+        """
+        how = self._array("sum")
+        return self._one_or_many(how, how.total(self._held, axis))
+
+    def product(self, axis: int | None = None) -> Quaternion:
+        """Return the product along an axis, or of all entries, from left to right in their order.
+
+        Pairs of neighbours are multiplied until one is left, so an array of n takes log n calls.
+
+        >>> from hfield import H
+        >>> H("QQ")(0, [1, 0, 0], [0, 1, 0], [0, 0, 1]).product()  # i·j·k
+        −1
+        """
+        how = self._array("product")
+        return self._one_or_many(how, how.ordered_product(self._held, axis))
+
+    def dot(self, other: object, axis: int | None = None) -> Quaternion:
+        """Return the sum of the products with the entries of another array, along an axis or of all."""
+        self._array("dot product")
+        return (self * other).sum(axis)
+
+    def reshape(self, *shape: int | tuple[int, ...]) -> Quaternion:
+        """Return the same entries in another shape, as numpy does it. Raises :class:`CoercionError`."""
+        how = self._array("shape")
+        sizes: Any = shape[0] if len(shape) == 1 else shape
+        try:
+            return self._one_or_many(how, how.reshaped(self._held, sizes))
+        except (ValueError, TypeError) as error:
+            raise CoercionError(
+                f"an array of quaternions of shape {self.shape} has no shape {shape}: {error}"
+            ) from None
+
+    def to_array(self) -> Any:
+        """Return all coordinates as one numpy array of integers, which ``A.from_array`` takes back.
+
+        Its shape is ``(4, *shape)``. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element
+        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold
+        them. Over ℚ it is ``(5, *shape)``: four numerators over the denominator that comes last, after the
+        basis is scaled to integral structure constants. It is
+        read-only, and no copy where the array was computed. Raises :class:`CoercionError` over other
+        rings, and for numbers of more than 64 bits.
+
+        >>> from hfield import H
+        >>> H("GF(9)")([1, 2], "x", 0, 0).to_array().tolist()
+        [[1, 2], [3, 3], [0, 0], [0, 0]]
+        """
+        return self._array("array form").to_array(self._held)
+
+    # --- text ----------------------------------------------------------------------------------
+
+    def text(self, style: str = "plain") -> str:
+        """Write q in the style ``plain`` (which the algebra reads back), ``unicode`` or ``latex``."""
+        if not self.is_batch:
+            return element_text(self.ring, self.coordinates, style)
+        shown = (
+            ", ".join(self[n].text(style) for n in range(min(len(self), 3))) if self.shape else ""
+        )
+        more = ", …" if self.shape and len(self) > 3 else ""
+        return f"<array of shape {self.shape} over {self.algebra}: {shown}{more}>"
+
+    def __str__(self) -> str:
+        return self.text("plain")
+
+    def __repr__(self) -> str:
+        return self.text("unicode")
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self), spec)
+
+    def _repr_latex_(self) -> str | None:
+        return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
+
+    def __reduce__(self) -> tuple[object, ...]:
+        state = self.ring.state
+        if not self.is_batch:
+            return self.algebra, tuple(map(state, self.coordinates))
+        try:
+            return self.algebra.from_array, (self.to_array(),)
+        except CoercionError:
+            coordinates = self.coordinates
+        if coordinates[0].dtype != object:  # numpy's arrays pickle as they are
+            return type(self), (self.algebra, coordinates)
+        rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
+        return _from_states, (type(self), self.algebra, self.shape, rows)
+
+
+class Conjugacy(NamedTuple):
+    """Whether ``x·p·x⁻¹ = q`` is solvable: ``element`` is such an x or None, ``reason`` says why."""
+
+    element: Quaternion | None
+    reason: str
+
+    def __bool__(self) -> bool:
+        """Tell whether there is one."""
+        return self.element is not None
+
+
+class _TooManyError(NotFiniteError, OverflowError):
+    """More than ``len`` can tell: a TypeError to ``list``, which then goes on without the length."""
+
+
+class SquareRoots:
+    """The square roots of ``element``: ``x in roots`` asks, iteration lists those that are known.
+
+    All are listed when they are finitely many. Over an infinite field a scalar may have a whole
+    quadric of roots, the elements of trace 0 and norm −s: then ``is_finite`` is False and of these
+    only one and its negative are listed.
+    """
+
+    def __init__(self, element: Quaternion, found: Found) -> None:
+        A = element.algebra
+        self.element = element
+        self.isolated = tuple(A(*x) for x in found.isolated)
+        self.quadric = None if found.quadric is None else A(*found.quadric)
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether there are finitely many, and iteration lists all of them."""
+        return self.quadric is None or self.element.ring.order is not None
+
+    def __bool__(self) -> bool:
+        return bool(self.isolated) or self.quadric is not None
+
+    def __contains__(self, x: Scalar) -> bool:
+        return bool(x * x == self.element)
+
+    def __iter__(self) -> Iterator[Quaternion]:
+        yield from self.isolated
+        if self.quadric is None:
+            return
+        if self.is_finite:
+            yield from self._quadric()
+        else:
+            yield self.quadric
+            if self.quadric != -self.quadric:
+                yield -self.quadric
+
+    def _quadric(self) -> Iterator[Quaternion]:
+        """Run through the elements of trace 0 and norm −s over a finite field."""
+        A = self.element.algebra
+        return (A(*x) for x in structure.quadric(A.ring, A.constants, self.element.scalar_part))
+
+    def __len__(self) -> int:
+        """Return how many there are.
+
+        Raises :class:`NotFiniteError`, also an OverflowError, where they are infinitely many, or more than
+        ``len`` can tell; ``A.count(square=s)`` tells all numbers over finite fields.
+        """
+        if not self.is_finite:
+            raise _TooManyError(f"{shorten(self.element)} has infinitely many square roots")
+        if self.quadric is None:
+            return len(self.isolated)
+        n = self.element.algebra.count(square=self.element.scalar_part)
+        if n > sys.maxsize:
+            raise _TooManyError(
+                f"{shorten(self.element)} has {n} square roots, more than len can tell: ask "
+                "A.count(square=…)"
+            )
+        return n
+
+    def __repr__(self) -> str:
+        shown = ", ".join(str(x) for _, x in zip(range(6), self, strict=False))
+        more = "" if self.is_finite else ", … (all elements of trace 0 and this norm)"
+        return f"SquareRoots({shown}{more})"
+
+
+def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
+    """Return the element that ``how``, a holding of this algebra, holds as ``held``."""
+    q: Quaternion = _blank(Quaternion)
+    q._algebra = algebra
+    q._how = how
+    q._held = held
+    return q
+
+
+def _refuse_change() -> NoReturn:
+    raise AttributeError("quaternions are immutable; build a new one with the algebra")
+
+
+def _first(flags: np.ndarray) -> tuple[int, ...]:
+    """Return the index of the first true entry of a bool array."""
+    import numpy as np
+
+    return tuple(map(int, np.argwhere(flags)[0]))
+
+
+def is_array(x: object) -> bool:
+    """Tell whether a coordinate is an array; a 0-dimensional one counts."""
+    return hasattr(x, "dtype") and hasattr(x, "ndim")
+
+
+def is_many(value: Any) -> bool:
+    """Tell whether a coordinate stands for many."""
+    if type(value) is int:
+        return False
+    return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)
+
+
+def _from_states(
+    element: type[Quaternion], algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]
+) -> Quaternion:
+    """Make an array of quaternions again from what stood for its entries, where it was pickled."""
+    w, x, y, z = (algebra.ring.array(row).reshape(shape) for row in rows)
+    return element(algebra, (w, x, y, z))

@@ -1,0 +1,726 @@
+"""The parent: the quaternion algebra with ``i² = a + t·i, j² = b, ij = k, ji = t·j − k``."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from hfield import notation, structure, syntax
+from hfield.algebra.embedding import embedding
+from hfield.algebra.quaternion import Quaternion, held_by, is_many
+from hfield.errors import (
+    CoercionError,
+    MixedParentsError,
+    NotFiniteError,
+    RingError,
+    TooLargeError,
+    UndecidedError,
+    shorten,
+)
+from hfield.factorisation import Factors, factorise, known_primes
+from hfield.fields.names import ring as read_ring
+from hfield.fields.rationals.symbols import from_ramification_q
+from hfield.hints import ALGEBRA, Hinted
+from hfield.notation import BASIS
+from hfield.product import Constants
+from hfield.rings.base import Ring
+from hfield.rings.holding import Batch, Holding
+from hfield.rings.integers import QQ
+from hfield.structure.global_field import field_named_by
+
+if TYPE_CHECKING:
+    from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
+    from hfield.lattices.hurwitz_order import HurwitzOrder
+    from hfield.lattices.lattice import Lattice
+    from hfield.lattices.order import Order
+    from hfield.lattices.over_integers import IntegersOrder
+
+LISTED = 10_000  # elements of a ring that are kept, to be gone through again
+MOST = 10**8  # elements of an array that lists all
+
+# What may be counted, in singular and plural.
+_KINDS = {word: kind for kind in ("elements", "units") for word in (kind, kind[:-1])}
+_KINDS |= {kind + end: kind for kind in ("nilpotent", "idempotent") for end in ("", "s")}
+
+
+class Opposite(NamedTuple):
+    """The opposite algebra, in which p and q have the product q·p, and how it is isomorphic.
+
+    ``isomorphism`` maps the given algebra onto ``algebra`` and turns products round, φ(pq) = φ(q)·φ(p).
+    """
+
+    algebra: QuaternionAlgebra
+    isomorphism: Isomorphism
+
+
+class QuaternionAlgebra(Hinted):
+    """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
+
+    ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
+    are rational numbers, or elements of one number field; a text names the algebra, and an int alone is the
+    discriminant of a definite algebra over ℚ. Raises :class:`RingError` for what is none of these.
+
+    Calling the algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
+    may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
+
+    >>> A = QuaternionAlgebra("QQ", -1, -1)
+    >>> e, i, j, k = A.basis
+    >>> i*j == k, j*i == -k
+    (True, True)
+    >>> QuaternionAlgebra(-1, -11), QuaternionAlgebra("(-1,-11|QQ)"), QuaternionAlgebra(11)
+    ((-1,-11|QQ), (-1,-11|QQ), (-1,-11|QQ))
+    """
+
+    elsewhere = ALGEBRA
+
+    def __init__(
+        self, ring: Ring | str | object, a: object = None, b: object = None, t: object = 0
+    ) -> None:
+        if b is None:
+            ring, a, b, t = _constants(ring, a, t)
+        self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)  # type: ignore[arg-type]
+        self.constants = Constants(F(a), F(t), F(b))
+
+    @classmethod
+    def from_text(cls, text: str) -> QuaternionAlgebra:
+        """Read ``(a,b|F)``, ``[a,b|F)``, ``[a,b,t|F)`` or ``H(F)``. Raises :class:`NotationError`."""
+        ring, (a, t, b) = notation.parse_algebra(text)
+        return cls(ring, a, b, t)
+
+    @classmethod
+    def from_ramification(
+        cls, ring: Ring | str, primes: Iterable[object], infinite: bool | None = None
+    ) -> QuaternionAlgebra:
+        """Return an algebra over ℚ or a number field that ramifies exactly at these places.
+
+        Over ℚ they are primes and ``"inf"``, which may be left out or said by ``infinite``, as places ramify
+        in even number; over a number field they are its places or their texts. Raises :class:`RingError` for
+        what is no such place or comes twice, for an odd number of places, and for another field, and
+        :class:`UndecidedError` where no constants were found.
+
+        >>> QuaternionAlgebra.from_ramification("QQ", [2, 3]).discriminant()
+        6
+        >>> A = QuaternionAlgebra.from_ramification("QQ[s]/(s^3-2)", ["(2, s)", "inf0"])
+        >>> A.ramified_places()
+        ((2, s), inf0)
+        """
+        F = read_ring(ring)
+        named = list(primes)
+        if F.name != "QQ":
+            from hfield.structure.global_field import global_field
+
+            field = global_field(F)
+            if field is None or infinite is not None:
+                raise RingError(
+                    f"algebras over {shorten(F.name)} are not made from ramified primes and a flag: expected "
+                    "QQ, or a number field and its places, infinite ones too"
+                )
+            return cls(F, *field.with_ramification(named))
+        a, b = from_ramification_q(named, infinite)
+        return cls(F, a, b)
+
+    @cached_property
+    def holding(self) -> Holding:
+        """How a single element is held, and what computes with it."""
+        return self.ring.holding(self.constants)
+
+    @cached_property
+    def array_holding(self) -> Batch:
+        """How an array of elements is held, and what computes with it."""
+        return self.ring.array_holding(self.constants)
+
+    # --- elements ------------------------------------------------------------------------------
+
+    def _here(self) -> tuple[Ring, Constants]:
+        """Return the arguments that functions of ``structure`` take."""
+        return self.ring, self.constants
+
+    def __call__(self, *coordinates: object) -> Quaternion:
+        """Make an element from four coordinates, or from one scalar, text, quaternion or 4-tuple.
+
+        Raises :class:`CoercionError` for anything else, :class:`NotationError` for unreadable text.
+        """
+        if len(coordinates) == 4:
+            return self._element(coordinates)
+        if len(coordinates) == 1:
+            (x,) = coordinates
+            if isinstance(x, Quaternion):
+                if x.algebra != self:
+                    raise MixedParentsError(
+                        f"{shorten(x)} is an element of {x.algebra}, not of {self}; "
+                        "if the rings allow it, use q.change_ring(L)"
+                    )
+                return x
+            if isinstance(x, str):
+                return self.parse(x)
+            if isinstance(x, (tuple, list)) and len(x) == 4:
+                return self._element(tuple(x))
+            return self.scalar(x)
+        raise CoercionError(
+            f"an element of {self} takes 4 coordinates (or one scalar or text), "
+            f"{len(coordinates)} were given"
+        )
+
+    def _element(self, values: tuple[object, ...]) -> Quaternion:
+        how: Holding = self.array_holding if any(map(is_many, values)) else self.holding
+        return held_by(self, how, how.read(values))
+
+    def scalar(self, x: Any) -> Quaternion:
+        """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
+        if isinstance(x, Quaternion):
+            return self(x)
+        if type(x) is int or is_many(x):
+            return self._element((x, 0, 0, 0))
+        return held_by(self, self.holding, self.holding.scalar(self.ring(x)))
+
+    def parse(self, text: str) -> Quaternion:
+        """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
+        ``conj norm trace inv scalar vector comm``. Raises :class:`NotationError`.
+        """
+        names = {name: self(x) for name, x in self.ring.names().items()}
+        names |= dict(zip(BASIS, self.basis, strict=True))
+        functions = {
+            "/": lambda x, y: x / y,
+            "**": lambda x, n: x**n,
+            "[]": lambda q, n: self.scalar(q.coordinates[n]),
+            "conj": Quaternion.conjugate,
+            "norm": lambda q: self.scalar(q.norm()),
+            "trace": lambda q: self.scalar(q.trace()),
+            "inv": Quaternion.inverse,
+            "scalar": lambda q: self.scalar(q.scalar_part),
+            "vector": lambda q: q.vector_part,
+            "comm": lambda p, q: p * q - q * p,
+            **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
+        }
+        reader = syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit)
+        element: Quaternion = reader.read(syntax.plain_element(text))
+        return element
+
+    def _lift(self, name: str, function: Any) -> Any:
+        """Let a function of the ring, such as sqrt, act on scalar multiples of e."""
+
+        def lifted(*arguments: Quaternion) -> Quaternion:
+            for q in arguments:
+                if not q.vector_part.is_zero():
+                    raise CoercionError(f"{name} takes scalars, found {shorten(q)}")
+            return self.scalar(function(*(q.scalar_part for q in arguments)))
+
+        return lifted
+
+    @cached_property
+    def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]:
+        """The basis ``(e, i, j, k)``."""
+        rows = [[int(m == n) for m in range(4)] for n in range(4)]
+        e, i, j, k = (self(*row) for row in rows)
+        return e, i, j, k
+
+    @property
+    def one(self) -> Quaternion:
+        """The identity e."""
+        return self.basis[0]
+
+    @cached_property
+    def zero(self) -> Quaternion:
+        """The element 0."""
+        return self(0, 0, 0, 0)
+
+    def elements(self) -> Iterator[Quaternion]:
+        """Run through all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
+        F = self.ring
+        # a few are kept, many made anew again and again
+        few = list(F.elements()) if self._order_of_ring() <= LISTED else None
+        return (
+            Quaternion(self, (w, x, y, z))
+            for w in few or F.elements()
+            for x in few or F.elements()
+            for y in few or F.elements()
+            for z in few or F.elements()
+        )
+
+    def _order_of_ring(self) -> int:
+        if self.ring.order is None:
+            raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
+        return self.ring.order
+
+    def random_element(self, seed: int | None = None) -> Quaternion:
+        """Return a random element; the same one for the same seed."""
+        from random import Random
+
+        rng = Random(seed)
+        w, x, y, z = (self.ring.random(rng) for _ in range(4))
+        return Quaternion(self, (w, x, y, z))
+
+    # --- arrays --------------------------------------------------------------------------------
+
+    def from_array(self, values: object) -> Quaternion:
+        """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
+
+        They are copied. Integers of one element give that element. Raises :class:`CoercionError` for
+        what stands for no elements.
+
+        >>> import numpy as np
+        >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
+        1 + 5k
+        """
+        how = self.array_holding
+        held = how.from_array(values)
+        return held_by(self, how, held) if how.shape(held) else self(*how.single(held))
+
+    def product(self, values: Any, axis: int | None = None) -> Quaternion:
+        """Return the ordered product of an array, or of a list of elements, from left to right.
+
+        An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
+
+        >>> H("QQ").product(["i", "j", "k"])
+        −1
+        """
+        if isinstance(values, Quaternion) and values.shape:
+            return self(values).product(axis)
+        parts = [self(x) for x in values] or [self.basis[0]]
+        while len(parts) > 1:  # factors of equal size multiply fastest
+            pairs = zip(parts[::2], parts[1::2], strict=False)
+            parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
+        return parts[0]
+
+    def element_array(self) -> Quaternion:
+        """Return all q⁴ elements over a finite ring as one array, in the order of :meth:`elements`.
+
+        Raises :class:`NotFiniteError`, and :class:`TooLargeError` beyond 10⁸ elements.
+
+        >>> p = H("GF(3)").element_array()
+        >>> int(p.units().sum()), int((p * p == -1).sum())
+        (48, 6)
+        """
+        if self._order_of_ring() ** 4 > MOST:
+            raise TooLargeError(
+                f"{self} has more than 10^8 elements; A.elements() runs through them"
+            )
+        import numpy as np
+
+        scalars = self(list(self.ring.elements()), 0, 0, 0)
+        w, x, y, z = (scalars[n.ravel()] for n in np.indices((len(scalars),) * 4, np.uint32))
+        _, i, j, k = self.basis
+        return w + x * i + y * j + z * k
+
+    # --- its product, and the same over another ring -------------------------------------------
+
+    def multiplication_table(self) -> tuple[tuple[Quaternion, ...], ...]:
+        """Return the products of the basis, row times column, in the order e, i, j, k (Table 1.1)."""
+        return tuple(tuple(p * q for q in self.basis) for p in self.basis)
+
+    def change_ring(self, ring: Ring | str) -> QuaternionAlgebra:
+        """Return the algebra with the same constants over another ring, which must contain them.
+
+        Raises :class:`CoercionError` where the base ring does not map into the other one.
+
+        >>> H("QQ").change_ring("GF(7)")
+        (-1,-1|GF(7))
+        """
+        L = read_ring(ring)
+        a, t, b = map(embedding(self.ring, L), self.constants)
+        return QuaternionAlgebra(L, a, b, t)
+
+    def explain_product(self) -> None:
+        """Print the function that multiplies two elements: the one formula with these constants put in.
+
+        >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
+        # Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large.
+        # b = 4, n = 7
+        def product(p, q):
+            w1, x1, y1, z1 = p
+            w2, x2, y2, z2 = q
+            w = w1*w2 - x1*x2 + b*(y1*y2 + z1*z2)
+            x = w1*x2 + x1*w2 + b*(z1*y2 - y1*z2)
+            y = w1*y2 + y1*w2 - (x1*z2 - z1*x2)
+            z = w1*z2 + z1*w2 + x1*y2 - y1*x2
+            return w % n, x % n, y % n, z % n
+        """
+        print(self.holding.explain("product"))
+
+    # --- linear algebra ------------------------------------------------------------------------
+
+    def center(self) -> tuple[Quaternion, ...]:
+        """Return a basis of the centre, e first, found by linear algebra in the base ring (thesis 1.1.2).
+
+        Over a ring over which it is not free these are generators, none superfluous: every central element
+        is a combination of them, with coefficients that are not unique. Over ℤ/n the centre is the direct
+        sum of what each of them generates. Raises :class:`UndecidedError` over infinite rings that are not
+        domains, and over rings of one's own, where elimination meets no units.
+
+        >>> H("QQ").center(), H("ZZ/4").center()
+        ((1,), (1, 2i, 2j, 2k))
+        """
+        return tuple(self(*c) for c in structure.centre(*self._here()))
+
+    centre = center
+
+    def is_commutative(self) -> bool:
+        """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
+        return structure.is_commutative(*self._here())
+
+    def radical(self) -> tuple[Quaternion, ...]:
+        """Return a basis of the Jacobson radical: () where it is 0, as over a field for a semisimple algebra.
+
+        Over a ring over which it is not free these are generators, as in :meth:`center`. Raises
+        :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings, over finite
+        ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
+
+        >>> H("GF(2)").radical(), H("ZZ/9").radical()
+        ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
+        """
+        return tuple(self(*c) for c in structure.radical(*self._here()))
+
+    def is_central_simple(self) -> bool:
+        """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
+        return structure.is_central_simple(*self._here())
+
+    def derivations(self) -> tuple[LinearMap, ...]:
+        """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
+
+        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3. Over a ring
+        over which they are not free these are generators, as in :meth:`center`.
+        """
+        from hfield.algebra.maps import LinearMap
+
+        matrices = structure.derivations(*self._here())
+        return tuple(LinearMap(self, self, list(zip(*m, strict=True))) for m in matrices)
+
+    def opposite(self) -> Opposite:
+        """Return the opposite algebra and an isomorphism with it.
+
+        It has the same constants, for the map that fixes i and j and sends k = ij to ji turns products
+        round. (The conjugate is another such map.)
+
+        >>> B, phi = H("QQ").opposite()
+        >>> e, i, j, k = B.basis
+        >>> phi(i*j) == phi(j)*phi(i)
+        True
+        """
+        from hfield.algebra.maps import Isomorphism
+
+        images = [structure.to_opposite(self.constants, q.coordinates) for q in self.basis]
+        return Opposite(self, Isomorphism(self, self, images, reverses=True))
+
+    # --- division or splitting -----------------------------------------------------------------
+
+    # ``factors`` may name primes of the constants (over ℚ) or of their norms, where these are too hard to
+    # factor; each is proved prime, or :class:`RingError` is raised.
+
+    def zero_norm_element(self, factors: Factors | None = None) -> Quaternion | None:
+        """Return a nonzero element of norm 0, or None if it is proved that there is none.
+
+        Raises :class:`UndecidedError` where neither is known; the message says what was tried.
+        """
+        with known_primes(factors):
+            found = structure.zero_norm(*self._here()).element
+        return None if found is None else self(*found)
+
+    def is_division_algebra(self, factors: Factors | None = None) -> bool:
+        """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
+        with known_primes(factors):
+            return structure.is_division(*self._here())
+
+    def division_or_splitting(self, factors: Factors | None = None) -> Splitting | Division:
+        """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
+
+        The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
+        algebra, which is neither, and :class:`UndecidedError`.
+        """
+        with known_primes(factors):
+            return self._split_or_not
+
+    @cached_property
+    def _split_or_not(self) -> Splitting | Division:
+        from hfield.algebra.maps import Division, Splitting
+        from hfield.structure.isomorphisms.splitting import Splitting as Found
+
+        if not self.ring.is_exact:
+            raise UndecidedError(
+                f"{self.ring} is inexact, so splitting is not decided there: ask over RR"
+            )
+        answer = structure.division_or_splitting(*self._here())
+        return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
+
+    def split(self, factors: Factors | None = None) -> Splitting | None:
+        """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
+
+        >>> I, J = H("GF(3)").split()
+        """
+        from hfield.algebra.maps import Splitting
+
+        answer = self.division_or_splitting(factors)
+        return answer if isinstance(answer, Splitting) else None
+
+    def _splitting(self) -> Splitting:
+        answer = self.split()
+        if answer is None:
+            raise CoercionError(
+                f"{self} has no matrices over {self.ring}, for it is a division algebra: "
+                f"{self._split_or_not.reason}"
+            )
+        return answer
+
+    def to_matrix(self, q: object) -> Any:
+        """Return the 2 × 2 matrix of q under :meth:`split`. Raises CoercionError if there is none."""
+        return self._splitting().to_matrix(q)
+
+    def from_matrix(self, matrix: Any) -> Quaternion:
+        """Return the element of a 2 × 2 matrix under :meth:`split`. Raises CoercionError if none."""
+        return self._splitting().from_matrix(matrix)
+
+    # --- ramification --------------------------------------------------------------------------
+
+    def ramified_places(self, factors: Factors | None = None) -> tuple[Hashable, ...]:
+        """Return the places where the algebra stays a division algebra, finite ones first.
+
+        Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
+        """
+        return structure.ramified_places(self.ring, self.constants, factors)
+
+    def discriminant(self, factors: Factors | None = None) -> Any:
+        """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
+
+        Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
+        """
+        return structure.reduced_discriminant(*self._here(), factors)
+
+    # --- isomorphism ---------------------------------------------------------------------------
+
+    def _comparable(self, other: object) -> Constants:
+        if not isinstance(other, QuaternionAlgebra):
+            raise CoercionError(
+                f"{shorten(repr(other))} is not a quaternion algebra to compare {self} with; "
+                "expected one, such as QuaternionAlgebra.from_text('(-1,-3|QQ)')"
+            )
+        if other.ring != self.ring:
+            raise MixedParentsError(
+                f"{self} is over {self.ring} and {other} over {other.ring}: algebras are compared over "
+                "one field; use A.change_ring(L) first"
+            )
+        return other.constants
+
+    def is_isomorphic(self, other: object, factors: Factors | None = None) -> bool:
+        """Tell whether two algebras over one field are isomorphic.
+
+        Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
+        """
+        with known_primes(factors):
+            return structure.is_isomorphic(*self._here(), self._comparable(other))
+
+    def isomorphism(self, other: Any, factors: Factors | None = None) -> Isomorphism | None:
+        """Return an isomorphism onto ``other``, a callable, or None if there is none.
+
+        The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.
+        """
+        from hfield.algebra.maps import Isomorphism
+
+        with known_primes(factors):
+            found = structure.isomorphism(*self._here(), self._comparable(other))
+        return None if found is None else Isomorphism(self, other, found.images)
+
+    # --- finite fields -------------------------------------------------------------------------
+
+    def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
+        """Return how many elements there are, over a finite ring.
+
+        ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
+        of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
+        (:func:`hfield.structure.confirm` confirms them), exhaustion over other finite rings.
+        Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
+        :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
+        there is too much to go through.
+
+        >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
+        (801, 92, 92)
+        >>> H("ZZ/1000").count(norm=0)
+        299600000
+        """
+        if sum((kind != "elements", norm is not None, square is not None)) > 1:
+            raise CoercionError("count one thing at a time: a kind, or norm=…, or square=…")
+        ring, c = self._here()
+        value = square if norm is None else norm
+        if value is not None:
+            kind = "norm" if square is None else "square roots"
+        elif kind in ("norm", "square roots"):
+            raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
+        kind = _KINDS.get(kind, kind)
+        if ring.order is not None and not structure.has_formulas(ring):
+            found = structure.tally(ring, c)
+            tables = {"norm": found.norms, "square roots": found.roots}
+            if kind in tables:
+                return tables[kind][ring.text(ring(value))]
+            if kind in _KINDS.values():
+                return int(getattr(found, kind))
+        return structure.count(ring, c, kind, value).value
+
+    # --- lattices and orders: their room is imported on use ------------------------------------
+
+    def lattice(self, elements: Iterable[object]) -> Lattice:
+        """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
+
+        Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` over another field.
+        """
+        from hfield.lattices.lattice import Lattice
+
+        return Lattice.spanned(self, elements)
+
+    def order(self, elements: Iterable[object]) -> Order:
+        """Return the order that elements generate as a ring.
+
+        Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.generated(self, elements)
+
+    def order_from_basis(self, elements: Iterable[object]) -> Order:
+        """Return the order with a basis of four elements.
+
+        Raises :class:`LatticeError` unless they span a ring with 1.
+        """
+        from hfield.lattices.order import Order
+
+        return Order.from_basis(self, elements)
+
+    def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:
+        """Return a maximal order, of an algebra that is not degenerate: always the same.
+
+        Over ℚ it is an :class:`hfield.Order`. Over another number field it is one over the integers of the
+        field, with ``basis`` over ℤ, ``pseudo_basis()`` and ``discriminant()``: an ``IntegersOrder``.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.discriminant(), len(O.basis)
+        ((), 8)
+        """
+        from hfield.lattices.named_orders import maximal_order
+        from hfield.lattices.over_integers import maximal_order_over_integers
+
+        with known_primes(factors):
+            if self.ring.arithmetic and self.ring.name != "QQ" and not self.ring.characteristic:
+                return maximal_order_over_integers(self)
+            return maximal_order(self)
+
+    def eichler_order(self, level: int, factors: Factors | None = None) -> Order:
+        """Return an Eichler order of the given level, the same for the same algebra and level.
+
+        Raises :class:`LatticeError` for a level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named_orders import eichler_order
+
+        with known_primes(factors):
+            return eichler_order(self, level)
+
+    def extremal_order(self) -> Order:
+        """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
+
+        Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
+        """
+        from hfield.lattices.extremal_orders import extremal_order
+
+        return extremal_order(self)
+
+    def lipschitz_order(self) -> Order:
+        """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
+        from hfield.lattices.named_orders import lipschitz_order
+
+        return lipschitz_order(self)
+
+    def hurwitz_order(self) -> HurwitzOrder:
+        """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
+        from hfield.lattices.named_orders import hurwitz_order
+
+        return hurwitz_order(self)
+
+    def class_number(self, level: int = 1) -> int:
+        """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.
+
+        In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
+        level that is not prime to the discriminant.
+        """
+        from hfield.lattices.named_orders import class_number
+
+        return class_number(self, level)
+
+    # --- identity and text ---------------------------------------------------------------------
+
+    @cached_property
+    def _key(self) -> tuple[object, ...]:
+        return (self.ring, *(self.ring.key(c) for c in self.constants))
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, QuaternionAlgebra) and self._key == other._key)
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash(self._key)
+
+    def __contains__(self, x: object) -> bool:
+        return isinstance(x, Quaternion) and x.algebra == self
+
+    @cached_property
+    def name(self) -> str:
+        """The text that :meth:`from_text` reads back."""
+        return notation.algebra_text(self.ring, self.constants)
+
+    def __str__(self) -> str:
+        return self.name
+
+    __repr__ = __str__
+
+    def table_text(self, style: str = "plain") -> str:
+        """Lay out the multiplication table in the style ``plain``, ``unicode`` or ``latex``."""
+        rows = [
+            [notation.element_text(self.ring, q.coordinates, style, unit="e") for q in row]
+            for row in self.multiplication_table()
+        ]
+        return notation.table_text(BASIS, rows, style)
+
+    def latex(self) -> str:
+        """Write the symbol of the algebra, its constants over its field, in LaTeX."""
+        F = self.ring
+        constants = ",".join(notation.constants_text(F, self.constants, "latex"))
+        symbol = rf"\frac{{{constants}}}{{{F.latex_name}}}"
+        bracket = "(" if F.key(self.constants.t) == F.key(F(0)) else "["
+        return rf"\left{bracket}{symbol}\right)"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}\\qquad {self.table_text('latex')}$"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        a, t, b = map(self.ring.state, self.constants)
+        return QuaternionAlgebra, (self.ring, a, b, t)
+
+
+def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, object]:
+    """Return the ring and the constants a, b, t of an algebra that is named by less than all of them."""
+    if b is not None and not isinstance(a, Ring):
+        return field_named_by(a, b) or QQ, a, b, t
+    if b is None and isinstance(a, str):
+        F, c = notation.parse_algebra(a)
+        return F, c.a, c.b, c.t
+    if b is None and isinstance(a, int) and not isinstance(a, bool):
+        primes = factorise(a) if a > 1 else {}
+        if len(primes) % 2 == 0 or max(primes.values()) > 1:
+            raise RingError(
+                f"{shorten(a)} is not the discriminant of a definite algebra over QQ: expected a product of "
+                "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
+            )
+        return QQ, *from_ramification_q(primes, True), 0
+    raise RingError(
+        f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
+        f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"
+    )
+
+
+def H(ring: Ring | str) -> QuaternionAlgebra:
+    """Return Hamilton's algebra over ``ring``: ``i² = j² = −1``, Table 1.1 of the thesis.
+
+    >>> H("GF(7)").zero_norm_element().norm()
+    0
+    """
+    return QuaternionAlgebra(ring, -1, -1)
