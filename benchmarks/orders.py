@@ -119,9 +119,9 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
     def texts(lattice: Any) -> list[list[str]]:
         return [[str(x) for x in q.coordinates] for q in lattice.basis]
 
-    def fresh(I: Any) -> Ideal:
-        O = I.order
-        return Ideal(I.algebra, I._den, I._matrix, I.side, Order(O.algebra, O._den, O._matrix))
+    def fresh(L: Any) -> Any:
+        value = type(L.value)(L.algebra, L.value.den, L.value.matrix)
+        return Ideal(value, L.side, fresh(L.order)) if isinstance(L, Ideal) else Order(value)
 
     data: dict[str, Any] = {"cases": {}, "sets": sets}
     results: dict[str, Any] = {}
@@ -140,10 +140,7 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
         data["cases"][str(bits)] = {"p": p} | {name: texts(L) for name, L in names.items()}
 
         def copies(*names: Any) -> Callable[[], list[Any]]:
-            return lambda: [
-                fresh(L) if isinstance(L, Ideal) else Order(L.algebra, L._den, L._matrix)
-                for L in names
-            ]
+            return lambda: [fresh(L) for L in names]
 
         rounds = 40
         results[str(bits)] = {

@@ -25,10 +25,10 @@ from .functions import conjugator as conjugator
 from .functions import inv as inv
 from .functions import norm as norm
 from .functions import trace as trace
-from .lattices.classes import ClassSet as ClassSet
-from .lattices.ideal import Ideal as Ideal
+from .lattices.lattice import ClassSet as ClassSet
+from .lattices.lattice import Ideal as Ideal
 from .lattices.lattice import Lattice as Lattice
-from .lattices.order import Order as Order
+from .lattices.lattice import Order as Order
 from .ledger.document import LedgerError as LedgerError
 from .ledger.explanation import explain as explain
 from .ledger.notebook import verify as verify

@@ -32,8 +32,7 @@ from hfield.structure.global_field import field_named_by
 if TYPE_CHECKING:
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.lattices.hurwitz_order import HurwitzOrder
-    from hfield.lattices.lattice import Lattice
-    from hfield.lattices.order import Order
+    from hfield.lattices.lattice import Lattice, Order
     from hfield.lattices.over_integers import IntegersOrder
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
@@ -570,7 +569,7 @@ class QuaternionAlgebra(Hinted):
 
         Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
         """
-        from hfield.lattices.order import Order
+        from hfield.lattices.lattice import Order
 
         return Order.generated(self, elements)
 
@@ -579,7 +578,7 @@ class QuaternionAlgebra(Hinted):
 
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
-        from hfield.lattices.order import Order
+        from hfield.lattices.lattice import Order
 
         return Order.from_basis(self, elements)
 
@@ -594,44 +593,49 @@ class QuaternionAlgebra(Hinted):
         >>> O.discriminant(), len(O.basis)
         ((), 8)
         """
+        from hfield.lattices.lattice import Order
         from hfield.lattices.named_orders import maximal_order
         from hfield.lattices.over_integers import maximal_order_over_integers
 
         with known_primes(factors):
             if self.ring.arithmetic and self.ring.name != "QQ" and not self.ring.characteristic:
                 return maximal_order_over_integers(self)
-            return maximal_order(self)
+            return Order(maximal_order(self))
 
     def eichler_order(self, level: int, factors: Factors | None = None) -> Order:
         """Return an Eichler order of the given level, the same for the same algebra and level.
 
         Raises :class:`LatticeError` for a level that is not prime to the discriminant.
         """
+        from hfield.lattices.lattice import Order
         from hfield.lattices.named_orders import eichler_order
 
         with known_primes(factors):
-            return eichler_order(self, level)
+            return Order(eichler_order(self, level))
 
     def extremal_order(self) -> Order:
         """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
 
         Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
         """
-        from hfield.lattices.extremal_orders import extremal_order
+        from hfield.lattices.lattice import Order
+        from hfield.lattices.named_orders import extremal_order
 
-        return extremal_order(self)
+        return Order(extremal_order(self))
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
+        from hfield.lattices.lattice import Order
         from hfield.lattices.named_orders import lipschitz_order
 
-        return lipschitz_order(self)
+        return Order(lipschitz_order(self))
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
+        from hfield.lattices.hurwitz_order import HurwitzOrder
         from hfield.lattices.named_orders import hurwitz_order
 
-        return hurwitz_order(self)
+        return HurwitzOrder(hurwitz_order(self))
 
     def class_number(self, level: int = 1) -> int:
         """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.

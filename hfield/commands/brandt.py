@@ -13,7 +13,7 @@ from hfield.commands.parser import UsageError, add_factors, add_format, add_outp
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
-    from hfield.lattices.classes import ClassSet
+    from hfield.lattices.lattice import ClassSet
 
 HELP = (
     "Print the Brandt matrix of a prime (or any n) for discriminant D and level N, with its characteristic "

@@ -17,8 +17,8 @@ from hfield.commands.orders import (
 from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
-    from hfield.lattices.answers import Answer
-    from hfield.lattices.ideal import Ideal
+    from hfield.lattices.certificates import Answer
+    from hfield.lattices.lattice import Ideal
 
 HELP = (
     "Show the ideal of a maximal or an Eichler order that elements generate: its basis, norm, orders, and "
@@ -107,7 +107,7 @@ def page(I: Ideal, answer: Answer | None) -> list[tuple[str, str]]:
         ("right order" if I.side == "left" else "left order", ", ".join(map(str, other.basis))),
     ]
     if answer is not None:
-        question = "principal" if answer.lattices[0] == I.order else "equivalent"
+        question = "principal" if answer.lattices[0] == I.order.value else "equivalent"
         lines.append((question, repr(answer)))
     if answer is not None and answer.theorem is not None:
         lines.append(("theorem", answer.theorem))

@@ -17,7 +17,7 @@ from hfield.commands.orders import (
 from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
-    from hfield.lattices.order import Order
+    from hfield.lattices.lattice import Order
 
 HELP = (
     "Show an order over ZZ in an algebra over QQ: its basis, discriminant, units, conductor, class number. "

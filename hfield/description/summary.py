@@ -16,7 +16,7 @@ from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
-from hfield.lattices.order import Order
+from hfield.lattices.lattice import Order
 from hfield.lattices.over_integers import IntegersOrder
 from hfield.notation import element_text
 from hfield.rings.base import INFINITY, Ring

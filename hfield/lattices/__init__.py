@@ -1,8 +1,9 @@
 """Lattices, orders and ideals in quaternion algebras over ℚ: their arithmetic and their classes.
 
-A ``lattice``, an ``order`` and an ``ideal`` make one another. What takes an algorithm is a function in a
-module below them: it is given such objects and returns lattices, elements, rows or what answers a question
-(``answers``, ``classes``), and their methods hand over to it. On top stand the orders that an algebra names
-(``named_orders``, ``hurwitz_order``, ``extremal_orders``); those over number fields are ``over_integers``.
-Each module says which theorem it stands on; ``docs/orders.md`` shows what can be asked.
+A lattice is a value: a Hermite form over its least denominator, in an algebra (``z_lattice``); an order is
+one that is a ring (``z_order``). What takes an algorithm is a function that is given such values and returns
+values, elements, or what answers a question (``certificates``). Above them stand what a user holds, thin:
+``lattice``, whose methods hand over to the functions, and ``hurwitz_order``. ``named_orders`` are those that
+an algebra has names for, ``over_integers`` those over number fields. Each module says which theorem it
+stands on; ``docs/orders.md`` shows what can be asked.
 """

@@ -1,27 +1,20 @@
-"""What the answers about lattices say, as certificates ``hfield-cert/2`` that the checker accepts."""
+"""Answers about lattices, and what they and other claims say as certificates ``hfield-cert/2``."""
 
 from __future__ import annotations
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.certificates.glossary import MASS
 from hfield.evidence import Evidence, certificate, why_rejected
 from hfield.lattices import enumeration
-from hfield.lattices.as_json import basis_json, element_json
-from hfield.lattices.order_invariants import OrderInvariants
-
-if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Parent
-    from hfield.lattices.answers import Answer
-    from hfield.lattices.classes import ClassSet
-    from hfield.lattices.ideal import Ideal
-    from hfield.lattices.lattice import Lattice
-    from hfield.lattices.order import Order
-    from hfield.lattices.quadratic_orders import Embeddings
+from hfield.lattices.hermite import tuples
+from hfield.lattices.z_lattice import ZLattice
+from hfield.lattices.z_order import ZOrder
 
 DOUBLINGS = 6
 MOST = 10**5
@@ -74,29 +67,31 @@ class Certified:
         return self.claim.certificate
 
 
-def of_order(order: Order) -> Claim:
+def of_order(order: ZOrder) -> Claim:
     """Return that this is an order of this discriminant; and maximal, if the checker can tell."""
-    whole = f"order{{{text(order)}; {order.discriminant()}"
-    if order.is_maximal():
+    whole = f"order{{{text(order)}; {order.discriminant}"
+    if order.level == 1:
         claim = Claim(order.algebra, whole + "; maximal}", {"kind": "order"}, "order")
         if claim.certificate is not None:
             return claim
     return Claim(order.algebra, whole + "}", {"kind": "order"}, "order")
 
 
-def of_ideal(ideal: Ideal) -> Claim:
+def of_ideal(ideal: ZLattice, side: str, order: ZOrder) -> Claim:
     """Return that this is a locally principal ideal of its order, and its norm."""
-    side = "right" if ideal.side == "right" else "left"
-    statement = f"ideal{{{text(ideal)}; {side}; {text(ideal.order)}; {ideal.norm()}}}"
+    statement = f"ideal{{{text(ideal)}; {_side(side)}; {text(order)}; {ideal.norm}}}"
     return Claim(ideal.algebra, statement, {"kind": "ideal"}, "ideal")
 
 
-def of_class_set(classes: ClassSet) -> Claim:
+def _side(side: str) -> str:
+    """Return the side on which a statement is made; a two-sided ideal is a left one."""
+    return "right" if side == "right" else "left"
+
+
+def of_class_set(order: ZOrder, classes: list[ZLattice]) -> Claim:
     """Return how many right ideal classes an order has, with one ideal of each."""
-    order = classes.order
     statement = f"class-set{{{text(order)}; {len(classes)}}}"
-    rows = [basis_json(I) for I in classes._lattices]
-    evidence = {"kind": "class-set", "classes": rows}
+    evidence = {"kind": "class-set", "classes": [basis_json(I) for I in classes]}
     return Claim(order.algebra, statement, evidence, "mass", assumes=(MASS,))
 
 
@@ -106,8 +101,7 @@ def of_answer(answer: Answer) -> Claim | None:
     first, second, *between = answer.lattices
     about = f"{text(first)}; {text(second)}}}"
     if kind == "equivalent":
-        side = "right" if answer.evidence["side"] == "right" else "left"
-        about = f"{side}; {about}"
+        about = f"{_side(answer.evidence['side'])}; {about}"
     statement = f"{kind}{{{about}"
     if answer.element is not None:
         shown = {"kind": kind, "element": element_json(answer.element)}
@@ -125,29 +119,29 @@ def of_answer(answer: Answer) -> Claim | None:
     return Claim(first.algebra, statement, {"kind": kind, **evidence}, method, "refuted")
 
 
-def _none_carries(between: Lattice, size: str | None) -> tuple[str, dict[str, object]]:
+def _none_carries(between: ZLattice, size: str | None) -> tuple[str, dict[str, object]]:
     """Return the method and the evidence that no element of a lattice has a norm."""
-    if size is None or (Fraction(size) / between._norm).denominator != 1:
+    if size is None or (Fraction(size) / between.norm).denominator != 1:
         return "norm", {}
     return "enumeration", {"between": basis_json(between)}
 
 
-def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, object]] | None:
+def _told_apart(*orders: ZLattice) -> tuple[str, dict[str, object]] | None:
     """Return the method and the evidence that two orders are not isomorphic: what one has more elements of.
 
     Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.
     """
-    orders = [x for x in (first, second) if isinstance(x, OrderInvariants)]
-    if len({order.discriminant() for order in orders}) == 2:
+    rings = [order for order in orders if isinstance(order, ZOrder)]
+    if len({order.discriminant for order in rings}) == 2:
         return "discriminant", {}
-    if not first._regular.definite:
+    if not orders[0].regular.definite:
         return None
-    grams = [order._reduced_ternary[2] for order in orders]
+    grams = [order.reduced_ternary[2] for order in rings]
     reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
     for _ in range(DOUBLINGS):
         if max(enumeration.volume(gram, 2 * reach, 3) for gram in grams) > MOST:
             return None
-        both = zip(*(order.ternary_theta_series(reach) for order in orders), strict=True)
+        both = zip(*(enumeration.theta_series(gram, reach) for gram in grams), strict=True)
         for m, (one, other) in enumerate(both):
             if one != other:  # x of trace 0 or 1 and discriminant −m
                 bases = [basis_json(order) for order in orders]
@@ -157,19 +151,86 @@ def _told_apart(first: Lattice, second: Lattice) -> tuple[str, dict[str, object]
     return None
 
 
-def of_embeddings(found: Embeddings) -> Claim:
+def of_embedding(order: ZOrder, d: int, element: Quaternion | None) -> Claim:
     """Return that a quadratic order is, or is not, optimally embedded."""
-    order = found.order
-    statement = f"embedding{{{text(order)}; {found.discriminant}}}"
+    statement = f"embedding{{{text(order)}; {d}}}"
     evidence: dict[str, Any] = {"kind": "embedding"}
-    if found.element is None:
+    if element is None:
         evidence["basis"] = basis_json(order)
         return Claim(order.algebra, statement, evidence, "enumeration", "refuted")
-    evidence["element"] = element_json(found.element)
+    evidence["element"] = element_json(element)
     return Claim(order.algebra, statement, evidence, "element")
 
 
-def text(lattice: Lattice) -> str:
+def text(lattice: ZLattice) -> str:
     """Write the Hermite form of a lattice as statements do."""
     den, rows = lattice.hnf
     return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """True or false in an ``if``; ``element`` proves a true answer, ``reason`` says how it was decided.
+
+    ``theorem`` names the theorem that decided where nothing was enumerated; then a true answer may come
+    without its element, which was not found within a bound. ``evidence`` is what a program needs to check it.
+    """
+
+    holds: bool
+    reason: str
+    element: Quaternion | None = None
+    theorem: str | None = None
+    evidence: dict[str, Any] = field(default_factory=dict, compare=False)
+    lattices: tuple[ZLattice, ...] = field(default=(), compare=False, repr=False)
+    """The two that were compared, and that which was run through, if any: as values."""
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
+
+        There is none where a theorem decided and the element is missing, nor where the checker would have to
+        do too much; :attr:`why_no_certificate` says which.
+        """
+        claim = self._claim
+        return None if claim is None else claim.certificate
+
+    @property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        claim = self._claim
+        if claim is None:
+            return (
+                "the element is missing"
+                if self.holds
+                else "nothing was found that tells them apart"
+            )
+        return claim.why_no_certificate
+
+    @cached_property
+    def _claim(self) -> Claim | None:
+        return of_answer(self)
+
+    def __bool__(self) -> bool:
+        """Tell whether it holds."""
+        return self.holds
+
+    def __repr__(self) -> str:
+        shown = "" if self.element is None else f" with {self.element}"
+        return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
+
+
+STRONG_APPROXIMATION = (
+    "Eichler's theorem, from strong approximation: in an indefinite algebra over QQ an order whose local "
+    "units have all unit norms has one ideal class (Voight, Quaternion Algebras, chapter 28)"
+)
+
+
+def element_json(q: Quaternion) -> list[str]:
+    """Return an element as four texts."""
+    return [q.ring.text(x) for x in q.coordinates]
+
+
+def basis_json(lattice: ZLattice) -> dict[str, object]:
+    """Return a reduced basis of a lattice: what is run through quickly."""
+    rows, _ = lattice.reduced
+    return {"den": lattice.den, "rows": [list(row) for row in tuples(rows)]}

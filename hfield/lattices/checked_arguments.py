@@ -42,10 +42,15 @@ def checked_side(side: str) -> str:
 
 def positive(n: object, what: str) -> int:
     """Return a positive integer. Raises :class:`LatticeError` for anything else."""
-    value = rational(n)
-    if isinstance(n, bool) or not isinstance(value, int) or value < 1:
+    value = _whole(n)
+    if value is None or value < 1:
         raise LatticeError(f"the {what} {shorten(repr(n))} is no positive integer")
     return value
+
+
+def _whole(n: object) -> int | None:
+    value = rational(n)
+    return value if isinstance(value, int) and not isinstance(n, bool) else None
 
 
 def expect_coprime(level: int, discriminant: int) -> None:
@@ -75,7 +80,7 @@ def prime(p: object) -> int:
 
 def natural(n: object, what: str) -> int:
     """Return an integer ≥ 0. Raises :class:`LatticeError` for anything else."""
-    value = rational(n)
-    if isinstance(n, bool) or not isinstance(value, int) or value < 0:
+    value = _whole(n)
+    if value is None or value < 0:
         raise LatticeError(f"{what} an integer ≥ 0, and {shorten(repr(n))} is none")
     return value

@@ -7,15 +7,12 @@ and Eichler's class number formula adds to it what orders with more units than Â
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
 from hfield.lattices.checked_arguments import expect_coprime
 from hfield.lattices.modulo_primes import kronecker
-
-if TYPE_CHECKING:
-    from hfield.lattices.order import Order
+from hfield.lattices.z_order import ZOrder, eichler_symbol
 
 
 def eichler_mass(discriminant: int, level: int) -> Fraction:
@@ -28,16 +25,17 @@ def eichler_mass(discriminant: int, level: int) -> Fraction:
     return mass
 
 
-def mass(order: Order) -> Fraction:
+def mass(order: ZOrder) -> Fraction:
     """Return the mass of any order of a definite algebra, from its Eichler symbols."""
-    order._definite("the mass of ideal classes")
-    found = Fraction(order._discriminant, 12)
-    for p in factorise(order._discriminant):
-        symbol = order.eichler_symbol(p)
-        found *= {1: 1 + Fraction(1, p), -1: 1 - Fraction(1, p), 0: 1 - Fraction(1, p * p)}[
-            symbol or 0
-        ]
+    found = Fraction(order.discriminant, 12)
+    for p in factorise(order.discriminant):
+        found *= local_factor(eichler_symbol(order, p), p)
     return found
+
+
+def local_factor(symbol: int | None, p: int) -> Fraction:
+    """Return what an order with an Eichler symbol at p brings to the mass, beside its discriminant."""
+    return {1: 1 + Fraction(1, p), -1: 1 - Fraction(1, p), 0: 1 - Fraction(1, p * p)}[symbol or 0]
 
 
 def class_number(discriminant: int, level: int) -> int:

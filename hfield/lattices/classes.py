@@ -1,7 +1,9 @@
 """The right ideal classes of an order in a definite algebra, and what acts on them.
 
-A class is known by one lattice (:mod:`hfield.lattices.class_keys`), so classes are looked up and not compared
-in pairs.
+A class is known by one lattice, so classes are looked up and not compared in pairs: of all ``x⁻¹·I``, for the
+x of least norm in I, it is the one whose Hermite form comes first. Equivalent ideals have the same such
+lattices, and the lattice lies in the class; as many of these x as the left order has units give the same
+lattice.
 
 Starting from O, neighbours at a prime are taken until the mass formula is used up: then no class is missing,
 and as all are different none comes twice (Kirschmer and Voight, 2010; Voight, *Quaternion Algebras*, 26.1.5).
@@ -13,47 +15,70 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.hints import CLASSES, Hinted
-from hfield.lattices import brandt, certificates, types_of_orders
-from hfield.lattices.as_json import rows_json
+from hfield.errors import LatticeError, TooLargeError
+from hfield.factorisation import factorise
+from hfield.lattices import brandt, certificates, enumeration, hermite
 from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import positive, prime
-from hfield.lattices.class_keys import Key, key_and_units
 from hfield.lattices.class_number import mass
-from hfield.lattices.subideals import of_prime_power_norm, prime_to, right_subideals
+from hfield.lattices.ideals_of_norm import (
+    is_maximal_or_eichler,
+    of_prime_power_norm,
+    prime_to,
+    right_subideals,
+    two_sided_prime,
+)
+from hfield.lattices.isomorphic_orders import isomorphism
+from hfield.lattices.short_elements import expect_definite, theta_series
+from hfield.lattices.z_lattice import (
+    ZLattice,
+    conjugate,
+    divisor,
+    meet,
+    product,
+    rows_json,
+    scaled,
+)
+from hfield.lattices.z_order import ZOrder, order_of
 from hfield.primality import is_prime, primes
 
-if TYPE_CHECKING:
-    from hfield.lattices.ideal import Ideal
-    from hfield.lattices.lattice import Lattice
-    from hfield.lattices.order import Order
+Key = tuple[int, ...]
+
+
+def key_and_units(lattice: ZLattice) -> tuple[Key, int]:
+    """Return the lattice of a right ideal class as a key, and how many units the left order has."""
+    r, norm = lattice.regular, lattice.norm
+    rows, gram = lattice.reduced
+    least, short = enumeration.least_vectors(gram)
+    # N(x) = least/2·norm, and x is over the denominator of the lattice
+    bars = fmpz_mat(short) * rows * r.conjugation
+    up = 2 * norm.denominator
+    den = lattice.den * lattice.den * r.conjugate_scale * r.scale * norm.numerator * least
+    keys: Counter[Key] = Counter()
+    for bar in hermite.tuples(bars):
+        found = hermite.hermite(den, lattice.matrix * (r.left_matrix(bar) * up))
+        assert found is not None
+        d, m = found
+        keys[(d, *map(int, m.entries()))] += 1
+    key = min(keys)
+    return key, 2 * keys[key]
+
 
 MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
-class ClassSet(Certified, Hinted):
-    """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+class Classes(Certified):
+    """The classes as values: their lattices, units and neighbours."""
 
-    >>> from hfield import QuaternionAlgebra
-    >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
-    >>> len(C), C.mass, C.type_number
-    (2, Fraction(5, 6), 2)
-    >>> C.brandt_matrix(2)
-    [[1, 2], [3, 0]]
-    """
-
-    elsewhere = CLASSES
-
-    def __init__(self, order: Order) -> None:
-        order._definite("class_set()")
-        self.order = order
-        self.mass = mass(order)
+    def __init__(self, ring: ZOrder) -> None:
+        expect_definite(ring, "class_set()")
+        self.ring = ring
+        self.mass = mass(ring)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(
                 f"there are more than {MOST_CLASSES} classes; A.class_number(N) counts them by "
@@ -62,14 +87,14 @@ class ClassSet(Certified, Hinted):
         self.unit_counts: list[int] = []
         """How many units the left orders of the classes have."""
         self._keys: dict[Key, int] = {}
-        self._lattices: list[Lattice] = []
+        self._lattices: list[ZLattice] = []
         self._rows: dict[int, list[Counter[int]]] = {}
         self._enumerate()
 
     def _enumerate(self) -> None:
         left = self.mass
-        left -= self._add(*key_and_units(self.order))
-        discriminant = self.order._discriminant
+        left -= self._add(*key_and_units(self.ring))
+        discriminant = self.ring.discriminant
         for p in primes():
             if not left:  # the rows of an earlier prime lack the classes found since
                 known = self._rows.items()
@@ -93,58 +118,51 @@ class ClassSet(Certified, Hinted):
 
     def _add(self, key: Key, units: int) -> Fraction:
         self._keys[key] = len(self._lattices)
-        self._lattices.append(self._lattice(key))
+        self._lattices.append(ZLattice(self.ring.algebra, key[0], fmpz_mat(4, 4, key[1:])))
         self.unit_counts.append(units)
         return Fraction(2, units)
 
-    def _lattice(self, key: Key) -> Lattice:
-        return self.order._in_form(key[0], fmpz_mat(4, 4, key[1:]))
-
-    def _neighbours(self, lattice: Lattice, p: int) -> Iterator[tuple[Key, int]]:
-        for den, matrix in right_subideals(lattice, self.order, p):
-            yield key_and_units(self.order._in_form(den, matrix))
+    def _neighbours(self, lattice: ZLattice, p: int) -> Iterator[tuple[Key, int]]:
+        return map(key_and_units, right_subideals(lattice, self.ring, p))
 
     # --- the classes -------------------------------------------------------------------------------
 
     def __len__(self) -> int:
         return len(self._lattices)
 
-    def __getitem__(self, n: int) -> Ideal:
-        """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
-        if not n:
-            return self.order._ideal(self.order, "right")
-        found = self.order._ideal(self._lattices[n], "right")
-        primitive: Ideal = (found * found.norm().q).primitive_part()[0]
-        return primitive
+    def _representative(self, n: int) -> ZLattice:
+        """Return the lattice of class n, made integral and primitive."""
+        found = self._lattices[n]
+        return scaled(found, 1 / divisor(self.ring, found))
 
-    def __iter__(self) -> Iterator[Ideal]:
-        return (self[n] for n in range(len(self)))
-
-    def left_ideals(self) -> Iterator[Ideal]:
-        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
-        return (I.conjugate() for I in self)
-
-    def index(self, ideal: object) -> int:
-        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        found = self.order._right_ideal(ideal)
-        if not found.is_invertible():
-            raise LatticeError(f"{shorten(found)} is not invertible, and belongs to no class")
-        return self._index(found)
-
-    def _index(self, lattice: Lattice) -> int:
+    def _index(self, lattice: ZLattice) -> int:
+        """Return the number of the class of an invertible right ideal."""
         return self._keys[key_and_units(lattice)[0]]
-
-    def left_orders(self) -> list[Order]:
-        """Return the left orders of the representatives, one a class."""
-        return [I.left_order() for I in self]
 
     @cached_property
     def types(self) -> list[int]:
         """The number of the type of each class: which left orders are isomorphic.
 
-        For a maximal or an Eichler order they are the orbits of the two-sided ideals.
+        For a maximal or an Eichler order they are the orbits of the two-sided ideals on the classes (Voight,
+        *Quaternion Algebras*, section 17.4).
         """
-        return types_of_orders.types(self)
+        order = self.ring
+        parts = factorise(order.discriminant).items()
+        if not all(is_maximal_or_eichler(order, p, e) for p, e in parts):
+            return types_by_isomorphism(self)
+        ideals = [two_sided_prime(order, p) for p, _ in sorted(parts)]
+        known, kinds = [-1] * len(self), 0
+        for start in range(len(self)):
+            if known[start] >= 0:
+                continue
+            todo = [start]
+            while todo:
+                n = todo.pop()
+                if known[n] < 0:
+                    known[n] = kinds
+                    todo += [self._index(product(self._lattices[n], ideal)) for ideal in ideals]
+            kinds += 1
+        return known
 
     @property
     def type_number(self) -> int:
@@ -160,7 +178,7 @@ class ClassSet(Certified, Hinted):
         """
         p = prime(p)
         if p not in self._rows:
-            if self.order._discriminant % p:
+            if self.ring.discriminant % p:
                 self._rows[p] = [
                     Counter(self._keys[key] for key, _ in self._neighbours(lattice, p))
                     for lattice in self._lattices
@@ -174,9 +192,9 @@ class ClassSet(Certified, Hinted):
 
         In an ideal of a norm prime to p they are its intersections with those in the order.
         """
-        local = of_prime_power_norm(self.order, p, e)
+        local = of_prime_power_norm(self.ring, p, e)
         around = (prime_to(lattice, p) for lattice in self._lattices)
-        return [Counter(self._index(J & K) for K in local) for J in around]
+        return [Counter(self._index(meet(J, K)) for K in local) for J in around]
 
     def brandt_matrix(self, n: int) -> list[list[int]]:
         """Return the Brandt matrix: entry (i, j) counts the ideals of class j of relative norm n in I_i.
@@ -219,8 +237,8 @@ class ClassSet(Certified, Hinted):
             raise LatticeError(
                 f"there are {h} classes, numbered from 0: {i} and {j} are not both of them"
             )
-        between = self._lattices[i]._product(self._lattices[j].conjugate())
-        return between.theta_series(n)
+        between = product(self._lattices[i], conjugate(self._lattices[j]))
+        return theta_series(between, n)
 
     def edges(self, p: int) -> Iterator[tuple[int, int, dict[str, int]]]:
         """Yield the edges of the graph of p-neighbours, ``networkx.from_edgelist`` reads them.
@@ -235,26 +253,33 @@ class ClassSet(Certified, Hinted):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certificates.of_class_set(self)
+        return certificates.of_class_set(self.ring, self._lattices)
 
     @property
     def evidence(self) -> dict[str, object]:
         """What a program needs to check the class set: representatives, units, and the mass."""
         return {
             "kind": "class-set",
-            "algebra": str(self.order.algebra),
-            "order": rows_json(self.order),
-            "discriminant": self.order._discriminant,
+            "algebra": str(self.ring.algebra),
+            "order": rows_json(self.ring),
+            "discriminant": self.ring.discriminant,
             "mass": str(self.mass),
             "classes": [
-                {**rows_json(I), "units": units}
-                for I, units in zip(self, self.unit_counts, strict=True)
+                {**rows_json(self._representative(n)), "units": units}
+                for n, units in enumerate(self.unit_counts)
             ],
         }
 
-    def _repr_latex_(self) -> str:
-        mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
-        return rf"$h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}$"
 
-    def __repr__(self) -> str:
-        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
+def types_by_isomorphism(classes: Classes) -> list[int]:
+    """Return the number of the type of each class, of any order, found by comparing left orders in pairs."""
+    found: list[ZOrder] = []
+    kinds: list[int] = []
+    for n in range(len(classes)):
+        order = order_of(classes._representative(n), "left")
+        known = next((n for n, other in enumerate(found) if isomorphism(order, other)), None)
+        if known is None:
+            known = len(found)
+            found.append(order)
+        kinds.append(known)
+    return kinds

@@ -9,40 +9,40 @@ and no Hermite form of sixteen rows is needed.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpz, fmpz_mat
 
-from hfield.lattices import hermite
+from hfield.lattices import hermite, z_lattice
 from hfield.lattices.regular_representation import PAIRS
-
-if TYPE_CHECKING:
-    from hfield.lattices.ideal import Ideal
+from hfield.lattices.z_lattice import ZLattice
 
 
-def product(first: Ideal, second: Ideal) -> tuple[int, fmpz_mat] | None:
-    """Return ``first·second`` in Hermite form, or None where this way does not do.
+def product(first: ZLattice, second: ZLattice, order: ZLattice) -> ZLattice:
+    """Return ``first·second`` for a right ideal and a left ideal of an order."""
+    return modulo_norm(first, second, order) or z_lattice.product(first, second)
 
-    ``first`` is a right ideal and ``second`` a left ideal of the same order.
-    """
-    r = first._regular
-    n = _index_root(second)
+
+def modulo_norm(first: ZLattice, second: ZLattice, order: ZLattice) -> ZLattice | None:
+    """Return the same product by linear algebra, or None where this way does not do."""
+    r = first.regular
+    n = _index_root(second, order)
     # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere
-    if n is None or not hermite.contains(second._den, second._matrix, 1, (int(n), 0, 0, 0)):
+    if n is None or not hermite.contains(second.den, second.matrix, 1, (int(n), 0, 0, 0)):
         return None
     alpha = _generator(second, n)
     if alpha is None:
         return None
-    image = (first._matrix * r.right_matrix(alpha)).entries()
-    scale = fmpz(r.scale * second._den)
-    triangle = first._matrix.entries()
+    image = (first.matrix * r.right_matrix(alpha)).entries()
+    scale = fmpz(r.scale * second.den)
+    triangle = first.matrix.entries()
     rows = (
         _coordinates([x // scale for x in image[m : m + 4]], triangle, n) for m in (0, 4, 8, 12)
     )
     steps = _echelon(rows, n)
     if steps is None:
         return None
-    return hermite.hermite(first._den, fmpz_mat(4, 4, steps) * first._matrix)
+    return z_lattice.hermite_form(first.algebra, first.den, fmpz_mat(4, 4, steps) * first.matrix)
 
 
 def _coordinates(row: list[fmpz], triangle: list[fmpz], n: fmpz) -> list[fmpz]:
@@ -57,19 +57,18 @@ def _coordinates(row: list[fmpz], triangle: list[fmpz], n: fmpz) -> list[fmpz]:
     return found
 
 
-def _index_root(ideal: Ideal) -> fmpz | None:
+def _index_root(ideal: ZLattice, order: ZLattice) -> fmpz | None:
     """Return n > 1 with [O : J] = n², or None; the norm of J, if J is locally principal."""
-    order = ideal.order
-    volume = hermite.volume(ideal._matrix) * order._den**4
-    index, rest = divmod(volume, hermite.volume(order._matrix) * ideal._den**4)
+    volume = hermite.volume(ideal.matrix) * order.den**4
+    index, rest = divmod(volume, hermite.volume(order.matrix) * ideal.den**4)
     n = index.isqrt()
     return n if n > 1 and not rest and n * n == index else None
 
 
-def _generator(ideal: Ideal, n: fmpz) -> tuple[fmpz, ...] | None:
+def _generator(ideal: ZLattice, n: fmpz) -> tuple[fmpz, ...] | None:
     """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
-    r, entries = ideal._regular, ideal._matrix.entries()
-    unit = r.scale * ideal._den**2 * n
+    r, entries = ideal.regular, ideal.matrix.entries()
+    unit = r.scale * ideal.den**2 * n
     for m in (0, 4, 8, 12):
         row = entries[m : m + 4]
         norm, rest = divmod(r.norm(row), unit)

@@ -5,7 +5,6 @@ Rows are coordinates in an integral basis of K, n for each of the m coordinates.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -21,27 +20,28 @@ if TYPE_CHECKING:
 
 def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:
     """Return the Hermite normal form, square, of integer rows of full rank."""
-    whole = flint.fmpz_mat(len(rows), size, [c for row in rows for c in row]).hnf()
-    return flint.fmpz_mat(size, size, whole.entries()[: size * size])
+    return flint.fmpz_mat(size, size, flint.fmpz_mat(rows).hnf().entries()[: size * size])
 
 
 def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint.fmpq]]:
     """Return a basis in Hermite's form of the lattice that rational rows of full rank span."""
-    below = math.lcm(*(int(flint.fmpq(c).q) for row in rows for c in row))
-    found = hermite([[int((flint.fmpq(c) * below).p) for c in row] for row in rows], size)
-    return [[flint.fmpq(c, below) for c in row] for row in found.tolist()]
+    whole, below = flint.fmpq_mat(rows).numer_denom()
+    found: list[list[flint.fmpq]] = (flint.fmpq_mat(hermite(whole.tolist(), size)) / below).tolist()
+    return found
+
+
+def multiplication(field: NumberField, x: Any, m: int = 1) -> flint.fmpq_mat:
+    """Return the matrix that multiplies vectors of Kᵐ by x, from the right of rows of coordinates."""
+    block = coordinate_rows(field, [w * x for w in field.integral_basis()]).tolist()
+    zero = [flint.fmpq(0)] * field.degree
+    return flint.fmpq_mat([zero * k + row + zero * (m - 1 - k) for k in range(m) for row in block])
 
 
 def inverse_ideal(field: NumberField, ideal: list[Any]) -> list[Any]:
     """Return a basis over ℤ of the x with x·I integral, for the basis of an ideal I."""
-    n = field.degree
     # coordinates v with v·B integral for all columns B: v is in the inverse of the lattice of these
-    columns: list[list[Any]] = []
-    for y in ideal:
-        columns += (
-            coordinate_rows(field, [w * y for w in field.integral_basis()]).transpose().tolist()
-        )
-    lattice = flint.fmpq_mat(n, n, [c for row in rational_hermite(columns, n) for c in row])
+    columns = [c for y in ideal for c in multiplication(field, y).transpose().tolist()]
+    lattice = flint.fmpq_mat(rational_hermite(columns, field.degree))
     return [element_of(field, row) for row in lattice.transpose().inv().tolist()]
 
 
@@ -60,20 +60,13 @@ def pseudo_basis(
     while size:
         module = rational_hermite(module, size)
         ideal = [element_of(field, row[:n]) for row in module[:n]]
-        larger = [
-            [c for k in range(0, size, n) for c in _scaled(field, x, row[k : k + n])]
-            for x in inverse_ideal(field, ideal)
-            for row in module
-        ]
-        basis = rational_hermite(larger, size)
-        one = coordinate_rows(field, [field.one])
-        block = flint.fmpq_mat(n, n, [c for row in basis[:n] for c in row[:n]])
-        combination = (one * block.inv()).entries()
-        assert all(c.q == 1 for c in combination), "I⁻¹·I contains 1"
-        vector = [
-            sum((c * row[k] for c, row in zip(combination, basis[:n], strict=True)), flint.fmpq(0))
-            for k in range(size)
-        ]
+        factors = (multiplication(field, x, size // n) for x in inverse_ideal(field, ideal))
+        larger = [row for x in factors for row in (flint.fmpq_mat(module) * x).tolist()]
+        basis = rational_hermite(larger, size)[:n]
+        block = flint.fmpq_mat([row[:n] for row in basis])
+        combination = coordinate_rows(field, [field.one]) * block.inv()
+        assert all(c.q == 1 for c in combination.entries()), "I⁻¹·I contains 1"
+        vector = (combination * flint.fmpq_mat(basis)).entries()
         out.append((tuple(ideal), _turned([*[flint.fmpq(0)] * (rows.nrows() - size), *vector], n)))
         module = [row[n:] for row in module[n:]]
         size -= n
@@ -83,7 +76,3 @@ def pseudo_basis(
 def _turned(row: list[flint.fmpq], n: int) -> list[flint.fmpq]:
     """Return the coordinates, n numbers each, in the opposite order."""
     return [c for k in range(len(row) - n, -1, -n) for c in row[k : k + n]]
-
-
-def _scaled(field: NumberField, x: Any, row: list[flint.fmpq]) -> list[flint.fmpq]:
-    return list(coordinate_rows(field, [x * element_of(field, row)]).entries())

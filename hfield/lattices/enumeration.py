@@ -38,42 +38,28 @@ def short_vectors(gram: Gram, bound: int) -> Iterator[tuple[Vector, int]]:
     if bound <= 0 or n == 0:
         return
     x = [0] * n
-    yield from _search(minors, forms, bound, n, minors[n] * bound, x, True)
+    first, head = forms[0], minors[1]
+    for zero, left in _heads(minors, forms, n, minors[n] * bound, x, True):
+        shift = 0
+        for j in range(1, n):
+            shift += first[j] * x[j]
+        radius = isqrt(left)
+        low = 1 if zero else -((radius + shift) // head)
+        for value in range(low, (radius - shift) // head + 1):
+            line = head * value + shift
+            yield (value, *x[1:]), bound - (left - line * line) // head
 
 
-def _search(
-    minors: list[int],
-    forms: list[list[int]],
-    bound: int,
-    i: int,
-    left: int,
-    x: list[int],
-    zero: bool,
-) -> Iterator[tuple[Vector, int]]:
-    """Choose coordinate i − 1; ``left`` is minors[i] times what is left of the bound.
-
-    While all chosen ones are zero, only the half line from 0 on is run through.
-    """
-    n = len(x)
-    k = i - 1
-    form, low, high = forms[k], minors[k], minors[i]
-    shift = 0
-    for j in range(i, n):
-        shift += form[j] * x[j]
-    reach = low * left
-    radius = isqrt(reach)
-    first = 0 if zero else -((radius + shift) // high)
-    last = (radius - shift) // high
-    for value in range(first, last + 1):
-        line = high * value + shift
-        rest = (reach - line * line) // high
-        x[k] = value
-        if k == 0:
-            if value or not zero:
-                yield tuple(x), bound - rest
-        else:
-            yield from _search(minors, forms, bound, k, rest, x, zero and value == 0)
-    x[k] = 0
+def least_vectors(gram: Gram) -> tuple[int, list[Vector]]:
+    """Return the least value of a form, better reduced, and one of ±x for each x that has it."""
+    least = min(row[n] for n, row in enumerate(gram))
+    found: list[Vector] = []
+    for x, value in short_vectors(gram, least):
+        if value < least:
+            found, least = [], value
+        if value == least:
+            found.append(x)
+    return least, found
 
 
 def vectors_of_length(gram: Gram, length: int) -> Iterator[Vector]:
@@ -81,11 +67,6 @@ def vectors_of_length(gram: Gram, length: int) -> Iterator[Vector]:
     minors, forms = bareiss(gram)
     n = len(minors) - 1
     if length <= 0:
-        return
-    if n == 1:
-        root = isqrt(length // gram[0][0])
-        if root * root * gram[0][0] == length:
-            yield (root,)
         return
     x = [0] * n
     first, head = forms[0], minors[1]
@@ -104,13 +85,19 @@ def vectors_of_length(gram: Gram, length: int) -> Iterator[Vector]:
 def _heads(
     minors: list[int], forms: list[list[int]], i: int, left: int, x: list[int], zero: bool
 ) -> Iterator[tuple[bool, int]]:
-    """Choose all coordinates but the first, in x; yield whether all are zero, and what is left."""
+    """Choose all coordinates but the first, in x; yield whether all are zero, and what is left.
+
+    ``left`` is minors[i] times what is left of the bound, before coordinate i − 1 is chosen. While all chosen
+    ones are zero, only the half line from 0 on is run through.
+    """
     if i == 1:
         yield zero, left
         return
     k = i - 1
     form, low, high = forms[k], minors[k], minors[i]
-    shift = sum(form[j] * x[j] for j in range(i, len(x)))
+    shift = 0
+    for j in range(i, len(x)):
+        shift += form[j] * x[j]
     reach = low * left
     radius = isqrt(reach)
     for value in range(0 if zero else -((radius + shift) // high), (radius - shift) // high + 1):
@@ -130,9 +117,9 @@ def volume(gram: Gram, bound: int, dimension: int) -> float:
     return ball * exp(min(size / 2, 700.0))
 
 
-def count_by_length(gram: Gram, bound: int) -> dict[int, int]:
-    """Return how many vectors have each value of the form, from 0 up to ``bound``."""
-    counts = {0: 1}
-    for _, value in short_vectors(gram, bound):
-        counts[value] = counts.get(value, 0) + 2
+def theta_series(gram: Gram, n: int) -> list[int]:
+    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m of an even form."""
+    counts = [1] + [0] * n
+    for _, value in short_vectors(gram, 2 * n):
+        counts[value // 2] += 2
     return counts

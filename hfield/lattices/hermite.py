@@ -60,31 +60,20 @@ def inverse(matrix: fmpz_mat) -> tuple[fmpz_mat, int]:
     return m, int(d)
 
 
-def coordinates(
-    matrix: fmpz_mat, row: Sequence[int]
-) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-    """Return the coordinates of a row with respect to those of an upper triangular matrix."""
-    rest = [Fraction(x) for x in row]
-    found = []
-    for n in range(4):
-        c = rest[n] / int(matrix[n, n])
-        found.append(c)
-        if c:
-            for m in range(n + 1, 4):
-                rest[m] -= c * int(matrix[n, m])
-    return found[0], found[1], found[2], found[3]
+def combination(x: Sequence[int], rows: fmpz_mat) -> tuple[int, ...]:
+    """Return a combination of the rows of a matrix."""
+    return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
+
+
+def divided(rows: fmpz_mat, n: int) -> fmpz_mat:
+    """Return an integer matrix divided by an integer that divides all entries."""
+    return rows if n == 1 else fmpz_mat(rows.nrows(), 4, [x // n for x in rows.entries()])
 
 
 def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
     """Return ``(m, d)``: the rows of ``other`` are those of m/d times the regular ``matrix``."""
     inv, d = inverse(matrix)
     return other * inv, d
-
-
-def multiple(den: int, matrix: fmpz_mat, other_den: int, other: fmpz_mat) -> Fraction:
-    """Return the largest m for which the lattice ``other`` lies in m times the lattice ``matrix``."""
-    rows, d = in_coordinates(matrix, other)
-    return Fraction(math.gcd(*(int(x) for x in rows.entries())) * den, d * other_den)
 
 
 def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bool:

@@ -5,24 +5,14 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Any
 
-from flint import fmpz_mat
-
-from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import CoercionError
-from hfield.lattices.order import Order
+from hfield.lattices.lattice import Order
 from hfield.structure import hurwitz
 
 
 class HurwitzOrder(Order):
     """The Hurwitz order of (−1,−1|ℚ), in which one divides with remainder, on both sides."""
-
-    @classmethod
-    def of(cls, algebra: Parent) -> HurwitzOrder:
-        """Return the Hurwitz order. Raises :class:`CoercionError` for another algebra."""
-        if [str(c) for c in algebra.constants] != ["-1", "0", "-1"]:
-            raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {algebra}")
-        rows = [[1, 1, 1, 1], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]]
-        return cls(algebra, 2, fmpz_mat(rows))
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:

@@ -1,9 +1,9 @@
-"""Equivalent ideals whose norm is a power of a small prime: the algorithm of Kohel, Lauter, Petit and Tignol.
+"""Equivalent ideals of small prime norm, or whose norm is a power of a small prime.
 
-It stands in "On the quaternion ℓ-isogeny path problem" (2014). Let I be a left ideal of a
-p-extremal order, of prime norm N. An element γ of norm N·ℓᵃ and a μ₀ = (C + D·s)·β with γ·μ₀ in I
-are found, and μ = λ·μ₀ + N·μ₁ of norm ℓᵇ: then γ·μ is in I and has the norm N·ℓᵃ⁺ᵇ. With the last
-coordinates of μ₁ the closest in a lattice, ℓᵇ is about p·N³ and the norm about p³.
+The latter by the algorithm of Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path problem"
+(2014). Let I be a left ideal of a p-extremal order, of prime norm N. An element γ of norm N·ℓᵃ and a
+μ₀ = (C + D·s)·β with γ·μ₀ in I are found, and μ = λ·μ₀ + N·μ₁ of norm ℓᵇ: then γ·μ is in I and has the norm
+N·ℓᵃ⁺ᵇ. With the last coordinates of μ₁ the closest in a lattice, ℓᵇ is about p·N³ and the norm about p³.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import math
 import random
 from collections.abc import Iterator
 from itertools import chain, count
-from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
@@ -20,32 +19,74 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.lattices import hermite
 from hfield.lattices.modulo_primes import kernel
-from hfield.lattices.norm_equations import in_frame
-from hfield.lattices.quadratic_orders import Frame, extremal_frame, represent
-from hfield.lattices.small_ideals import by_norm, longer
-from hfield.primality import is_probable_prime
+from hfield.lattices.quadratic_orders import Frame, extremal_frame, in_frame, represent
+from hfield.lattices.short_elements import expect_definite, least_norm, up_to
+from hfield.lattices.z_lattice import ZLattice, element_rows, includes, multiple
+from hfield.lattices.z_order import ZOrder
+from hfield.primality import is_prime, is_probable_prime
 from hfield.rings.whole_numbers import sqrt_mod
 
-if TYPE_CHECKING:
-    from hfield.lattices.ideal import Ideal
+DOUBLINGS = 12
+LONGER = 20_000
+
+
+def to_prime_norm(ideal: ZLattice, avoid: frozenset[int]) -> Quaternion:
+    """Return c by which an ideal becomes one of the least prime norm not in ``avoid``.
+
+    Raises :class:`IndefiniteError`, and :class:`UndecidedError` when no such norm was found.
+    """
+    expect_definite(ideal, "equivalent_of_prime_norm()")
+    for row, m in by_norm(ideal):
+        if m not in avoid and is_prime(m):
+            found: Quaternion = ideal.element(row).conjugate() / ideal.norm
+            return found
+    raise UndecidedError(
+        f"no equivalent ideal of prime norm was found among the short elements, in {DOUBLINGS} doublings"
+    )
+
+
+def by_norm(ideal: ZLattice) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Yield elements as rows, and their norms as multiples of the norm of the ideal, by ascending norm."""
+    low, high = 0, 2 * least_norm(ideal)
+    for _ in range(DOUBLINGS):
+        found = sorted((m, row) for row, m in up_to(ideal, high) if m > low)
+        for m, row in found:
+            yield row, m
+        low, high = high, 2 * high
+
+
+def longer(ideal: ZLattice, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Yield random elements and their norms, as :func:`by_norm` does, of no small subspace.
+
+    All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
+    a quadratic order and n inert in it.
+    """
+    rows, _ = ideal.reduced
+    for trial in range(LONGER):
+        size = 1 + trial // 50
+        row = hermite.combination([rng.randint(-size, size) for _ in range(4)], rows)
+        if any(row):
+            yield row, ideal.multiple(row)
+
 
 LARGEST = 1000
 """The largest discriminant of the quadratic order for which the norms are likely to be represented."""
 ATTEMPTS = 60
 
 
-def to_power_norm(ideal: Ideal, prime: int, seed: int = 0) -> tuple[Quaternion, int]:
+def to_power_norm(
+    ideal: ZLattice, order: ZOrder, side: str, prime: int, seed: int
+) -> tuple[Quaternion, int]:
     """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
 
     Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
     """
-    order = ideal.order
-    ideal._definite("equivalent_of_power_norm()")
-    p = order._discriminant
-    f = extremal_frame(order, LARGEST) if order.is_maximal() else None
+    expect_definite(ideal, "equivalent_of_power_norm()")
+    p = order.discriminant
+    f = extremal_frame(order, LARGEST) if order.level == 1 else None
     if prime == p:
         raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
-    if ideal.side == "right" or f is None:
+    if side == "right" or f is None:
         raise LatticeError(
             "KLPT starts from a left ideal of a p-extremal maximal order, such as A.extremal_order(): "
             "connect another order to that with connecting_ideal"
@@ -55,12 +96,11 @@ def to_power_norm(ideal: Ideal, prime: int, seed: int = 0) -> tuple[Quaternion, 
     for row, norm in chain(by_norm(ideal), longer(ideal, rng)):
         if norm in (prime, p, 2) or not is_probable_prime(norm):
             continue
-        x = ideal._element(row)
-        first = x.conjugate() / ideal.norm()
-        start: Ideal = ideal * first
-        if (
-            start * f.alpha <= start
-        ):  # no γ leads to it: it is an ideal of the quadratic order, extended
+        x = ideal.element(row)
+        first = x.conjugate() / ideal.norm
+        start = multiple(ideal, first, "right")
+        # no γ leads to an ideal of the quadratic order, extended
+        if includes(start, multiple(start, f.alpha, "right")):
             continue
         tried += 1
         if tried > ATTEMPTS:
@@ -75,7 +115,7 @@ def to_power_norm(ideal: Ideal, prime: int, seed: int = 0) -> tuple[Quaternion, 
 
 
 def _from_prime(
-    ideal: Ideal, f: Frame, norm: int, prime: int, rng: random.Random
+    ideal: ZLattice, f: Frame, norm: int, prime: int, rng: random.Random
 ) -> tuple[Quaternion, int] | None:
     """Return an element of norm N·primeᵉ in a left ideal of prime norm N, and e."""
     p = f.norm
@@ -92,29 +132,21 @@ def _from_prime(
             a += 1
             continue
         ratio = _ratio(ideal, gamma * f.beta, gamma * s * f.beta, norm)
-        if ratio is None:
-            continue
-        found = _strong_approximation(f, norm, prime, ratio, rng)
-        if found is not None:
+        found = ratio and _strong_approximation(f, norm, prime, ratio, rng)
+        if found:
             mu, b = found
             return gamma * mu, a + b
     return None
 
 
-def _ratio(ideal: Ideal, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
+def _ratio(ideal: ZLattice, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
     """Return (C, D) ≠ 0 modulo N with C·u + D·v in the ideal, which contains N·O."""
-    order = ideal.order
-    m, d = hermite.inverse(ideal._matrix)
-    rows = []
-    for q in (u, v):
-        den, row = ideal._row(q)
-        scale = d * den
-        # coordinates over the ideal have the denominator N
-        rows.append([int(x) * ideal._den * norm // scale for x in (fmpz_mat([row]) * m).entries()])
-    found = kernel(list(zip(*rows, strict=True)), 2, norm)
-    if len(found) != 1 or order is None:
-        return None
-    return found[0][0], found[0][1]
+    den, both = element_rows(ideal.algebra, [u, v])
+    inside, d = hermite.in_coordinates(ideal.matrix, both)
+    # coordinates over the ideal have the denominator N
+    rows = [[int(x) * ideal.den * norm // (d * den) for x in row] for row in inside.tolist()]
+    found = kernel(list(zip(*rows, strict=True)), norm)
+    return (found[0][0], found[0][1]) if len(found) == 1 else None
 
 
 def _strong_approximation(

@@ -19,20 +19,117 @@ import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.integers import left_kernel
-from hfield.fields.number_fields.integral_basis import coordinate_rows
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
+from hfield.fields.number_fields.quadratic.as_number_field import (
+    as_number_field,
+    from_number_field,
+    into_number_field,
+)
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
-from hfield.lattices.dedekind_modules import hermite
-from hfield.lattices.integral_coordinates import Frame
+from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
 from hfield.primality import WORD
+from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.residue_polynomials import coefficients
+from hfield.structure.forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.dedekind_modules import PseudoBasis
+
+
+class Frame:
+    """Coordinates: those of w, x, y, z in the integral basis of K, for w + x·I + y·J + z·IJ.
+
+    I² = a and J² = b are multiples by squares of the constants of the normal form, and integral.
+    """
+
+    def __init__(self, algebra: Any, ring: NumberField | QuadraticField) -> None:
+        self.algebra = algebra
+        self.field = field = ring if isinstance(ring, NumberField) else as_number_field(ring)
+        self.n = field.degree
+        self.omega = field.integral_basis()
+        self.size = 4 * self.n
+        self.form: NormalForm = normal_form(field, Constants(*map(self._inside, algebra.constants)))
+        self.scales = [_multiple(field, x) for x in self.form.constants]
+        self.a, self.b = (
+            x * (m * m) for x, m in zip(self.form.constants, self.scales, strict=True)
+        )
+        self.start = multiplication(field, field.one, 4)
+        self.constants = Constants(self.a, 0, self.b)
+        scalars = [multiplication(field, w, 4) for w in self.omega]
+        self._right = [self._by_right(u) * scalar for u in range(4) for scalar in scalars]
+
+    def _by_right(self, unit: int) -> flint.fmpq_mat:
+        """Return the matrix of the multiplication by e, I, J or IJ from the right."""
+        units: list[Any] = [tuple(int(m == n) for n in range(4)) for m in range(4)]
+        products = [multiply(self.constants, left, units[unit]) for left in units]
+        elements = [w * x for q in products for w in self.omega for x in q]
+        entries = coordinate_rows(self.field, elements).entries()
+        return flint.fmpq_mat(self.size, self.size, entries)
+
+    def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
+        """Return the matrix of the multiplication by an element from the right."""
+        total = flint.fmpq_mat(self.size, self.size)
+        for c, matrix in zip(row, self._right, strict=True):
+            if c != 0:
+                total = total + matrix * c
+        return total
+
+    def parts(self, row: list[flint.fmpq]) -> Any:
+        """Return w, x, y, z."""
+        return [element_of(self.field, row[k * self.n : (k + 1) * self.n]) for k in range(4)]
+
+    def quaternion(self, row: list[flint.fmpq]) -> Quaternion:
+        """Return the element of the algebra."""
+        w, x, y, z = self.parts(row)
+        r, s = self.scales
+        found = self.form.back((w, x * r, y * s, z * (r * s)))
+        q: Quaternion = self.algebra(*map(self._outside, found))
+        return q
+
+    def _outside(self, x: FieldElement) -> Scalar:
+        """Return an element of the number field as one of the base field."""
+        ring = self.algebra.ring
+        return from_number_field(ring, x) if isinstance(ring, QuadraticField) else x
+
+    def _inside(self, x: Any) -> Any:
+        """Return an element of the base field as one of the number field, which may be written otherwise."""
+        ring = self.algebra.ring
+        return into_number_field(self.field, x, ring.d) if isinstance(ring, QuadraticField) else x
+
+    def row(self, q: Quaternion) -> Any:
+        """Return the coordinates of an element of the algebra."""
+        a, b, c, d = map(self._inside, q.coordinates)
+        w, x, y, z = self.form.forth((a, b, c, d))
+        r, s = (flint.fmpq(1, m) for m in self.scales)
+        block = coordinate_rows(self.field, [w, x * r, y * s, z * (r * s)])
+        return flint.fmpq_mat(1, self.size, block.entries())
+
+    def norm(self, row: list[flint.fmpq]) -> Any:
+        """Return the reduced norm."""
+        return norm(self.constants, self.parts(row))
+
+    def discriminant_norm(self, rows: flint.fmpq_mat) -> flint.fmpq:
+        """Return the norm of the reduced discriminant, N(4ab) on ⟨1, I, J, IJ⟩ over the integers of K."""
+        return abs((4 * self.a * self.b).norm() * rows.det())
+
+    def pseudo_basis(self, rows: flint.fmpq_mat) -> PseudoBasis:
+        """Return ideals and quaternions."""
+        return tuple(
+            (tuple(map(self._outside, ideal)), self.quaternion(row))
+            for ideal, row in pseudo_basis(self.field, rows)
+        )
+
+
+def _multiple(field: NumberField, x: FieldElement) -> int:
+    """Return a positive integer m for which m·x is an integer of the field."""
+    return math.lcm(*(int(c.q) for c in coordinate_rows(field, [x]).entries()))
+
 
 TRIALS = 1_000
 
@@ -49,36 +146,36 @@ class IntegersOrder:
     """
 
     def __init__(self, frame: Frame, rows: flint.fmpq_mat, finite: tuple[PrimeIdeal, ...]) -> None:
-        self._frame, self._rows = frame, rows
+        self.frame, self.rows = frame, rows
         self.algebra, self.field = frame.algebra, frame.field
         self._ramified = finite
-        frame.check_ring(rows)
-        if self.norm_of_discriminant() != math.prod(P.norm for P in finite):
+        inverse = rows.inv()
+        products = [rows * frame.right(row) * inverse for row in rows.tolist()]
+        if 1 not in self or any(c.q != 1 for m in products for c in m.entries()):
+            raise AssertionError("an order is closed under multiplication")
+        if not self.is_maximal():
             raise AssertionError("a maximal order has the discriminant of its algebra")
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:
         """A basis over ℤ, of 4n quaternions."""
-        return tuple(self._frame.quaternion(row) for row in self._rows.tolist())
+        return tuple(self.frame.quaternion(row) for row in self.rows.tolist())
 
     def __contains__(self, x: object) -> bool:
-        row = self._frame.row(self.algebra(x))
-        return all(c.q == 1 for c in (row * self._rows.inv()).entries())
+        row = self.frame.row(self.algebra(x))
+        return all(c.q == 1 for c in (row * self.rows.inv()).entries())
 
     def pseudo_basis(self) -> PseudoBasis:
         """Return four pairs (basis over ℤ of an ideal, quaternion): O is the direct sum of their products."""
-        return self._frame.pseudo_basis(self._rows)
+        return self.frame.pseudo_basis(self.rows)
 
     def discriminant(self) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals whose product is the reduced discriminant."""
         return tuple(self.algebra.discriminant())
 
     def norm_of_discriminant(self) -> int:
-        """Return the norm of the reduced discriminant, from the determinant of tr(x·conj(y)), traced to ℚ."""
-        size = abs(self._frame.gram_determinant(self._rows)) / self.field.discriminant() ** 4
-        root = int(size.p.isqrt())
-        assert size == root * root, "the discriminant of an order is a square"
-        return root
+        """Return the norm of the reduced discriminant."""
+        return int(self.frame.discriminant_norm(self.rows).p)
 
     def is_maximal(self) -> bool:
         """Tell whether the order is maximal: whether its discriminant is that of the algebra."""
@@ -142,34 +239,32 @@ class _Local:
 
     def _radical(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O."""
-        frame, n, f = self.frame, self.frame.n, self.prime.f
-        residues = flint.nmod_mat(n, f, [c for row in self._residues for c in row], self.p)
+        frame, n = self.frame, self.frame.n
+        residues = flint.nmod_mat(self._residues, self.p)
         entries: list[list[int]] = [[] for _ in range(frame.size)]
         for row in rows.tolist():
             products = (rows * frame.right(row)).tolist()
-            for k, product in enumerate(products):
-                trace = [
-                    int((2 * c).p) * pow(int((2 * c).q), -1, self.p) % self.p for c in product[:n]
-                ]
-                entries[k] += [
-                    int(c) for c in (flint.nmod_mat(1, n, trace, self.p) * residues).entries()
-                ]
-        vectors = left_kernel(self._matrix(entries))
+            traces = flint.nmod_mat([list(map(self._twice, q[:n])) for q in products], self.p)
+            for k, found in enumerate((traces * residues).tolist()):
+                entries[k] += map(int, found)
+        vectors = left_kernel(flint.nmod_mat(entries, self.p))
         if self.p == 2 and vectors:  # N is additive on these, and so is the root of its residue
             roots = [self._digits(self.place.sqrt(self._norm_residue(v, rows))) for v in vectors]
-            chosen = left_kernel(self._matrix(roots))
+            chosen = left_kernel(flint.nmod_mat(roots, self.p))
             vectors = [
                 [sum(c * v[k] for c, v in zip(u, vectors, strict=True)) for k in range(frame.size)]
                 for u in chosen
             ]
         return self._above(rows, vectors)
 
+    def _twice(self, c: flint.fmpq) -> int:
+        """Return 2c modulo p, which does not divide the denominator."""
+        double = 2 * c
+        return int(double.p) * pow(int(double.q), -1, self.p) % self.p
+
     def _norm_residue(self, vector: list[int], rows: flint.fmpq_mat) -> flint.nmod_poly:
         row = (flint.fmpq_mat(flint.fmpz_mat(1, self.frame.size, vector)) * rows).entries()
         return self.prime.residue_of(self.frame.norm(row))
-
-    def _matrix(self, rows: list[list[int]]) -> flint.nmod_mat:
-        return flint.nmod_mat(len(rows), len(rows[0]), [c for row in rows for c in row], self.p)
 
     def _above(self, rows: flint.fmpq_mat, vectors: Iterable[list[int]]) -> flint.fmpq_mat:
         """Return the lattice of some combinations of a basis, and p times this."""
@@ -185,7 +280,8 @@ class _Local:
             products = (ideal * frame.right(row) * inverse).tolist()
             for k, product in enumerate(products):
                 columns[k] += [int(c.p) % self.p for c in product]
-        return self._above(ideal, left_kernel(self._matrix(columns))) * flint.fmpq(1, self.p)
+        vectors = left_kernel(flint.nmod_mat(columns, self.p))
+        return self._above(ideal, vectors) * flint.fmpq(1, self.p)
 
     def _maximal_ideal(self, rows: flint.fmpq_mat, radical: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return one of the two maximal ideals at P of an order that is hereditary there, and not maximal."""

@@ -3,27 +3,36 @@
 The elements ``s = 2x − tr(x)`` are those of trace 0 in ``ℤ + 2O``, and s² is the discriminant of ``ℤ[x]``;
 so the quadratic orders of discriminant d in O are vectors of norm −d of a ternary lattice. They are
 embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, chapter 30; Gross, 1987).
+
+Inside O lies ``ℤ[α] + ℤ[α]·β``, of norm form ``f(x, y) + N(β)·f(z, w)``. For random z, w the rest is a
+prime about once in as many times as it has digits, and Cornacchia's algorithm represents it by f: so elements
+are found whose norm has hundreds of digits (Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny
+path problem", 2014, section 3.2). Small norms are decided by enumeration.
 """
 
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError
+from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.lattices import certificates, enumeration, hermite
 from hfield.lattices.certificates import Certified, Claim
+from hfield.lattices.short_elements import expect_affordable, expect_definite, of_norm
+from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_probable_prime, primes
 from hfield.rings.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
-    from hfield.lattices.order import Order
+    from hfield.lattices.lattice import Order
 
 
 @dataclass(frozen=True)
@@ -46,7 +55,7 @@ class Embeddings(Certified):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certificates.of_embeddings(self)
+        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
 
     def __len__(self) -> int:
         return len(self.elements)
@@ -56,42 +65,37 @@ class Embeddings(Certified):
         return bool(self.elements)
 
 
-def embeddings(order: Order, d: int) -> Embeddings:
-    """Return the optimal embeddings of the order of discriminant d < 0.
+def embeddings(order: ZOrder, d: int) -> tuple[tuple[Quaternion, ...], int]:
+    """Return the images of (d + √d)/2 under the optimal embeddings of an order, d < 0, and their orbits.
 
     Raises :class:`LatticeError` for a d that is no negative discriminant, :class:`IndefiniteError`.
     """
-    order._definite("embeddings()")
+    expect_definite(order, "embeddings()")
     if d >= 0 or d % 4 not in (0, 1):
         raise LatticeError(
             f"{d} is no discriminant of an imaginary quadratic order: expected d < 0, 0 or 1 modulo 4"
         )
-    den, rows, gram = order._reduced_ternary
-    order._affordable(enumeration.volume(gram, -2 * d, 2), "elements of norm at most")
+    den, rows, gram = order.reduced_ternary
+    expect_affordable(enumeration.volume(gram, -2 * d, 2), "elements of norm at most")
     found = []
     for x in enumeration.vectors_of_length(gram, -2 * d):
         if math.gcd(*x) == 1:
-            row = [int(c) for c in (fmpz_mat([list(x)]) * rows).entries()]
-            found += [row, [-c for c in row]]
-    elements = [(d + order._element(row, den)) / 2 for row in sorted(found, reverse=True)]
-    units = order.units() if elements else ()
-    return Embeddings(order, d, tuple(elements), _orbits(elements, units))
-
-
-def _orbits(elements: list[Quaternion], units: tuple[Quaternion, ...]) -> int:
-    left, number = set(elements), 0
+            row = hermite.combination(x, rows)
+            found += [row, tuple(-c for c in row)]
+    elements = tuple((d + order.element(row, den)) / 2 for row in sorted(found, reverse=True))
+    units = of_norm(order, Fraction(1)) if elements else ()
+    left, orbits = set(elements), 0
     while left:
-        x = left.pop()
-        left -= {u * x * u.conjugate() for u in units}
-        number += 1
-    return number
+        q = left.pop()
+        left -= {u * q * u.conjugate() for u in units}
+        orbits += 1
+    return elements, orbits
 
 
 @dataclass(frozen=True)
 class Frame:
     """α and β in O with N(β) = ``norm`` and s·β = −β·s for s = 2α − t, s² = d, t = d modulo 2."""
 
-    order: Order
     discriminant: int
     norm: int
     alpha: Quaternion
@@ -117,47 +121,46 @@ class Frame:
 
 
 @lru_cache(maxsize=64)
-def frame(order: Order) -> Frame:
+def frame(order: ZOrder) -> Frame:
     """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
-    _, _, gram = order._reduced_ternary
+    _, _, gram = order.reduced_ternary
     return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
 
 
 @lru_cache(maxsize=64)
-def extremal_frame(order: Order, largest: int) -> Frame | None:
+def extremal_frame(order: ZOrder, largest: int) -> Frame | None:
     """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
-    p = order._discriminant
+    p = order.discriminant
     return next((f for f in frames(order, largest) if f.norm == p), None)
 
 
-def frames(order: Order, largest: int) -> Iterator[Frame]:
+def frames(order: ZOrder, largest: int) -> Iterator[Frame]:
     """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
-    _, _, gram = order._reduced_ternary
+    _, _, gram = order.reduced_ternary
     short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
     yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)
 
 
-def _frame(order: Order, x: tuple[int, ...]) -> Frame:
-    den, rows, _ = order._reduced_ternary
-    s = [int(c) for c in (fmpz_mat([list(x)]) * rows).entries()]
-    element = order._element(s, den)
+def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
+    den, rows, _ = order.reduced_ternary
+    s = hermite.combination(x, rows)
+    element = order.element(s, den)
     d = -int(str(element.norm()))
     alpha = (element + d % 2) / 2
     # elements with trace 0 and orthogonal to s
-    r = order._regular
-    forms = order._matrix * r.form
+    r = order.regular
+    forms = order.matrix * r.form
     conditions = forms * fmpz_mat([[1, s[0]], [0, s[1]], [0, s[2]], [0, s[3]]])
     stacked = [
-        [*(int(c) for c in row), *(int(m == n) for n in range(4))]
-        for m, row in enumerate(conditions.tolist())
+        [*row, *(int(m == n) for n in range(4))] for m, row in enumerate(conditions.tolist())
     ]
     h = fmpz_mat(stacked).hnf()
-    kernel = fmpz_mat([[int(h[m, n]) for n in range(2, 6)] for m in (2, 3)])
-    plane = kernel * order._matrix
+    kernel = fmpz_mat([row[2:] for row in h.tolist()[2:]])
+    plane = kernel * order.matrix
     small, steps = (plane * r.form * plane.transpose()).lll(transform=True, rep="gram")
     rows2 = hermite.tuples(steps * plane)
-    beta = order._element(rows2[0] if small[0, 0] <= small[1, 1] else rows2[1])
-    return Frame(order, d, int(str(beta.norm())), alpha, beta)
+    beta = order.element(rows2[0] if small[0, 0] <= small[1, 1] else rows2[1])
+    return Frame(d, int(str(beta.norm())), alpha, beta)
 
 
 SMALL = (2, 3, 5, 7, 11, 13)
@@ -232,3 +235,47 @@ def cornacchia(d: int, m: int) -> tuple[int, int] | None:
     if rest or y * y != c:
         return None
     return (b - t * y) // 2, y
+
+
+ENUMERATED = 2 * 10**5
+TRIALS = 50_000
+
+
+def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quaternion | None:
+    """Return an element of O of norm n, or None where an enumeration shows that there is none.
+
+    Raises :class:`IndefiniteError`, and :class:`UndecidedError` where n is too large to enumerate and nothing
+    was found.
+    """
+    expect_definite(order, "represent_integer()")
+    rows, gram = order.reduced
+    if enumeration.volume(gram, 2 * n, 3) < ENUMERATED:
+        for x in enumeration.vectors_of_length(gram, 2 * n):
+            return order.element(hermite.combination(x, rows))
+        return None
+    found = in_frame(frame(order), n, random.Random(0 if seed is None else seed))
+    if found is None:
+        raise UndecidedError(
+            f"no element of norm {shorten(n)} was found in {TRIALS} trials; the order contains quadratic "
+            f"orders of discriminant {shorten(frame(order).discriminant)} and beyond only"
+        )
+    return found
+
+
+def in_frame(f: Frame, n: int, rng: random.Random, trials: int = TRIALS) -> Quaternion | None:
+    """Return an element of norm n of ``ℤ[α] + ℤ[α]·β``, or None after so many trials."""
+    bound = n // f.norm
+    # f(z, w) ≥ |d|/(4·n)·z² and ≥ |d|/4·w²
+    widest = math.isqrt(4 * bound // -f.discriminant)
+    for _ in range(trials):
+        w = rng.randint(-widest, widest)
+        rest = bound + f.discriminant * w * w // 4
+        half = math.isqrt(max(rest, 0))
+        z = rng.randint(-half, half) - f.t * w // 2
+        m = n - f.norm * f.binary(z, w)
+        if m <= 0:
+            continue
+        found = represent(f.discriminant, m)
+        if found is not None:
+            return f.element(*found, z, w)
+    return None

@@ -8,13 +8,13 @@ elements are matrices that act on such rows from the right. They are found with 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpz, fmpz_mat
+from flint import fmpq_mat, fmpz, fmpz_mat
 
 from hfield.errors import RingError
 from hfield.fields.rationals.places import INFINITE
@@ -49,26 +49,23 @@ class Regular:
             *(int(x.denominator) for row in left for q in row for x in q),
             *(int(x.denominator) for row in form for x in row),
         )
-        s = self.scale
-        self.left = [fmpz_mat([[(x * s).numerator for x in q] for q in row]) for row in left]
-        self.right = [
-            fmpz_mat([[(x * s).numerator for x in left[m][n]] for m in range(4)]) for n in range(4)
-        ]
+
+        def whole(rows: Iterable[Iterable[Any]]) -> fmpz_mat:
+            return fmpz_mat([[(x * self.scale).numerator for x in row] for row in rows])
+
+        self.left = [whole(row) for row in left]
+        self.right = [whole(column) for column in zip(*left, strict=True)]
         # the coordinates of a product, one after the other, as bilinear forms
-        self._coordinates = [
-            fmpz_mat([[(left[m][n][c] * s).numerator for n in range(4)] for m in range(4)])
-            for c in range(4)
-        ]
-        self.form = fmpz_mat([[(x * s).numerator for x in row] for row in form])
+        self._coordinates = [whole((q[c] for q in row) for row in left) for c in range(4)]
+        self.form = whole(form)
         self._squares = [
             (m, n, self.form[m, n] // (2 if m == n else 1))
             for m in range(4)
             for n in range(m, 4)
             if self.form[m, n]
         ]
-        bar = [conjugate(c, u) for u in UNITS]
-        self.conjugate_scale = d = math.lcm(*(int(x.denominator) for q in bar for x in q))
-        self.conjugation = fmpz_mat([[(x * d).numerator for x in q] for q in bar])
+        self.conjugate_scale, bars = integral(conjugate(c, u) for u in UNITS)
+        self.conjugation = fmpz_mat(bars)
         self._norms = {
             "left": [form * self.conjugation.transpose() for form in self._coordinates],
             "right": [self.conjugation * form for form in self._coordinates],
@@ -81,14 +78,12 @@ class Regular:
 
     def _majorant(self) -> fmpz_mat:
         """Return a positive definite integral form that the norm does not exceed, up to a scale."""
-        h, s, b = self.constants.t / 2, abs(self.square), abs(self.constants.b)
+        h, s, b = (fmpq(x) for x in (self.constants.t / 2, abs(self.square), abs(self.constants.b)))
         # over 1, i − t/2, j and their product the norm is diagonal
-        lines = [(1, (1, h, 0, 0)), (s, (0, 1, 0, 0)), (b, (0, 0, 1, h)), (s * b, (0, 0, 0, 1))]
-        form = [
-            [sum((n * u[r] * u[c] for n, u in lines), Fraction(0)) for c in range(4)]
-            for r in range(4)
-        ]
-        return fmpz_mat(integral(form)[1])
+        rows = fmpq_mat([[1, h, 0, 0], [0, 1, 0, 0], [0, 0, 1, h], [0, 0, 0, 1]])
+        norms = fmpq_mat([[1, 0, 0, 0], [0, s, 0, 0], [0, 0, b, 0], [0, 0, 0, s * b]])
+        form, _ = (rows.transpose() * norms * rows).numer_denom()
+        return form
 
     def products(self, rows: fmpz_mat, others: fmpz_mat) -> fmpz_mat:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""
@@ -105,17 +100,13 @@ class Regular:
         found = [rows * form * columns for form in self._norms[side]]
         return fmpz_mat(6, 4, [m[pair] for pair in PAIRS for m in found])
 
-    def left_matrix(self, row: tuple[int, ...]) -> fmpz_mat:
+    def left_matrix(self, row: Sequence[int]) -> fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
-        return sum(
-            (m * x for m, x in zip(self.left[1:], row[1:], strict=True)), self.left[0] * row[0]
-        )
+        return _combined(self.left, row)
 
-    def right_matrix(self, row: tuple[int, ...]) -> fmpz_mat:
+    def right_matrix(self, row: Sequence[int]) -> fmpz_mat:
         """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
-        return sum(
-            (m * x for m, x in zip(self.right[1:], row[1:], strict=True)), self.right[0] * row[0]
-        )
+        return _combined(self.right, row)
 
     def norm(self, row: Sequence[fmpz | int]) -> fmpz:
         """Return the norm of a row of flint integers, ``scale`` times too large."""
@@ -134,6 +125,12 @@ class Regular:
     def ramified(self) -> tuple[int, ...]:
         """The primes where the algebra ramifies; the constants are factored for them."""
         return _ramified(self.constants)
+
+
+def _combined(matrices: list[fmpz_mat], row: Sequence[int]) -> fmpz_mat:
+    a, b, c, d = matrices
+    w, x, y, z = row
+    return a * w + b * x + c * y + d * z
 
 
 @lru_cache(maxsize=256)

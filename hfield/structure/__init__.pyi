@@ -1,4 +1,3 @@
-from .clifford import maximal_basis as maximal_basis
 from .counting.formulas_finite import count as count
 from .counting.formulas_finite import has_formulas as has_formulas
 from .counting.tally import confirm as confirm

@@ -12,8 +12,8 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.lattices import class_number
 from hfield.lattices.brandt import by_theta_series, number_of_ideals
-from hfield.lattices.classes import ClassSet
-from hfield.lattices.types_of_orders import types_by_isomorphism
+from hfield.lattices.classes import types_by_isomorphism
+from hfield.lattices.lattice import ClassSet
 from hfield.primality import is_prime
 
 VECTORS = Path(__file__).parent.parent / "vectors"

@@ -7,7 +7,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
-from hfield.lattices.extremal_orders import quadratic_part
+from hfield.lattices.named_orders import quadratic_part
 from hfield.lattices.quadratic_orders import frame, represent
 from hfield.primality import is_prime
 from tests.lattices.random_lattices import algebra
@@ -25,11 +25,11 @@ def test_extremal_orders_of_every_prime() -> None:
         q = quadratic_part(p)
         d = -q if q % 4 == 3 else -4 * q
         if p > 100:
-            f = frame(O)
+            f = frame(O.value)
             assert f.norm == p
             assert f.discriminant == d
         # it contains the quadratic order and an element of norm p at right angles to it
-        alpha = O.embeddings(d).element if p < 10**6 else frame(O).alpha
+        alpha = O.embeddings(d).element if p < 10**6 else frame(O.value).alpha
         assert alpha in O
     C = QuaternionAlgebra("QQ", -12 * 25, -17 * 9, 2)  # constants that do not show the order
     assert C.discriminant() == 17
@@ -48,7 +48,7 @@ def test_frames() -> None:
     for _ in range(40):
         A = algebra(rng, definite=True)
         O = A.maximal_order()
-        f = frame(O)
+        f = frame(O.value)
         s = 2 * f.alpha - f.t
         assert s * s == f.discriminant
         assert s * f.beta == -(f.beta * s)

@@ -53,8 +53,8 @@ def test_pseudo_bases_span_the_order(name: str) -> None:
         elements = [x * q for ideal, q in pairs for x in ideal]
         assert len(pairs) == 4
         assert all(q in O for q in elements)
-        rows = flint.fmpq_mat([O._frame.row(q).entries() for q in elements])
-        assert abs(rows.det()) == abs(O._rows.det())
+        rows = flint.fmpq_mat([O.frame.row(q).entries() for q in elements])
+        assert abs(rows.det()) == abs(O.rows.det())
 
 
 def test_what_has_no_maximal_order_here() -> None:
@@ -66,12 +66,12 @@ def test_what_has_no_maximal_order_here() -> None:
 
 def test_a_lattice_that_is_no_ring_or_too_small_is_caught() -> None:
     O = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1).maximal_order()
-    spoilt = O._rows.tolist()
+    spoilt = O.rows.tolist()
     spoilt[-1] = [c / 2 for c in spoilt[-1]]
     with pytest.raises(AssertionError, match="closed under"):
-        IntegersOrder(O._frame, flint.fmpq_mat(spoilt), O._ramified)
+        IntegersOrder(O.frame, flint.fmpq_mat(spoilt), O.discriminant())
     with pytest.raises(AssertionError, match="discriminant"):
-        IntegersOrder(O._frame, O._frame.start, O._ramified)
+        IntegersOrder(O.frame, O.frame.start, O.discriminant())
 
 
 def _integral(K: object, x: object) -> list:
