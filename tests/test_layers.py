@@ -19,7 +19,7 @@ FLOORS = [
         "hfield.handed_on",
         "hfield.locking",
     },
-    {"hfield.syntax"},
+    {"hfield.syntax", "hfield.evidence"},
     {
         "hfield.executors",
         "hfield.atomic",

@@ -95,9 +95,9 @@ def judge_by_coq(args: Namespace) -> Iterator[Judge]:
 
 
 def _judge(coq: Coqc, name: str, found: Established, data: object) -> Verdict:
+    from hfield.coq.base_rings import FIELDS
     from hfield.coq.cofactors import MismatchError
     from hfield.coq.coqc import NotJudgedError
-    from hfield.coq.rooms import FIELDS
     from hfield.coq.theorem import theorem
 
     Waiting.at(f"Coq judges {one_line(name)}")

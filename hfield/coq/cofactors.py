@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import HFieldError
-from hfield.syntax.brackets import outside
+from hfield.coq.numerators import MAX_TERMS, Numerators, times
+from hfield.errors import HFieldError, TooLargeError
 
 if TYPE_CHECKING:
     import flint
@@ -23,74 +22,27 @@ class MismatchError(HFieldError, ValueError):
 
 
 class Reader:
-    """Reads polynomials in some variables, each known by its number in Coq."""
+    """Reads polynomials in the atoms of some numerators."""
 
-    def __init__(self, places: Mapping[str, int]) -> None:
-        self.places = places
+    def __init__(self, numerators: Numerators) -> None:
+        self.numerators = numerators
+
+    def value(self, text: str) -> flint.fmpz_mpoly:
+        """Return a polynomial. Raises :class:`MismatchError` and :class:`TooLargeError`."""
+        return _Parser(text, self.numerators).run()
 
     def coq(self, text: str) -> str:
-        """Return the text of a polynomial for Coq. Raises :class:`MismatchError`."""
-        return str(_Parser(text, self._written).run())
-
-    def value(self, text: str, gens: Mapping[str, Any], constant: Callable[[int], Any]) -> Any:
-        """Return a polynomial made of ``gens``. Raises :class:`MismatchError`."""
-        self.coq(text)
-        return _Parser(text, _Values(gens, constant)).run()
-
-    def _written(self, kind: str, *parts: Any) -> str:
-        match kind:
-            case "number":
-                return f"C {parts[0]}"
-            case "name":
-                if parts[0] not in self.places:
-                    raise MismatchError(f"{parts[0]!r} is no variable of the statement")
-                return f"X {self.places[parts[0]]}"
-            case "-x":
-                return f"(- {parts[0]})"
-            case "**":
-                return f"({parts[0]}) ^ {parts[1]}" if parts[1] else "C 1"
-            case "*":
-                return " * ".join(f"({x})" if _is_sum(x) else x for x in parts)
-            case _:
-                return f"{parts[0]} {kind} {f'({parts[1]})' if _is_sum(parts[1]) else parts[1]}"
-
-
-class _Values:
-    def __init__(self, gens: Mapping[str, Any], constant: Callable[[int], Any]) -> None:
-        self.gens, self.constant = gens, constant
-
-    def __call__(self, kind: str, *parts: Any) -> Any:
-        match kind:
-            case "number":
-                return self.constant(parts[0])
-            case "name":
-                return self.gens[parts[0]]
-            case "-x":
-                return -parts[0]
-            case "**":
-                return parts[0] ** parts[1]
-            case "*":
-                out = parts[0]
-                for x in parts[1:]:
-                    out = out * x
-                return out
-            case "+":
-                return parts[0] + parts[1]
-            case _:
-                return parts[0] - parts[1]
-
-
-def _is_sum(text: str) -> bool:
-    return any(n and char in "+-" and text[n - 1] == " " for n, char in outside(text))
+        """Return a polynomial in Coq's notation."""
+        return written(self.value(text))
 
 
 class _Parser:
-    """Sums of products of powers; ``make`` builds the value of each."""
+    """Sums of products of powers."""
 
-    def __init__(self, text: str, make: Callable[..., Any]) -> None:
+    def __init__(self, text: str, numerators: Numerators) -> None:
         if not isinstance(text, str) or len(text) > MAX_LENGTH:
             raise MismatchError(f"a polynomial is no text of at most {MAX_LENGTH} characters")
-        self.text, self.make, self.at = text, make, 0
+        self.text, self.numerators, self.at = text, numerators, 0
         self.tokens: list[tuple[str, Any]] = []
         position, end = 0, len(text.rstrip())
         while position < end:
@@ -133,21 +85,22 @@ class _Parser:
             raise MismatchError("a polynomial nests too deeply")
         out = self.signed(depth)
         while sign := self.take("+", "-"):
-            out = self.make(sign, out, self.product(depth))
+            term = self.product(depth)
+            out = out + term if sign == "+" else out - term
         return out
 
     def signed(self, depth: int) -> Any:
         """Read a product that may have a sign in front."""
         sign = self.take("+", "-")
         out = self.product(depth)
-        return self.make("-x", out) if sign == "-" else out
+        return -out if sign == "-" else out
 
     def product(self, depth: int) -> Any:
         """Read a product."""
-        parts = [self.power(depth)]
+        out = self.power(depth)
         while self.take("*"):
-            parts.append(self.power(depth))
-        return self.make("*", *parts) if len(parts) > 1 else parts[0]
+            out = times(out, self.power(depth))
+        return out
 
     def power(self, depth: int) -> Any:
         """Read an atom with its exponent."""
@@ -162,7 +115,7 @@ class _Parser:
                 self.fail()
         else:
             self.at += 1
-            out = self.make(kind, value)
+            out = self.atom(kind, value)
         if self.take("**"):
             if self.at >= len(self.tokens) or self.tokens[self.at][0] != "number":
                 self.fail()
@@ -170,19 +123,27 @@ class _Parser:
             self.at += 1
             if exponent > 10_000:
                 raise MismatchError(f"the exponent {exponent} is too large")
-            out = self.make("**", out, exponent)
+            if len(out) > 1 and len(out) ** exponent > MAX_TERMS:
+                raise TooLargeError(f"a power of a polynomial has more than {MAX_TERMS} terms")
+            out = out**exponent
         return out
 
+    def atom(self, kind: str, value: Any) -> Any:
+        """Return a number or a variable."""
+        if kind == "number":
+            return self.numerators.context.constant(value)
+        if value not in self.numerators.gens:
+            raise MismatchError(f"{value!r} is no variable of the statement")
+        return self.numerators.gens[value]
 
-def written(polynomial: flint.fmpz_mpoly, places: list[int]) -> str:
-    """Write a polynomial of flint for Coq; its variables have these numbers there."""
+
+def written(polynomial: flint.fmpz_mpoly) -> str:
+    """Write a polynomial of flint for Coq, where its variables are numbered from 1."""
     out = ""
     for exponents, coefficient in polynomial.terms():
         c = int(coefficient)
         powers = [
-            f"X {k}" + (f" ^ {int(n)}" if n > 1 else "")
-            for k, n in zip(places, exponents, strict=False)
-            if n
+            f"X {k}" + (f" ^ {int(n)}" if n > 1 else "") for k, n in enumerate(exponents, 1) if n
         ]
         if abs(c) != 1 or not powers:
             powers.insert(0, f"C {abs(c)}")

@@ -5,12 +5,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.coq.base_rings import base_ring_of
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.judgement import Judgement
 from hfield.coq.presented import Presentation, is_presentation, presentation
-from hfield.coq.rooms import room_of
 from hfield.coq.sentences import Proved
 from hfield.coq.terms import NotCoveredError
+from hfield.evidence import Kind
 from hfield.fields.names import ring
 from hfield.proving.statements.setting import Setting
 from hfield.rings import Ring
@@ -54,7 +55,7 @@ def judge(
         return _Logic(name, whole, setting, depth).judge(verdict, evidence)
     if is_presentation(text):
         return presentation(text, setting, verdict, evidence)
-    if setting.field is None and evidence.get("kind") == "over":
+    if setting.field is None and evidence.get("kind") == Kind.OVER:
         evidence = _over(evidence)
     return Judgement(name, text, setting).by(verdict, evidence)
 
@@ -73,7 +74,9 @@ def claimed(text: str, setting: Setting) -> str:
     if whole is None:
         if is_presentation(text):
             field = setting.field
-            return Presentation(text, 0 if field is None else room_of(field).characteristic).text
+            return Presentation(
+                text, 0 if field is None else base_ring_of(field).characteristic
+            ).text
         return Judgement("", text, setting).sentence.text
     parts = [claimed(part, setting) for part in whole.parts] if whole.word in LOGIC[:3] else []
     match whole.word, parts:
@@ -149,17 +152,17 @@ class _Logic:
                 self.name, self.whole.parts[0], anywhere, "refuted", _over(evidence), self.depth + 1
             )
         match word, verdict, kind:
-            case "every", "proved", "parts":
+            case "every", "proved", Kind.PARTS:
                 return self._every(evidence["parts"])
-            case "every", "refuted", "part":
+            case "every", "refuted", Kind.PART:
                 return self._not_every(evidence)
-            case "implies", "proved", "conclusion":
+            case "implies", "proved", Kind.CONCLUSION:
                 whole = claimed(self._text, self.setting)
                 own, name = self.part(1, "proved", evidence["evidence"])
                 return Proved(whole, (f"exact (fun _ => {name}).",), (own.lemma(name),))
-            case "implies", "vacuous", "hypothesis":
+            case "implies", "vacuous", Kind.HYPOTHESIS:
                 return self.part(0, "refuted", evidence["evidence"])[0]
-            case "iff", _, "both":
+            case "iff", _, Kind.BOTH:
                 return self._iff(verdict, evidence)
         raise NotCoveredError(f"{word}{{…}} by evidence of the kind {kind!r}")
 

@@ -6,14 +6,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from hfield.coq.base_rings import FIELDS, RINGS, BaseRing, base_ring_of, of_characteristic
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import FIELDS, RINGS, Room, of_characteristic, room_of
-from hfield.coq.sentences import COMPUTED, Proved, Sentence
+from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError, Terms
+from hfield.coq.witnesses import in_one_field
+from hfield.evidence import Kind
 from hfield.fields.names import ring_of_data
 from hfield.proving.existence.witness_terms import put_in
 from hfield.proving.statements.language import Sort
-from hfield.proving.statements.trees import substitute
+from hfield.proving.statements.trees import implication, substitute
 from hfield.syntax import Binary, Logic, Name, Node, Not, parse
 
 if TYPE_CHECKING:
@@ -37,12 +39,12 @@ def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     return Proved(sentence.text, tuple(lines), (instance.lemma(lemma),))
 
 
-def _room(j: Judgement, proved: Proved) -> Room:
+def _room(j: Judgement, proved: Proved) -> BaseRing:
     """Return the room of something proved for the field of the certificate, or for all fields."""
     field = j.setting.field
     if field is None:
         return FIELDS
-    room = room_of(field)
+    room = base_ring_of(field)
     large = of_characteristic(room.characteristic)
     return large if proved.text.startswith(large.opening) else room
 
@@ -52,8 +54,7 @@ def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
     if set(terms) != set(j.statement.exists):
         raise MismatchError("the terms are not those of what exists")
     trees = {name: parse(text) for name, text in terms.items()}
-    given = [(n, s) for n, s in j.statement.unknowns if n not in j.statement.exists]
-    own = Terms(given, [], j.setting.constants)
+    own = Terms(j.statement.given, [], j.setting.constants)
     for name, sort in j.statement.unknowns:
         if name in trees and (own.term(trees[name]).is_scalar) != (sort is Sort.SCALAR):
             if sort is Sort.SCALAR:
@@ -73,9 +74,8 @@ def _instance(
     j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: Mapping[str, Any]
 ) -> tuple[Proved, Judgement]:
     """Prove the statement with terms put in, under the hypotheses ``more``."""
-    whole = put_in(j.statement.conclusion, trees)
-    for h in reversed([*more, *j.statement.hypotheses]):
-        whole = Logic("=>", h, whole)
+    served = put_in(j.statement.conclusion, trees)
+    whole = implication([*more, *j.statement.hypotheses], served)
     other = j.about(whole)
     if not {n for n, _ in other.statement.unknowns} <= set(j.given):
         raise MismatchError("the terms are about other unknowns than those given")
@@ -89,9 +89,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     one_of = conditions[-1]
     for condition in reversed(conditions[:-1]):
         one_of = Logic("or", condition, one_of)
-    for h in reversed(j.statement.hypotheses):
-        one_of = Logic("=>", h, one_of)
-    covered = j.about(one_of)
+    covered = j.about(implication(j.statement.hypotheses, one_of))
     if not {n for n, _ in covered.statement.unknowns} <= set(j.given):
         raise MismatchError("the cases are about other unknowns than those given")
     cover = covered.proved(evidence["cover"])
@@ -125,15 +123,14 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if j.setting.letters:
         raise NotCoveredError("that nothing exists, in an algebra with letters")
     here = replace(j.setting, field=field)
-    room = room_of(field)
+    room = base_ring_of(field)
     sentence = Sentence(j.read(statement.text, here), here, room)
     if sentence.defined:
         raise NotCoveredError("that nothing exists, where structure constants divide")
-    matrix, proof = statement.conclusion, evidence["proof"]
-    for h in reversed(statement.hypotheses):
-        matrix = Logic("=>", h, matrix)
+    proof = evidence["proof"]
+    matrix = implication(statement.hypotheses, statement.conclusion)
     arguments = []
-    if evidence["kind"] == "place":
+    if evidence["kind"] == Kind.PLACE:
         values = {name: _tree(texts) for name, texts in evidence["values"].items()}
         if set(values) != set(j.given):
             raise MismatchError("the place is not one for what is given")
@@ -144,7 +141,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
             if x.conditions:
                 raise NotCoveredError("a place with fractions")
             arguments.append((own.embed(x) if sort is Sort.QUATERNION else x).inner)
-        if proof["kind"] != "none exists":
+        if proof["kind"] != Kind.NONE_EXISTS:
             raise MismatchError("a place refutes by evidence of the kind 'none exists'")
         proof = proof["proof"]
     elif j.given:
@@ -161,14 +158,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     pattern = "c"
     for name in reversed(found):
         pattern = f"[{name} {pattern}]"
-    everywhere = j.setting.field is None
-    lines = ["intro F."]
-    start = "F"
-    if everywhere:
-        p = room.characteristic
-        if p:
-            lines.append(f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]}).")
-        start = f"F (GF {p}) _ _ (GF_field {p} prime)" if p else "F Qc _ _ rational_field"
+    lines, start = in_one_field(room) if j.setting.field is None else (["intro F."], "F")
     lines.append(f"pose proof ({' '.join([start, *arguments])}) as G.")
     if names:
         lines.append(f"apply ({' '.join([lemma, *zeros])}); intros {' '.join(names)}; exfalso.")
@@ -184,7 +174,7 @@ def _whole_text(j: Judgement, sentence: Sentence) -> str:
     return Sentence(j.statement, j.setting, FIELDS).text
 
 
-def _call(lemma: str, proved: Proved, room: Room, judgement: Judgement) -> str:
+def _call(lemma: str, proved: Proved, room: BaseRing, judgement: Judgement) -> str:
     """Return a lemma applied to the ring and the unknowns of a proof in the room."""
     names = room.names
     if proved.text.startswith(RINGS.opening) and room is not RINGS:

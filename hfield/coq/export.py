@@ -28,10 +28,10 @@ JUDGE = (
     "statements.v",
     "evidence.v",
     "values.v",
-    "direct.v",
-    "judged.v",
+    "over_rings.v",
+    "over_fields.v",
     "models.v",
-    "judges.v",
+    "soundness.v",
     "words.v",
 )
 HEADER = """\

@@ -16,6 +16,7 @@ from hfield.coq.consequences import (
     vanishes_as_function,
 )
 from hfield.coq.formulas import Formula
+from hfield.coq.numerators import Numerators
 from hfield.coq.terms import NotCoveredError, Terms
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Evidence:
+class ItemsInCoq:
     """The items of one proof for Coq."""
 
     items: tuple[str, ...] = ()
@@ -46,25 +47,18 @@ class Items:
 
     def __init__(self, terms: Terms, data: Sequence[Mapping[str, Any]]) -> None:
         self.terms = terms
-        atoms = terms.numerators.atoms
-        self.places = {atom: n + 1 for n, atom in enumerate(atoms)}
-        self.reader = Reader(self.places)
+        self.reader = Reader(terms.numerators)
         self.items = [self._item(raw) for raw in data]
-
-    def read(self, text: str) -> flint.fmpz_mpoly:
-        """Return a polynomial in the coordinates of the unknowns."""
-        n = self.terms.numerators
-        return self.reader.value(text, n.gens, n.context.constant)
 
     def _item(self, raw: Mapping[str, Any]) -> Item:
         if raw.get("relations"):
             raise NotCoveredError("the evidence uses relations between constants of the field")
-        item = Item(raw, [self.read(z) for z in raw["zero"]])
+        item = Item(raw, [self.reader.value(z) for z in raw["zero"]])
         if "member" in raw:
-            item.member = self.read(raw["member"])
+            item.member = self.reader.value(raw["member"])
             item.denominators = {_integer(raw["denominator"])}
         else:
-            item.nonzeros = [self.read(g) for g in raw["nonzero"]]
+            item.nonzeros = [self.reader.value(g) for g in raw["nonzero"]]
             item.denominators = set(_denominators(raw["steps"]))
         return item
 
@@ -79,12 +73,10 @@ class Items:
             return f"Direct {zeros} ({member}) {cofactors} ({_integer(raw['denominator'])})"
         nonzeros = self._texts(self.reader, raw["nonzero"])
         k = len(raw["nonzero"])
-        places = {f"T{n}": n for n in range(1, k + 1)}
-        places.update({atom: n + k for atom, n in self.places.items()})
+        inverses = (f"T{n}" for n in range(1, k + 1))
+        reader = Reader(Numerators([*inverses, *self.terms.numerators.atoms]))
         known = len(raw["zero"]) + k
-        return (
-            f"Excluded {zeros} {nonzeros}\n   ({self._steps(Reader(places), raw['steps'], known)})"
-        )
+        return f"Excluded {zeros} {nonzeros}\n   ({self._steps(reader, raw['steps'], known)})"
 
     def _texts(self, reader: Reader, texts: Sequence[str]) -> str:
         return "[" + "; ".join(reader.coq(t) for t in texts) + "]"
@@ -126,10 +118,9 @@ class Items:
 
     # --- hints -----------------------------------------------------------------------------------
 
-    def hints(self, formulas: Iterable[Formula], items: Sequence[Item], p: int) -> Evidence:
+    def hints(self, formulas: Iterable[Formula], items: Sequence[Item], p: int) -> ItemsInCoq:
         """Return the items for Coq, with hints where it would not see by itself what they say."""
         numerators = self.terms.numerators
-        order = list(range(1, len(numerators.atoms) + 1))
         found = {str(f): f for f in tops(formulas)}.values()
         stripped = {}
         for z in (z for item in items for z in (*item.zeros, *item.nonzeros, item.member)):
@@ -142,18 +133,16 @@ class Items:
                 for h in (f, z):
                     divisors = quotient(h, common, numerators.factors)
                     if divisors:
-                        ds = "; ".join(written(d, order) for d in divisors)
-                        stripped[str(h), str(common)] = (
-                            f"({written(h, order)}, [{ds}], {written(common, order)})"
-                        )
+                        ds = "; ".join(written(d) for d in divisors)
+                        stripped[str(h), str(common)] = f"({written(h)}, [{ds}], {written(common)})"
         vanishing = []
         if p:
             for f in found:
                 cofactors = vanishes_as_function(f, p)
                 if cofactors is not None:
-                    texts = "; ".join(written(c, order) for c in cofactors)
-                    vanishing.append(f"({written(f, order)}, [{texts}])")
-        return Evidence(
+                    texts = "; ".join(written(c) for c in cofactors)
+                    vanishing.append(f"({written(f)}, [{texts}])")
+        return ItemsInCoq(
             tuple(self.coq(item) for item in items), (), tuple(stripped.values()), tuple(vanishing)
         )
 

@@ -1,19 +1,21 @@
 """A certificate about a statement of the language as a theorem of Coq, proved by its evidence.
 
 The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
-for computations that Coq has proved to be right (evidence.v, judges.v): where it does not show the
+for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the
 statement, Coq rejects the proof.
 """
 
 from collections.abc import Mapping
 from typing import Any
 
+from hfield.certificates.glossary import PROVED, REFUTED, VACUOUS
+from hfield.coq.base_rings import FIELDS, BaseRing, base_ring_of
 from hfield.coq.existence import by_cases, by_terms, none_exists
-from hfield.coq.rooms import FIELDS, Room, room_of
 from hfield.coq.sentences import Proved, Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.coq.universal import conjunction, exhausted, implied, multilinear
 from hfield.coq.witnesses import counterexample, example
+from hfield.evidence import Kind
 from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
@@ -46,32 +48,30 @@ class Judgement:
 
     def proved(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the statement."""
-        kind = evidence.get("kind")
-        if self.statement.exists:
-            match kind:
-                case "witness":
-                    return example(self, evidence)
-                case "exhaustion":
-                    return exhausted(self)
-                case "terms":
-                    return by_terms(self, evidence)
-                case "cases":
-                    return by_cases(self, evidence)
-            raise NotCoveredError(f"evidence of the kind {kind!r} for something that exists")
-        match kind:
-            case "identity" if self._is_of_fractions:
+        match evidence.get("kind"), bool(self.statement.exists):
+            case Kind.EXHAUSTION, _:
                 return exhausted(self)
-            case "identity":
-                return implied(self, [])
-            case "implication":
+            case Kind.WITNESS, True:
+                return example(self, evidence)
+            case Kind.TERMS, True:
+                return by_terms(self, evidence)
+            case Kind.CASES, True:
+                return by_cases(self, evidence)
+            case Kind.IDENTITY, False:
+                return exhausted(self) if self._is_of_fractions else implied(self, [])
+            case Kind.IMPLICATION, False:
                 return implied(self, evidence["items"], evidence["facts"])
-            case "exhaustion":
-                return exhausted(self)
-            case "multilinear":
+            case Kind.MULTILINEAR, False:
                 return multilinear(self, evidence)
-            case "fractions" if self.setting.field == ZZ and evidence["ring"] == QQ.data:
+            case Kind.FRACTIONS, False if self._is_over_integers(evidence):
                 return self.proved(evidence["proof"])
-        raise NotCoveredError(f"evidence of the kind {kind!r}")
+            case kind, exists:
+                what = " for something that exists" if exists else ""
+                raise NotCoveredError(f"evidence of the kind {kind!r}{what}")
+
+    def _is_over_integers(self, evidence: Mapping[str, Any]) -> bool:
+        """Whether it is a proof over ℚ of what is said of ℤ."""
+        return self.setting.field == ZZ and evidence["ring"] == QQ.data
 
     @property
     def _is_of_fractions(self) -> bool:
@@ -85,16 +85,17 @@ class Judgement:
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the opposite of the statement."""
         kind = evidence.get("kind")
-        if kind == "witness" and not self.statement.exists:
+        if kind == Kind.WITNESS and not self.statement.exists:
             return counterexample(self, evidence)
-        if kind in ("none exists", "place") and self.statement.exists:
+        if kind in (Kind.NONE_EXISTS, Kind.PLACE) and self.statement.exists:
             return none_exists(self, evidence)
         raise NotCoveredError(f"evidence of the kind {kind!r} against a statement")
 
     def vacuous(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove that the hypotheses never hold together."""
-        if evidence.get("kind") != "unsatisfiable" or not self.statement.hypotheses:
-            raise NotCoveredError(f"evidence of the kind {evidence.get('kind')!r}")
+        kind = evidence.get("kind")
+        if kind != Kind.UNSATISFIABLE or not self.statement.hypotheses:
+            raise NotCoveredError(f"evidence of the kind {kind!r}")
         return self.about(Not(conjunction(self.statement.hypotheses))).proved(evidence["proof"])
 
     def true_vacuously(self, evidence: Mapping[str, Any]) -> Proved:
@@ -115,24 +116,25 @@ class Judgement:
     def sentence(self) -> Sentence:
         """The statement as a proposition, over the field or over every field."""
         field = self.setting.field
-        return Sentence(self.statement, self.setting, FIELDS if field is None else room_of(field))
+        return Sentence(
+            self.statement, self.setting, FIELDS if field is None else base_ring_of(field)
+        )
 
     def by(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
         """Prove what a verdict says."""
-        return {"proved": self.proved, "refuted": self.refuted, "vacuous": self.vacuous}[verdict](
-            evidence
-        )
+        by = {PROVED: self.proved, REFUTED: self.refuted, VACUOUS: self.vacuous}
+        return by[verdict](evidence)
 
     @property
     def given(self) -> list[str]:
         """The names of the unknowns that the statement is for all values of."""
-        return [n for n, _ in self.statement.unknowns if n not in self.statement.exists]
+        return [n for n, _ in self.statement.given]
 
-    def one_room(self) -> tuple[Room, Sentence]:
+    def one_ring(self) -> tuple[BaseRing, Sentence]:
         """Return the ring of the certificate, and the statement there."""
         if self.setting.field is None:
             raise NotCoveredError("something computed over all fields at once")
-        room = room_of(self.setting.field)
+        room = base_ring_of(self.setting.field)
         return room, Sentence(self.statement, self.setting, room)
 
 

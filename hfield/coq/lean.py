@@ -11,11 +11,12 @@ from typing import Any
 
 from hfield.certificates.first_schema import current
 from hfield.certificates.glossary import SCHEMA
+from hfield.coq.base_rings import RINGS
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import RINGS
 from hfield.coq.sentences import Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import HFieldError, TooLargeError
+from hfield.evidence import Kind
 from hfield.notation import split_algebra
 from hfield.proving.statements.language import Sort, Statement, read_statement
 from hfield.proving.statements.setting import UNNAMED, read_setting
@@ -111,7 +112,7 @@ def lean_theorem(name: str, data: object) -> LeanTheorem:
     if data.get("verdict") != "proved" or data.get("field") is not None:
         raise NotCoveredError("Lean gets what is proved for all fields")
     kind = data["evidence"].get("kind") if isinstance(data.get("evidence"), Mapping) else None
-    if kind not in ("identity", "implication"):
+    if kind not in (Kind.IDENTITY, Kind.IMPLICATION):
         raise NotCoveredError(f"Lean gets identities and implications, and this is by {kind!r}")
     items = data["evidence"].get("items", [])
     if any("member" not in i or i["denominator"] not in (1, -1) for i in items):

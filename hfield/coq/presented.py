@@ -9,10 +9,12 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from hfield.certificates.glossary import PROVED, REFUTED, VACUOUS
+from hfield.coq.base_rings import base_ring_of
 from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import room_of
 from hfield.coq.sentences import COMPUTED, IN_RINGS, Proved
 from hfield.coq.terms import NotCoveredError
+from hfield.evidence import Kind
 from hfield.proving.statements.setting import Setting
 from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse
 
@@ -117,18 +119,18 @@ def presentation(text: str, setting: Setting, verdict: str, evidence: Mapping[st
     Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
     all rings. Raises :class:`NotCoveredError` for proofs that divide.
     """
-    p = 0 if setting.field is None else room_of(setting.field).characteristic
+    p = 0 if setting.field is None else base_ring_of(setting.field).characteristic
     said = Presentation(text, p)
     kind = evidence["kind"]
-    if (kind, verdict) == ("presentation", "proved"):
+    if (kind, verdict) == (Kind.PRESENTATION, PROVED):
         return _consequence(said, evidence)
-    if (kind, verdict) == ("algebra", "refuted"):
+    if (kind, verdict) == (Kind.ALGEBRA, REFUTED):
         if said.identity:
             raise NotCoveredError("a table against a statement with an identity")
         if setting.field is not None:
             raise NotCoveredError("a table over one field")
         return _counterexample(said.relations, said.goals, evidence)
-    if (kind, verdict) == ("unsatisfiable", "vacuous"):
+    if (kind, verdict) == (Kind.UNSATISFIABLE, VACUOUS):
         raise NotCoveredError("relations that hold in no algebra other than 0")
     raise MismatchError(f"evidence of the kind {kind!r} does not show that this is {verdict}")
 

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from hfield.coq.base_rings import BaseRing
 from hfield.coq.formulas import Formula, Formulas, grouped
-from hfield.coq.rooms import Room
 from hfield.coq.terms import NotCoveredError, Terms
 from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.setting import Setting
@@ -32,12 +32,12 @@ class Proved:
 class Sentence:
     """A statement in one room: its text, and the same as data."""
 
-    def __init__(self, statement: Statement, setting: Setting, room: Room) -> None:
+    def __init__(self, statement: Statement, setting: Setting, room: BaseRing) -> None:
         if statement.constants:
             raise NotCoveredError(f"{statement.constants[0]!r} names a constant of the field")
         self.statement, self.setting, self.room = statement, setting, room
         sorts = statement.unknowns
-        self.given = [(n, s) for n, s in sorts if n not in statement.exists]
+        self.given = list(statement.given)
         self.found = [(n, s) for n, s in sorts if n in statement.exists]
         self.terms = Terms(self.given, self.found, setting.constants)
         formulas = Formulas(self.terms, room.type, room.is_field)
@@ -95,7 +95,7 @@ def _count(unknowns: Sequence[tuple[str, Sort]]) -> str:
     return f"{quaternions} {len(unknowns) - quaternions}"
 
 
-def _binders(order: Sequence[tuple[str, Sort]], room: Room) -> str:
+def _binders(order: Sequence[tuple[str, Sort]], room: BaseRing) -> str:
     groups = []
     kind = room.type if " " not in room.type else f"({room.type})"
     for sort, shown in ((Sort.QUATERNION, f"quaternion {kind}"), (Sort.SCALAR, room.type)):

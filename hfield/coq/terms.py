@@ -6,7 +6,7 @@ numerator is a polynomial that the evidence may speak of; it only helps to find 
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -121,16 +121,7 @@ class Terms:
         if not x.is_scalar:
             return x
         zero = self.numerators.number(0)
-        value = (x.value, zero, zero, zero)
-        return Term(
-            f"embed {x.inner}",
-            f"QEmbed {x.argument}",
-            value,
-            x.size,
-            x.conditions,
-            APPLICATION,
-            x.closed,
-        )
+        return _applied("embed", "QEmbed", x, (x.value, zero, zero, zero))
 
     def term(self, node: Node) -> Term:
         """Translate a term. Raises :class:`TooLargeError` for what would be too large to check."""
@@ -172,8 +163,7 @@ class Terms:
     def coordinate(self, x: Term, n: int) -> Term:
         """Return the coordinate number n."""
         x = self.embed(x)
-        text, data = f"{COORDINATES[n]} {x.inner}", f"SCoordinate {PLACES[n]} {x.argument}"
-        return Term(text, data, x.value[n], x.size, x.conditions, APPLICATION, x.closed)
+        return _applied(COORDINATES[n], f"SCoordinate {PLACES[n]}", x, x.value[n])
 
     def number(self, value: int | Fraction) -> Term:
         """Return a literal."""
@@ -232,10 +222,9 @@ class Terms:
             out = x if m == 0 else self.binary("*", x, out)
             if out.size > MAX_SIZE:
                 raise TooLargeError(f"the power {n} is too large to unfold")
-        value, size = out.value, out.size
         text = f"pow {x.inner} {n}" if x.is_scalar else f"qpow {self.algebra} {x.inner} {n}"
         data = f"{'SPow' if x.is_scalar else 'QPow'} {x.argument} {n}"
-        return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
+        return Term(text, data, out.value, out.size, x.conditions, APPLICATION, x.closed)
 
     def inverse(self, x: Term) -> Term:
         """Return the inverse of a scalar or a quaternion."""
@@ -243,12 +232,12 @@ class Terms:
         value = self.numerators.inverse(divisor.value)
         conditions = _joined(x, divisor, (divisor,))
         if x.is_scalar:
-            data = f"SInv {x.argument}"
-            return Term(f"inv {x.inner}", data, value, x.size, conditions, APPLICATION, x.closed)
-        bar = tuple(u * value for u in conjugate(self.constants, x.value))
-        size = divisor.size + 2 * x.size
-        text = f"qinv {self.algebra} {x.inner}"
-        return Term(text, f"QInv {x.argument}", bar, size, conditions, APPLICATION, x.closed)
+            made = _applied("inv", "SInv", x, value)
+        else:
+            bar = tuple(u * value for u in conjugate(self.constants, x.value))
+            size = divisor.size + 2 * x.size
+            made = _applied(f"qinv {self.algebra}", "QInv", x, bar, size)
+        return replace(made, conditions=conditions)
 
     def call(self, function: str, arguments: list[Term]) -> Term:
         """Return the value of a function of the language."""
@@ -267,17 +256,20 @@ class Terms:
                 closed = x.closed and y.closed
                 return Term(text, data, value, size, _joined(x, y), APPLICATION, closed)
             case "vector":
-                value = (self.numerators.number(0), *x.value[1:])
-                text, data = f"vector {x.inner}", f"QVector {x.argument}"
-                return Term(text, data, value, x.size, x.conditions, APPLICATION, x.closed)
+                return _applied("vector", "QVector", x, (self.numerators.number(0), *x.value[1:]))
             case "conj":
                 value, size, data = conjugate(c, x.value), x.size + 2 * self.weight, "QConj"
             case "trace":
                 value, size, data = trace(c, x.value), 3 * x.size + self.weight, "STrace"
             case _:
                 value, size, data = norm(c, x.value), 14 * (x.size + self.weight), "SNorm"
-        text, data = f"{function} {self.algebra} {x.inner}", f"{data} {x.argument}"
-        return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
+        return _applied(f"{function} {self.algebra}", data, x, value, size)
+
+
+def _applied(function: str, data: str, x: Term, value: Any, size: int = 0) -> Term:
+    """Return the value of a function of one argument, of the size of that if no other is given."""
+    text, data, size = f"{function} {x.inner}", f"{data} {x.argument}", size or x.size
+    return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
 
 
 def _infix(

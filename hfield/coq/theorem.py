@@ -10,6 +10,7 @@ from hfield.coq.cofactors import MismatchError
 from hfield.coq.compound_statements import judge
 from hfield.coq.sentences import Proved
 from hfield.errors import HFieldError, TooLargeError, shorten
+from hfield.evidence import Kind
 from hfield.fields.names import ring, ring_of_data
 from hfield.notation import split_algebra
 from hfield.proving.statements.setting import UNNAMED, read_setting
@@ -79,7 +80,7 @@ def _proved(name: str, data: Mapping[str, Any]) -> Proved:
         setting, constants=(a, t, b)
     )  # as they were written, not as the field writes them
     evidence, rings = data["evidence"], {data["field"]: data["ring"]}
-    if evidence["kind"] == "rings":
+    if evidence["kind"] == Kind.RINGS:
         rings |= {ring_of_data(x).name: x for x in evidence["rings"]}
         evidence = evidence["evidence"]
     if any((None if name is None else ring(name).data) != x for name, x in rings.items()):

@@ -8,24 +8,25 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from hfield.coq.cofactors import MismatchError
-from hfield.coq.consequences import Directly, has_cases, is_positive
-from hfield.coq.formulas import Junction
-from hfield.coq.implied import Items, facts_used
-from hfield.coq.rooms import (
+from hfield.coq.base_rings import (
     FIELDS,
     INTEGERS,
     MAX_MODULUS,
     MAX_PRIME,
     RATIONALS,
     RINGS,
-    Room,
+    BaseRing,
+    base_ring_of,
     of_characteristic,
-    room_of,
 )
+from hfield.coq.cofactors import MismatchError
+from hfield.coq.consequences import Directly, has_cases, is_positive
+from hfield.coq.formulas import Junction
+from hfield.coq.implied import Items, facts_used
 from hfield.coq.sentences import Proved, Sentence, computed
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.setting import Setting
@@ -44,7 +45,7 @@ def implied(
 ) -> Proved:
     """Prove a statement by its items, an identity by none."""
     field = j.setting.field
-    room = FIELDS if field is None else room_of(field)
+    room = FIELDS if field is None else base_ring_of(field)
     _check_facts(j, facts_used(items), facts, room)
     if field is None:
         return _everywhere(j, items)
@@ -83,7 +84,7 @@ def implied(
 
 
 def _check_facts(
-    j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], room: Room
+    j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], room: BaseRing
 ) -> None:
     """Raise NotCoveredError for what Coq does not know, MismatchError for what is wrong."""
     for form in used & {"norm", "squares"}:
@@ -146,7 +147,7 @@ def _everywhere(j: Judgement, items: Sequence[Mapping[str, Any]]) -> Proved:
 
 def exhausted(j: Judgement) -> Proved:
     """Prove a statement over a finite ring by all cases."""
-    room, sentence = j.one_room()
+    room, sentence = j.one_ring()
     n = room.characteristic
     width = sum(4 if s is Sort.QUATERNION else 1 for _, s in j.statement.unknowns)
     if not n or n > MAX_MODULUS or n**width > MAX_CASES:
@@ -175,7 +176,7 @@ def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         shown = " + ".join(f"({int(c)})*{u}" for c, u in zip(value, "eijk", strict=True))
         for side in (tree.left, tree.right):
             parts.append(Compare("==", substitute(side, put), parse(shown)))
-    values = j.about(conjunction(parts)).proved({"kind": "identity"})
+    values = j.about(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
     tuples = f"{j.name}_tuples"
     return replace(whole, before=(values.lemma(tuples), *whole.before))
 

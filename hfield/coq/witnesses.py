@@ -6,17 +6,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from hfield.coq.cofactors import MismatchError
-from hfield.coq.rooms import (
+from hfield.coq.base_rings import (
     FIELDS,
     INTEGERS,
     MAX_MODULUS,
     MAX_PRIME,
     RATIONALS,
-    Room,
-    room_of,
+    BaseRing,
+    base_ring_of,
     value_in,
 )
+from hfield.coq.cofactors import MismatchError
 from hfield.coq.sentences import COMPUTED, Proved, Sentence, computed
 from hfield.coq.terms import NotCoveredError
 from hfield.fields.names import ring_of_data
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 def _values(
     j: Judgement,
-    room: Room,
+    room: BaseRing,
     values: Mapping[str, Sequence[str]],
     sentence: Sentence,
     unknowns: Sequence[tuple[str, Sort]],
@@ -54,7 +54,7 @@ def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     field = ring_of_data(evidence["ring"])
     if j.setting.field is not None and j.setting.field != field:
         raise MismatchError("the witness is from another field")
-    room = room_of(field)
+    room = base_ring_of(field)
     here = replace(j.setting, field=field)
     statement = j.read(j.statement.text, here)
     _check_listed(statement, room)
@@ -67,28 +67,25 @@ def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if not room.is_field:
         raise MismatchError(f"{field.name} is no field")
     everywhere = Sentence(j.statement, j.setting, FIELDS)
-    p = room.characteristic
-    if p > MAX_PRIME:
+    if room.characteristic > MAX_PRIME:
         raise NotCoveredError(f"a counterexample in GF(p) with p above {MAX_PRIME}")
-    if p:
-        lines = [
-            "intro F.",
-            f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]}).",
-            f"unshelve refine ({judge} (F (GF {p}) _ _ (GF_field {p} prime))).",
-            f"all: {COMPUTED}",
-        ]
-    else:
-        lines = [
-            "intro F.",
-            f"unshelve refine ({judge} (F Qc _ _ rational_field)).",
-            f"all: {COMPUTED}",
-        ]
+    start, there = in_one_field(room)
+    lines = [*start, f"unshelve refine ({judge} ({there})).", f"all: {COMPUTED}"]
     return Proved(f"~ ({everywhere.text})", tuple(lines))
+
+
+def in_one_field(room: BaseRing) -> tuple[list[str], str]:
+    """Return how a proof against all fields begins, and what they say of this one."""
+    p = room.characteristic
+    if not p:
+        return ["intro F."], "F Qc _ _ rational_field"
+    prime = f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]})."
+    return ["intro F.", prime], f"F (GF {p}) _ _ (GF_field {p} prime)"
 
 
 def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     """Prove existence by values, where nothing is given."""
-    room, sentence = j.one_room()
+    room, sentence = j.one_ring()
     _check_listed(j.statement, room)
     values = _values(j, room, evidence["values"], sentence, sentence.found)
     call = f"({sentence.data})\n  {values[0]} {values[1]}"
@@ -96,7 +93,7 @@ def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     return computed(sentence, judge)
 
 
-def _named(room: Room, residues: str, rationals: str, integers: str, call: str) -> str:
+def _named(room: BaseRing, residues: str, rationals: str, integers: str, call: str) -> str:
     if room is RATIONALS:
         return f"{rationals} {call} _"
     if room is INTEGERS:
@@ -104,6 +101,6 @@ def _named(room: Room, residues: str, rationals: str, integers: str, call: str) 
     return f"{residues} {room.characteristic} {call} _ _"
 
 
-def _check_listed(statement: Statement, room: Room) -> None:
+def _check_listed(statement: Statement, room: BaseRing) -> None:
     if room.characteristic > MAX_MODULUS and statement.divides:
         raise NotCoveredError(f"division modulo a number above {MAX_MODULUS}")

@@ -9,7 +9,8 @@ from functools import cached_property
 from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.certificates.glossary import MASS, SCHEMA
+from hfield.certificates.glossary import MASS
+from hfield.evidence import Evidence, certificate, why_rejected
 from hfield.lattices import enumeration
 from hfield.lattices.hermite import tuples
 from hfield.lattices.z_lattice import ZLattice
@@ -39,27 +40,13 @@ class Claim:
     @cached_property
     def why_no_certificate(self) -> str | None:
         """Why there is no certificate, in a line; None where there is one."""
-        from hfield.certificates.check import Rejected, check
-
-        try:
-            check(self._data)
-        except Rejected as error:
-            return f"the checker does not follow: {error}"
-        return None
+        return why_rejected(self._data)
 
     @property
     def _data(self) -> dict[str, object]:
-        return {
-            "schema": SCHEMA,
-            "statement": self.statement,
-            "algebra": str(self.algebra),
-            "field": "QQ",
-            "ring": {"kind": "rationals"},
-            "verdict": self.verdict,
-            "method": self.method,
-            "assumes": list(self.assumes),
-            "evidence": self.evidence,
-        }
+        ring, shown = {"kind": "rationals"}, (self.verdict, self.method, self.assumes)
+        evidence = Evidence(**self.evidence)
+        return certificate(self.statement, str(self.algebra), "QQ", ring, *shown, evidence)
 
 
 class Certified:

@@ -22,10 +22,12 @@ from hfield.certificates.glossary import (
     ZERO_NORM,
 )
 from hfield.errors import UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.scopes import search_panel
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, norm
 from hfield.proving.decision import Decision
+from hfield.proving.steps import say
 from hfield.rings.base import INFINITY, Ring
 
 COUNTED_BELOW = 16  # the largest field over which all elements are gone through
@@ -56,7 +58,7 @@ def _no_single_field() -> Decision:
     return Decision(
         NOT_APPLICABLE,
         NO_MEANING,
-        steps=("This speaks of one field, not of all at once.",),
+        steps=(say("about-one-field"),),
     )
 
 
@@ -88,7 +90,7 @@ class LevelAbove:
             return Decision(UNDECIDED, LEVEL, tried=(level.reason,))
         if level.value > self.bound or level.value == INFINITY:
             return Decision(
-                PROVED, LEVEL, steps=(f"The level is {level}.",), evidence={"kind": "level"}
+                PROVED, LEVEL, steps=(say("level-is", level=level),), evidence=Evidence(Kind.LEVEL)
             )
         roots = field.minus_one_as_squares()
         total = field.zero
@@ -99,9 +101,9 @@ class LevelAbove:
             return Decision(UNDECIDED, LEVEL, tried=(f"squares adding up to −1 in {field}",))
         shown = " + ".join(f"({field.text(x)})²" for x in roots)
         witness = {f"x{n}": [field.text(x)] for n, x in enumerate(roots, 1)}
-        squares = {"kind": "squares", "values": [field.text(x) for x in roots]}
+        squares = Evidence(Kind.SQUARES, values=[field.text(x) for x in roots])
         evidence = squares if exact else None
-        steps = (f"−1 = {shown}",) if exact else (f"−1 = {shown}", f"The level is {level}.")
+        steps = (f"−1 = {shown}", *(() if exact else (say("level-is", level=level),)))
         return Decision(REFUTED, SUM_OF_SQUARES, witness=witness, steps=steps, evidence=evidence)
 
 
@@ -121,17 +123,17 @@ class Division:
             data = structure.norm_evidence(f"(-1,-1|{field.name})", field, hamilton(field), found)
             if data is None:
                 return Decision(UNDECIDED, ANISOTROPIC_NORM, tried=(found.reason,))
-            evidence: dict[str, Any] = {"kind": "anisotropic", **data}
-            steps = (f"N(q) = 0 only for q = 0: {found.reason}",)
+            evidence = Evidence(Kind.ANISOTROPIC, **data)
+            steps = (say("norm-zero-only", reason=found.reason),)
             return Decision(PROVED, ANISOTROPIC_NORM, steps=steps, evidence=evidence)
         q = found.element
-        step = f"q = {element_text(field, q, 'unicode', 'e')} ≠ 0 has N(q) = 0."
+        step = say("has-norm-zero", q=element_text(field, q, "unicode", "e"))
         return Decision(
             REFUTED,
             ZERO_NORM,
             witness={"q": texts(field, q)},
             steps=(step, *_counted(field)),
-            evidence={"kind": "zero norm", "value": texts(field, q)},
+            evidence=Evidence(Kind.ZERO_NORM, value=texts(field, q)),
         )
 
 
@@ -142,10 +144,10 @@ def _counted(F: Ring) -> tuple[str, ...]:
         return ()
     formula = structure.count(F, hamilton(F), "norm", F.zero)
     if F.order > COUNTED_BELOW:
-        return (f"{formula.value} elements have norm 0: {formula.formula}.",)
+        return (say("norm-zero-count", n=formula.value, formula=formula.formula),)
     found = structure.confirm(F, hamilton(F))  # raises where formula and count differ
     zeros = found.norms[F.text(F.zero)]
-    return (f"{zeros} of all {found.elements} elements have norm 0, counted: {formula.formula}.",)
+    return (say("norm-zero-counted", n=zeros, m=found.elements, formula=formula.formula),)
 
 
 @dataclass(frozen=True)
@@ -170,14 +172,12 @@ class PositiveNorm:
             return search_panel(self)
         one = (field.one, *(field.zero,) * 3)
         if field.characteristic:
-            step = f"{field} has no order: 1 + … + 1 ({field.characteristic} times) is 0."
+            step = say("no-order", F=field, p=field.characteristic)
             return Decision(NOT_APPLICABLE, NO_ORDER, steps=(step,))
         if field.level.value == INFINITY and self.sign > 0:
-            steps = (
-                f"{field} is formally real: {field.level.reason}.",
-                "In each order N(q) is a sum of squares, so N(q) ≥ 0; hence N(q) ≠ 0 means N(q) > 0.",
-            )
-            return Decision(PROVED, ORDERING, steps=steps, evidence={"kind": "ordering"})
+            real = say("formally-real", F=field, reason=field.level.reason)
+            steps = (real, say("norm-positive"))
+            return Decision(PROVED, ORDERING, steps=steps, evidence=Evidence(Kind.ORDERING))
         candidates = [one] + ([(field.gen, *one[1:])] if field.gen_name else [])
         squares = field.minus_one_as_squares()
         if 0 < len(squares) <= 4:  # then −1 is a norm
@@ -189,10 +189,10 @@ class PositiveNorm:
             )
             if value * self.sign < 0:
                 shown = element_text(field, q, "unicode", "e")
-                step = f"q = {shown} has an inverse, though N(q) = {value}."
+                step = say("inverse-though", q=shown, n=value)
                 value_of_q = texts(field, q)
                 exact = known_equal(field, n, field(value))
-                evidence = {"kind": "witness", "value": value_of_q, "norm": value}
+                evidence = Evidence(Kind.WITNESS, value=value_of_q, norm=value)
                 return Decision(
                     REFUTED,
                     WITNESS,

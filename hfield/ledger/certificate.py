@@ -8,8 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from hfield.atomic import whole_file
-from hfield.certificates.check import check
-from hfield.certificates.rejection import Rejected
+from hfield.evidence import why_rejected
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.proving.decision import Decision
 
@@ -25,12 +24,7 @@ def certificate(
         return None
     named = None if field in (UNIVERSAL, NO_FIELD) else field
     data = decision.certificate(proposition.statement, f"(-1,-1|{named or 'F'})", named)
-    if data is not None:
-        try:
-            check(data)
-        except Rejected:
-            return None
-    return data
+    return None if data is None or why_rejected(data) else data
 
 
 def write_certificates(rows: Sequence[Row], directory: Path) -> dict[tuple[str, str], str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,7 +11,7 @@ from hfield.fields.names import ring
 from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.matrix import Style
 from hfield.ledger.wording import over, pretty, witness_text
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision, in_characteristics
 
 _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
@@ -60,13 +59,12 @@ def decision_lines(
 
 def scope_text(decision: Decision) -> str:
     """Say where the statement holds, beyond the field it was decided over."""
-    if decision.scope in (None, FIELD):
+    scope = decision.scope
+    if scope is None or scope == FIELD:
         return ""
-    primes = re.fullmatch(r"characteristics \[(.+)\]", decision.scope or "")
-    if primes is None:
-        return f", over all {decision.scope}"
-    plural = "s" if "," in primes[1] else ""
-    return f"; it holds exactly in characteristic{plural} {primes[1]}"
+    if scope.primes:
+        return f"; it holds exactly in {in_characteristics(scope.primes)}"
+    return f", over all {scope}"
 
 
 def wrapped(label: str, text: str, style: Style, indent: int = 0) -> Iterator[str]:

@@ -26,11 +26,13 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.errors import UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
 from hfield.product import Coordinates, Scalar, multiply, norm
 from hfield.proving.decision import Decision
+from hfield.proving.steps import say
 from hfield.rings.base import INFINITY, Ring
 
 CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out
@@ -53,25 +55,25 @@ class ModulusDefined:
         for q in chain(small_elements(field), self._norm_without_root(field)):
             n = norm(hamilton(field), q)
             if field.sqrt(n) is None:
-                step = f"N(q) = {field.text(n)} is not a square in {field}."
+                step = say("no-square", n=field.text(n), F=field)
                 value = texts(field, q)
                 return Decision(
                     REFUTED,
                     WITNESS,
                     witness={"q": value},
                     steps=(step,),
-                    evidence={"kind": "no root", "value": value},
+                    evidence=Evidence(Kind.NO_ROOT, value=value),
                 )
         if field.characteristic == 2:
             return replace(SUM_OF_ALL.decide(field), method=IDENTITY)
         if field.closure:
-            step = f"{field} is {field.closure}, so every norm is a square."
+            step = say("real-closed" if field.closure == "real closed" else "closed", F=field)
             return Decision(
                 PROVED,
                 CLOSED_FIELD,
                 steps=(step,),
                 assumes=(REAL_ROOTS if field.closure == "real closed" else COMPLEX_ROOTS,),
-                evidence={"kind": "closed"},
+                evidence=Evidence(Kind.CLOSED),
             )
         return Decision(UNDECIDED, SEARCH, tried=("norms of small elements",))
 
@@ -128,40 +130,38 @@ class ModulusLaw:
         except UndecidedError:  # √−1 is known to some digits
             if iota is None or self.operation != "*":
                 raise
-            step = "√1 = √1·√1 forces √1 = 1, and √(−1)·√(−1) = −1 is not √(−1·−1) then."
+            step = say("no-choice-near")
             bad = {name: texts(field, sample[-1]) for name in "pq"}
             return Decision(REFUTED, ALL_CHOICES_OF_ROOTS, witness=bad, steps=(step,))
         if bad is not None:
-            steps = (
-                f"√1 = √1·√1 forces √1 = 1; then p, q break the law for each choice of the roots; "
-                f"all {2 ** len(sample)} choices were tried.",
+            steps = (say("no-choice", n=2 ** len(sample)),)
+            evidence = Evidence(
+                Kind.ALL_CHOICES,
+                elements=[texts(field, q) for q in sample],
+                roots=[field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
             )
-            evidence = {
-                "kind": "all choices",
-                "elements": [texts(field, q) for q in sample],
-                "roots": [field.text(field.sqrt(norm(hamilton(field), q))) for q in sample],
-            }
             return Decision(
                 REFUTED, ALL_CHOICES_OF_ROOTS, witness=bad, steps=steps, evidence=evidence
             )
         if self.operation != "*":
             return Decision(UNDECIDED, ALL_CHOICES_OF_ROOTS, tried=("roots of small norms",))
         if field.characteristic == 2:
-            step = "In characteristic 2 a square has one root, for y² = z² means (y − z)² = 0."
-            return Decision(PROVED, UNIQUE_ROOTS, steps=(step,), evidence={"kind": "unique roots"})
+            step = say("one-root")
+            return Decision(
+                PROVED, UNIQUE_ROOTS, steps=(step,), evidence=Evidence(Kind.UNIQUE_ROOTS)
+            )
         if field.level.value == INFINITY:
-            step = "Take the root ≥ 0 in an order of F: products of such roots are such roots."
-            lines = (f"{field}: {field.level.reason}.", step)
-            return Decision(PROVED, ORDERING, steps=lines, evidence={"kind": "ordering"})
+            lines = (say("field-because", F=field, reason=field.level.reason), say("root-in-order"))
+            return Decision(PROVED, ORDERING, steps=lines, evidence=Evidence(Kind.ORDERING))
         if field.order is not None:
             return self._finite(field)
-        step = "−1 is no square, so {1, −1} is a pure subgroup of F*, and a bounded pure one splits off."
+        step = say("pure-subgroup")
         return Decision(
             PROVED,
             CHOICE_OF_ROOTS,
             steps=(step,),
             assumes=(KULIKOV,),
-            evidence={"kind": "pure subgroup"},
+            evidence=Evidence(Kind.PURE_SUBGROUP),
         )
 
     def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, list[str]] | None:
@@ -196,12 +196,8 @@ class ModulusLaw:
 
     def _finite(self, F: Ring) -> Decision:
         """Choose the root that is itself a square; on small fields check all products too."""
-        steps = (
-            "Squaring takes F* two to one onto half of it, and −1 is no square: so of the two roots r, −r "
-            "exactly one is a square.",
-            "Take that one: products of squares are squares.",
-        )
-        evidence = {"kind": "square roots"}
+        steps = (say("half-squares"), say("take-that"))
+        evidence = Evidence(Kind.SQUARE_ROOTS)
         if F.order is None or F.order > CHECKED_BELOW:
             return Decision(PROVED, CHOICE_OF_ROOTS, steps=steps, evidence=evidence)
         squares = {F.key(x * x) for x in F.elements()}
@@ -211,5 +207,5 @@ class ModulusLaw:
             F.equal(root[F.key(x * x * (y * y))], x * y) for x, y in pairs
         ):
             return Decision(UNDECIDED, EXHAUSTION, tried=steps)
-        checked = (*steps, f"Checked on all {len(root)}² pairs.")
+        checked = (*steps, say("checked-pairs", n=f"{len(root)}²"))
         return Decision(PROVED, EXHAUSTION, steps=checked, evidence=evidence)

@@ -1,7 +1,8 @@
 """Lemma 1 of the thesis (1.1.3): multilinear maps are decided on tuples of basis vectors.
 
-Everything said here about a k-linear form is an identity between polynomials with integer coefficients; so it
-holds over every commutative ring, and for maps to V coordinate by coordinate.
+The general k-linear form on V = F⁴ has an unknown entry for each basis tuple. All that is said here of it is
+an identity between polynomials with integer coefficients; so it holds over every commutative ring, and for
+maps to V coordinate by coordinate.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product as tuples
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import (
     BASIS_TUPLES,
@@ -19,18 +20,91 @@ from hfield.certificates.glossary import (
     PROVED,
     REFUTED,
 )
-from hfield.ledger.linear_forms import (
-    Form,
-    N,
-    Tuple,
-    all_tuples,
-    constant_tuples,
-    short_tuples,
-    spoilt_tuples,
-)
+from hfield.evidence import Evidence, Kind
 from hfield.notation import BASIS
-from hfield.proving.decision import Decision
+from hfield.proving.decision import COMMUTATIVE_RINGS, Decision
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    import flint
+
+
+N = len(BASIS)
+Tuple = tuple[int, ...]
+
+
+def all_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return the n^k tuples of basis vectors, as indices."""
+    return tuple(tuples(range(N), repeat=k))
+
+
+def constant_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return the n tuples that repeat one basis vector: what ``{e_{i_1}}_{i=1}^k`` names."""
+    return tuple((n,) * k for n in range(N))
+
+
+def short_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return the tuples in which only k − 1 indices run, and the last stays at e."""
+    return tuple((*t, 0) for t in all_tuples(k - 1))
+
+
+def spoilt_tuples(k: int) -> tuple[Tuple, ...]:
+    """Return all tuples but the last one."""
+    return all_tuples(k)[:-1]
+
+
+class Form:
+    """The general k-linear form: unknown entries ``h_t`` and arguments ``a1 … ak``, as polynomials.
+
+    ``extra`` names further unknowns wanted in the same polynomial ring.
+    """
+
+    def __init__(self, k: int, extra: tuple[str, ...] = ()) -> None:
+        from flint import Ordering, fmpz_mpoly_ctx
+
+        self.k = k
+        entries = ["h" + "".join(map(str, t)) for t in all_tuples(k)]
+        arguments = [f"a{m}_{n}" for m in range(k) for n in range(N)]
+        names = (*entries, *arguments, *extra)
+        gens = fmpz_mpoly_ctx.get(names, Ordering.lex).gens()
+        self.zero = gens[0] - gens[0]
+        self.one = self.zero + 1
+        self.entry = dict(zip(all_tuples(k), gens, strict=False))
+        coordinates = gens[len(entries) :]
+        self.arguments = [list(coordinates[N * m : N * m + N]) for m in range(k)]
+        self.extra = coordinates[N * k :]
+
+    def __call__(self, *arguments: list[flint.fmpz_mpoly]) -> flint.fmpz_mpoly:
+        """Return the value of the form: Σ h_t · Π a_m[t_m], summed over the last index first."""
+        values = list(self.entry.values())
+        for a in reversed(arguments):
+            rows = range(0, len(values), N)
+            values = [
+                sum((h * u for h, u in zip(values[r : r + N], a, strict=True)), self.zero)
+                for r in rows
+            ]
+        return values[0]
+
+    def at(
+        self, slot: int, vector: list[flint.fmpz_mpoly], last: list[flint.fmpz_mpoly]
+    ) -> flint.fmpz_mpoly:
+        """Return the value with ``vector`` in the slot, ``last`` at the end, general elsewhere."""
+        arguments = [*self.arguments[:-1], last]
+        arguments[slot] = vector
+        return self(*arguments)
+
+    def basis(self, n: int) -> list[flint.fmpz_mpoly]:
+        """Return the n-th basis vector."""
+        return [self.one if m == n else self.zero for m in range(N)]
+
+    def monomial(self, t: Tuple) -> flint.fmpz_mpoly:
+        """Return Π a_m[t_m], which the entry at t stands in front of."""
+        term = self.one
+        for a, n in zip(self.arguments, t, strict=True):
+            term = term * a[n]
+        return term
+
 
 _NAMES: dict[Any, str] = {
     all_tuples: "all",
@@ -38,7 +112,7 @@ _NAMES: dict[Any, str] = {
     short_tuples: "short",
     spoilt_tuples: "all-but-one",
 }
-BY_EXPANDING = {"kind": "identity"}
+BY_EXPANDING = Evidence(Kind.IDENTITY)
 
 
 def for_every_k(core: str) -> str:
@@ -94,10 +168,7 @@ class DeterminedBy:
             if not _determines(self.choice, k):
                 t = next(t for t in all_tuples(k) if t not in given)
                 vectors = ", ".join(BASIS[n] for n in t)
-                steps.append(
-                    f"k = {k}: let f be 1·e on ({vectors}) and 0 on the other basis tuples, g = 0: "
-                    "they agree on all tuples named, yet f ≠ g."
-                )
+                steps.append(say("left-out", k=k, t=vectors))
                 witness: dict[str, Any] = {
                     f"a{m}": [str(int(n == r)) for r in range(N)] for m, n in enumerate(t, 1)
                 }
@@ -107,21 +178,19 @@ class DeterminedBy:
                     BASIS_TUPLES,
                     witness=witness,
                     steps=tuple(steps),
-                    evidence={"kind": "left out", "tuple": _word(t)},
+                    evidence=Evidence(Kind.LEFT_OUT, tuple=_word(t)),
                 )
-            steps.append(
-                f"k = {k}: f − g = Σ h_t·a₁[t₁]⋯aₖ[tₖ] over {len(given)} tuples t, all h_t = 0."
-            )
+            steps.append(say("all-tuples", k=k, n=len(given)))
         return Decision(
             PROVED,
             BASIS_TUPLES,
             steps=tuple(steps),
-            scope="commutative rings",
+            scope=COMMUTATIVE_RINGS,
             assumes=self.assumes,
-            evidence={
-                "kind": "basis tuples",
-                "tuples": [[_word(t) for t in self.choice(k)] for k in self.arities],
-            },
+            evidence=Evidence(
+                Kind.BASIS_TUPLES,
+                tuples=[[_word(t) for t in self.choice(k)] for k in self.arities],
+            ),
         )
 
 
@@ -154,12 +223,11 @@ class CurriedIsLinear:
                 a, fixed = form.arguments[slot], form.basis(last)
                 mixed = form.at(slot, [s * u + y * v for u, v in zip(a, b, strict=True)], fixed)
                 if mixed != s**self.power * form.at(slot, a, fixed) + y * form.at(slot, b, fixed):
-                    step = "Take s = 2, y = 0: the left side doubles, the right side does not."
+                    step = say("doubles")
                     witness = {"s": ["2"], "y": ["0"]}
                     refuted = Decision(REFUTED, IDENTITY, witness=witness, steps=(step,))
                     return _over_all(field, refuted)
-        step = "Both sides expand to the same polynomial for m = 1, 2, each slot, each basis vector e₀."
-        return _expanded(step)
+        return _expanded(say("expand-slots"))
 
 
 def _expanded(step: str) -> Decision:
@@ -167,7 +235,7 @@ def _expanded(step: str) -> Decision:
         PROVED,
         IDENTITY,
         steps=(step,),
-        scope="commutative rings",
+        scope=COMMUTATIVE_RINGS,
         assumes=(INDUCTION,),
         evidence=BY_EXPANDING,
     )
@@ -176,7 +244,7 @@ def _expanded(step: str) -> Decision:
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
     """A difference s² − s vanishes on GF(2), where a map is told by its values, not by its formula."""
     if field is not None and field.order == 2:
-        return Decision(PROVED, EXHAUSTION, steps=("s² = s for both elements s of GF(2).",))
+        return Decision(PROVED, EXHAUSTION, steps=(say("two-elements"),))
     return decision
 
 
@@ -213,13 +281,9 @@ class LastArgument:
                 total = [u + x[n] * v for u, v in zip(total, vectors[n], strict=True)]
             if left != form(*fixed, total):
                 n = min(self.upper, N)
-                step = (
-                    f"The two sides differ by the summand number {n + (self.upper > N)}: "
-                    f"V has {N} basis vectors, and the sum on the right runs to {self.upper}."
-                )
+                step = say("summand", n=n + (self.upper > N), m=N, k=self.upper)
                 witness = {f"x{m + 1}": [str(int(m == n))] for m in range(N + 1)}
                 return Decision(
                     REFUTED, IDENTITY, witness=witness, steps=(step,), evidence=BY_EXPANDING
                 )
-        step = f"Both sides expand to the same polynomial in {', '.join(map(str, self.arities))} arguments."
-        return _expanded(step)
+        return _expanded(say("expand-arguments", n=", ".join(map(str, self.arities))))

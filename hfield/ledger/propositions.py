@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from hfield.certificates.glossary import (
     NO_MEANING,
@@ -13,12 +12,14 @@ from hfield.certificates.glossary import (
     VACUOUS,
 )
 from hfield.errors import NotationError
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.claim import Proposition
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_text
+from hfield.proving.steps import indented, say
 from hfield.rings.base import Ring
 from hfield.syntax import Node
 
@@ -98,12 +99,12 @@ class Every:
         for n, part in enumerate(self.parts):
             decision = part.decide(field)
             if decision.verdict not in TRUE:
-                evidence = {"kind": "part", "part": n, "evidence": decision.evidence}
+                evidence = Evidence(Kind.PART, part=n, evidence=decision.evidence)
                 return replace(
                     decision, steps=(*steps, part.text, *decision.steps), evidence=evidence
                 )
             decisions.append(decision)
-            steps += [part.text, *(f"  {step}" for step in decision.steps)]
+            steps += [part.text, *map(indented, decision.steps)]
             methods += [m for m in [decision.method] if m not in methods]
         empty = all(decision.verdict == "vacuous" for decision in decisions)
         return Decision(
@@ -111,11 +112,11 @@ class Every:
             "; ".join(methods),
             steps=tuple(steps),
             assumes=cited(*decisions),
-            evidence={"kind": "parts", "parts": [judged(decision) for decision in decisions]},
+            evidence=Evidence(Kind.PARTS, parts=[decided(d) for d in decisions]),
         )
 
 
-def judged(decision: Decision) -> dict[str, object]:
+def decided(decision: Decision) -> dict[str, object]:
     """Return the evidence for a part of a proposition with its verdict."""
     return {"verdict": decision.verdict, "evidence": decision.evidence}
 
@@ -153,15 +154,15 @@ class Implication:
             return by_lemmas(self.everywhere) if self.everywhere else search_panel(self)
         first = self.hypothesis.decide(field)
         if first.verdict == "refuted":
-            steps = (f"The hypothesis fails over {field}:", *first.steps)
-            evidence: dict[str, Any] = {"kind": "hypothesis", "evidence": first.evidence}
+            steps = (say("hypothesis-fails", F=field), *first.steps)
+            evidence = Evidence(Kind.HYPOTHESIS, evidence=first.evidence)
             return replace(first, verdict="vacuous", steps=steps, evidence=evidence)
         if first.verdict not in TRUE:
             return first
         second = self.conclusion.decide(field)
-        evidence = {"kind": "conclusion", "evidence": second.evidence}
+        evidence = Evidence(Kind.CONCLUSION, evidence=second.evidence)
         if second.verdict == "refuted":
-            evidence = {"kind": "both", "left": judged(first), "right": judged(second)}
+            evidence = Evidence(Kind.BOTH, left=decided(first), right=decided(second))
             second = replace(second, assumes=cited(first, second))
         return replace(second, steps=(*first.steps, *second.steps), evidence=evidence)
 
@@ -194,15 +195,15 @@ class Equivalence:
             return unsettled[0]
         a, b = sides
         steps = (
-            f"{self.left.text}: {a.verdict}",
-            *(f"  {s}" for s in a.steps),
-            f"{self.right.text}: {b.verdict}",
-            *(f"  {s}" for s in b.steps),
+            say(a.verdict, text=self.left.text),
+            *map(indented, a.steps),
+            say(b.verdict, text=self.right.text),
+            *map(indented, b.steps),
         )
         verdict = "proved" if a.verdict == b.verdict else "refuted"
         method = a.method if a.method == b.method else f"{a.method}; {b.method}"
         witness = (a.witness or b.witness) if verdict == "refuted" else None
-        evidence = {"kind": "both", "left": judged(a), "right": judged(b)}
+        evidence = Evidence(Kind.BOTH, left=decided(a), right=decided(b))
         return Decision(
             verdict, method, witness=witness, steps=steps, assumes=cited(a, b), evidence=evidence
         )

@@ -13,6 +13,7 @@ from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
 from hfield.ledger.scopes import Over
 from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 REAL = "RR"
@@ -70,8 +71,7 @@ class Analysis:
     def decide(self, field: Ring | None) -> Decision:
         """Decide the proposition over RR; the theorem is cited."""
         if field is None or field.name != REAL:
-            step = "Limits and roots of real polynomials are meant."
-            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(step,))
+            return Decision(NOT_APPLICABLE, NO_MEANING, steps=(say("real-polynomials"),))
         return _citing(self.proposition.decide(field), CITED_BY_NAME[self.theorem])
 
 

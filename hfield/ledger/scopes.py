@@ -15,9 +15,11 @@ from hfield.certificates.glossary import (
     UNDECIDED,
     WITNESS,
 )
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
 from hfield.proving.decision import Decision
+from hfield.proving.steps import Step, say
 from hfield.rings.base import Ring
 
 TRUE = ("proved", "vacuous")
@@ -43,17 +45,12 @@ class Negation:
         """Go through the panel (or look at the one field given) and show what was found in each."""
         names = [field.name] if field else [name for name in PANEL if name != UNIVERSAL]
         found = {name: self.proposition.decide(ring(name)) for name in names}
-        steps = [
-            f"{name}: {d.verdict}"
-            + (f", {witness_text(d.witness)}" if d.witness else "")
-            + (f" — {d.steps[-1]}" if d.steps else "")
-            for name, d in found.items()
-        ]
+        steps = [_found(name, decision) for name, decision in found.items()]
         fails = {name: d for name, d in found.items() if d.verdict == "refuted"}
         if fails:
             name, first = next(iter(fails.items()))
             witness = {"F": [name], **(first.witness or {})}
-            evidence = {"kind": "over", "ring": ring(name).data, "evidence": first.evidence}
+            evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=first.evidence)
             return Decision(PROVED, WITNESS, witness=witness, steps=tuple(steps), evidence=evidence)
         # that it holds in each field of the panel shows nothing of the others
         general = found if field else {UNIVERSAL: self.proposition.decide(None)}
@@ -116,13 +113,22 @@ class Only:
         return replace(decision, assumes=(*decision.assumes, *self.assumes))
 
 
+def _found(name: str, decision: Decision) -> Step:
+    """Say what was found over one field: the verdict, where it fails, and the last step."""
+    line = say(decision.verdict, text=name)
+    if decision.witness:
+        line = say("at", verdict=line, values=witness_text(decision.witness))
+    return say("because", verdict=line, reason=decision.steps[-1]) if decision.steps else line
+
+
 def by_lemmas(everywhere: Proposition) -> Decision:
     """Decide over all fields by what shows it there; the lemmas' proofs become the evidence."""
     decision = everywhere.decide(None)
     if decision.verdict != "proved" or decision.evidence is None:
         return decision
-    proofs = [part["evidence"] for part in decision.evidence.get("parts", ())]
-    return replace(decision, evidence={"kind": "lemmas", "proofs": proofs})
+    parts = decision.evidence["parts"] if decision.evidence.kind is Kind.PARTS else ()
+    proofs = [part["evidence"] for part in parts]
+    return replace(decision, evidence=Evidence(Kind.LEMMAS, proofs=proofs))
 
 
 def search_panel(proposition: Proposition) -> Decision:
@@ -133,8 +139,8 @@ def search_panel(proposition: Proposition) -> Decision:
         decision = proposition.decide(ring(name))
         if decision.verdict == "refuted":
             witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
-            steps = (f"It fails over {name}:", *decision.steps)
-            evidence = {"kind": "over", "ring": ring(name).data, "evidence": decision.evidence}
+            steps = (say("fails-over", F=name), *decision.steps)
+            evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=decision.evidence)
             return replace(decision, witness=witness, steps=steps, evidence=evidence)
     return Decision(UNDECIDED, THE_PANEL, tried=("a counterexample in each field of the panel",))
 

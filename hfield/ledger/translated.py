@@ -21,6 +21,7 @@ from hfield.errors import NotationError
 from hfield.ledger.claim import Claim
 from hfield.ledger.document import LedgerError
 from hfield.proving.statements.printing import to_unicode
+from hfield.proving.steps import Step
 from hfield.syntax import parse
 
 Source = tuple[str, str]
@@ -56,7 +57,7 @@ class Translation:
     """
 
     def __init__(self, claims: Iterable[Claim], language: str, more: Sequence[Source] = ()) -> None:
-        listed = list(claims)
+        self._language, listed = language, list(claims)
         sources = dict.fromkeys((*(claim.source for claim in listed), *more))
         documents = [_document(source, language) for source in sources]
         self._names = SIGNS.union(*(d.get("names", ()) for d in documents))
@@ -98,6 +99,9 @@ class Translation:
         """Return a text in the language, formulas as they are; None where something has no translation."""
         if depth < _DEEPEST:
             return self._say(text, depth)
+        if isinstance(text, Step):
+            return text.said(self._language, self.say)
+        text = " ".join(text.split())
         if text not in self._said:
             self._said[text] = self._say(text, depth)
         return self._said[text]

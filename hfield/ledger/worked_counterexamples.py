@@ -11,6 +11,7 @@ from hfield.ledger.wording import STATED_FIELD
 from hfield.notation import element_text
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.evaluation.searcher import read_back
 from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_unicode
 from hfield.proving.statements.setting import Setting, read_setting
@@ -55,10 +56,7 @@ def _world(
 ) -> Evaluator:
     """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
     fixed = {text: F(text) for text in statement.constants}
-    values = {}
-    for unknown, _ in statement.unknowns:
-        read = tuple(F(text) for text in witness[unknown])
-        values[unknown] = read[0] if len(read) == 1 else read
+    values = read_back(F, {unknown: witness[unknown] for unknown, _ in statement.unknowns})
     world = Evaluator(RingScalars(F), setting.trees, statement.sorts, fixed)
     world.bind(values)
     return world

@@ -3,9 +3,18 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from hfield.certificates.glossary import LINEAR_ALGEBRA, NONE
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.proving.clock import Clock
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, PROVED, UNDECIDED, VACUOUS, Decision
+from hfield.proving.decision import (
+    FIELD,
+    NOT_APPLICABLE,
+    PROVED,
+    UNDECIDED,
+    VACUOUS,
+    Decision,
+    undecided,
+)
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.existence import quantifiers
 from hfield.proving.existence.closed_equations import closed_solutions
@@ -13,6 +22,7 @@ from hfield.proving.methods import universal
 from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.question import TIMEOUT, Question, read_question
+from hfield.proving.steps import say
 from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
 from hfield.syntax import Not
@@ -64,10 +74,10 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
             found = _never_false(problem) if found is None else found
             decision = decision if found is None else found
     except (TooLargeError, UndecidedError) as error:  # such as digits that are not known
-        return Decision(UNDECIDED, "none", tried=(str(error),))
+        return undecided(str(error))
     if exists is None and decision.verdict in (PROVED, VACUOUS):
         tried = ("values of the letters for which the structure constants are defined",)
-        return Decision(UNDECIDED, "none", tried=tried)
+        return undecided(*tried)
     return decision
 
 
@@ -78,10 +88,8 @@ def _never_false(problem: Problem) -> Decision | None:
         return None
     if not closed_solutions(problem.about(Not(problem.matrix))).none:
         return None
-    steps = (
-        f"solving the equations of a counterexample over {field.name} shows that there is none",
-    )
-    return Decision(PROVED, "linear algebra", steps=steps, scope=FIELD)
+    steps = (say("no-counterexample", F=field.name),)
+    return Decision(PROVED, LINEAR_ALGEBRA, steps=steps, scope=FIELD)
 
 
 def chosen(problem: Problem) -> Callable[[Problem], Decision]:
@@ -107,7 +115,7 @@ def _with_hypotheses(problem: Problem) -> Decision:
 def _no_algebra(problem: Problem) -> Decision:
     """Return the decision about an algebra whose structure constants are never defined."""
     setting = problem.setting
-    where = "any field" if setting.field is None else setting.field.name
-    values = f" for any {', '.join(setting.letters)}" if setting.letters else ""
-    why = f"there is no algebra {setting.algebra}: its constants are not defined in {where}{values}"
-    return Decision(NOT_APPLICABLE, "none", steps=(why,), tried=(why,))
+    where = say("any-field") if setting.field is None else setting.field.name
+    named = "no-algebra-for" if setting.letters else "no-algebra"
+    why = say(named, A=setting.algebra, F=where, letters=", ".join(setting.letters))
+    return Decision(NOT_APPLICABLE, NONE, steps=(why,), tried=(why,))

@@ -1,24 +1,21 @@
 """What a decision procedure answers: a verdict with the evidence for it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
+from hfield.certificates import glossary
 from hfield.certificates.glossary import (
     CERTIFIED,
-    COMMUTATIVE_RINGS,
-    FIELD,
-    FIELDS,
+    NONE,
     NOT_APPLICABLE,
     PROVED,
-    REDUCED_RINGS,
     REFUTED,
-    SCHEMA,
     UNDECIDED,
     VACUOUS,
     VERDICTS,
 )
 from hfield.errors import UndecidedError
+from hfield.evidence import Evidence, Kind, certificate
 from hfield.fields.names import ring
 
 # The verdicts and scopes, which those who decide take from here.
@@ -34,29 +31,39 @@ __all__ = [
     "VACUOUS",
     "VERDICTS",
     "Decision",
-    "characteristics",
-    "has_evidence",
+    "Scope",
 ]
 
 
-def characteristics(primes: list[int]) -> str:
-    """Return the scope "characteristics [...]" of something that holds exactly over those."""
-    return f"characteristics {sorted(primes)}"
+class Scope(str):
+    """Where a statement was shown, in words; ``primes`` are those of "characteristics [...]"."""
+
+    primes: tuple[int, ...] = ()
+
+    @classmethod
+    def characteristics(cls, primes: Iterable[int]) -> "Scope":
+        """Return the scope of what holds exactly over the fields and rings of these characteristics."""
+        listed = sorted(primes)
+        scope = cls(f"characteristics {listed}")
+        scope.primes = tuple(listed)
+        return scope
+
+
+FIELD, FIELDS = Scope(glossary.FIELD), Scope(glossary.FIELDS)
+REDUCED_RINGS = Scope(glossary.REDUCED_RINGS)
+COMMUTATIVE_RINGS = Scope(glossary.COMMUTATIVE_RINGS)
+
+
+def in_characteristics(primes: Sequence[int]) -> str:
+    """Return "characteristic 2", "characteristics 2, 3"."""
+    named = counted("characteristic", len(primes), number=False)
+    return f"{named} {', '.join(map(str, primes))}"
 
 
 def counted(thing: str, n: int, number: bool = True) -> str:
     """Return "1 case", "2 cases", or the word alone in singular or plural."""
     word = thing if n == 1 else f"{thing}s"
     return f"{n} {word}" if number else word
-
-
-def has_evidence(evidence: Any) -> bool:
-    """Tell whether there is evidence, and for all that it builds on."""
-    if isinstance(evidence, Mapping):
-        parts = [evidence[key] for key in ("proof", "cover") if key in evidence]
-        cases = evidence.get("cases")  # a list of proofs, or how many cases were tried
-        return all(map(has_evidence, [*parts, *(cases if isinstance(cases, list) else ())]))
-    return evidence is not None
 
 
 @dataclass(frozen=True)
@@ -70,21 +77,23 @@ class Decision:
     lines that one could put on a blackboard. ``scope`` says where the statement was proved:
     ``commutative rings``, ``reduced rings``, ``fields``, ``characteristics [..]`` or ``field``.
     ``assumes`` lists theorems that are cited and not checked, ``tried`` what an undecided
-    statement was tried with. ``evidence`` is JSON data, described in docs/certificates.md.
+    statement was tried with. ``evidence`` is what a program checks it by.
     """
 
     verdict: str
     method: str
     witness: Mapping[str, list[str]] | None = None
     steps: tuple[str, ...] = ()
-    scope: str | None = None
+    scope: Scope | None = None
     assumes: tuple[str, ...] = ()
     tried: tuple[str, ...] = ()
-    evidence: Mapping[str, Any] | None = None
+    evidence: Evidence | None = None
 
     def __post_init__(self) -> None:
         if self.verdict not in VERDICTS:
             raise ValueError(f"{self.verdict!r} is not a verdict; expected one of {VERDICTS}")
+        if self.scope is not None and not isinstance(self.scope, Scope):  # a word of anyone's claim
+            object.__setattr__(self, "scope", Scope(self.scope))
 
     def certificate(
         self, statement: str, algebra: str, field: str | None
@@ -94,24 +103,12 @@ class Decision:
             return None
         from hfield.certificates.vocabulary.logic import names_of_rings
 
-        evidence, named = dict(self.evidence), names_of_rings(statement)
+        evidence, named = self.evidence, [ring(n).data for n in names_of_rings(statement)]
         if named:
-            evidence = {
-                "kind": "rings",
-                "rings": [ring(n).data for n in named],
-                "evidence": evidence,
-            }
-        return {
-            "schema": SCHEMA,
-            "statement": statement,
-            "algebra": algebra,
-            "field": field,
-            "ring": None if field is None else ring(field).data,
-            "verdict": self.verdict,
-            "method": self.method,
-            "assumes": list(self.assumes),
-            "evidence": evidence,
-        }
+            evidence = Evidence(Kind.RINGS, rings=named, evidence=evidence)
+        data = None if field is None else ring(field).data
+        judged = (self.verdict, self.method, self.assumes, evidence)
+        return certificate(statement, algebra, field, data, *judged)
 
     def __bool__(self) -> bool:
         """Proved (or vacuous) is true, refuted is false. Raises UndecidedError for the others."""
@@ -121,3 +118,8 @@ class Decision:
             return False
         tried = "; ".join(self.tried) or self.method
         raise UndecidedError(f"this is {self.verdict}, so it is neither true nor false: {tried}")
+
+
+def undecided(*tried: str, method: str = NONE) -> Decision:
+    """Return that nothing decided it, with what was tried."""
+    return Decision(UNDECIDED, method, tried=tried)

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from hfield.errors import NotationError
+from hfield.evidence import is_complete, why_rejected
 from hfield.proving.decide import answer
 from hfield.proving.decision import (
     NOT_APPLICABLE,
@@ -17,7 +18,6 @@ from hfield.proving.decision import (
     UNDECIDED,
     VACUOUS,
     Decision,
-    has_evidence,
 )
 from hfield.proving.question import TIMEOUT, read_question
 from hfield.proving.statements.language import Statement
@@ -73,8 +73,6 @@ class Answer:
     @cached_property
     def why_no_certificate(self) -> str | None:
         """Why there is no certificate, in a line; None where there is one."""
-        from hfield.certificates.check import Rejected, check
-
         if self._evidence is None:
             decided = self.verdict in (PROVED, REFUTED, VACUOUS)
             return (
@@ -82,17 +80,13 @@ class Answer:
                 if decided
                 else f"this is {self.verdict}"
             )
-        try:
-            check(self._evidence)
-        except Rejected as error:
-            return f"the checker does not follow: {error}"
-        return None
+        return why_rejected(self._evidence)
 
     @property
     def _evidence(self) -> dict[str, object] | None:
         """The decision as a certificate, whatever a checker says of it."""
         d = self.decision
-        if not has_evidence(d.evidence):
+        if not is_complete(d.evidence):
             return None
         return d.certificate(self.text, self.setting.algebra, self.field)
 

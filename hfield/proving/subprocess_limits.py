@@ -5,11 +5,10 @@ things cannot be estimated: factoring structure constants of many digits, or com
 """
 
 import sys
-from typing import Any
 
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
-from hfield.proving.decision import UNDECIDED, Decision
+from hfield.proving.decision import Decision, undecided
 from hfield.proving.problem import Problem
 from hfield.proving.question import Question
 from hfield.rings.base import Ring
@@ -41,6 +40,7 @@ def _digits(text: str) -> int:
 def decide_apart(question: Question) -> Decision | None:
     """Decide in another process; None when the field is a user's own, which has no name there."""
     import json
+    import pickle
     import subprocess
 
     field = question.problem.field
@@ -56,19 +56,17 @@ def decide_apart(question: Question) -> Decision | None:
     try:
         done = subprocess.run(
             [sys.executable, "-m", "hfield.proving.subprocess_worker", str(MEMORY)],
-            input=json.dumps(request),
+            input=json.dumps(request).encode(),
             capture_output=True,
-            text=True,
             timeout=question.timeout + GRACE,
             check=False,
         )
     except subprocess.TimeoutExpired:
         return _given_up(f"the time of {question.timeout:g} s was over")
-    try:
-        answer = json.loads(done.stdout)
-    except ValueError:
+    if done.returncode:
         return _given_up(f"the work needed more than {MEMORY >> 20} MiB of memory, or failed")
-    return from_json(answer)
+    answer: Decision = pickle.loads(done.stdout)
+    return answer
 
 
 def _is_ours(field: Ring) -> bool:
@@ -79,10 +77,4 @@ def _is_ours(field: Ring) -> bool:
 
 
 def _given_up(why: str) -> Decision:
-    return Decision(UNDECIDED, "none", tried=(f"{why}, in a process of its own",))
-
-
-def from_json(data: dict[str, Any]) -> Decision:
-    """Return a decision from what :func:`dataclasses.asdict` made of it."""
-    tuples = {name: tuple(data[name]) for name in ("steps", "assumes", "tried")}
-    return Decision(**{**data, **tuples})
+    return undecided(f"{why}, in a process of its own")

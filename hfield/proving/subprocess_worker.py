@@ -1,8 +1,8 @@
 """The process that ``subprocess_limits`` starts: a request on stdin, the decision on stdout."""
 
 import json
+import pickle
 import sys
-from dataclasses import asdict
 
 from hfield.proving.decide import answer_here
 from hfield.proving.question import read_question
@@ -17,7 +17,7 @@ def main(memory: int) -> None:
     except (ImportError, ValueError, OSError):  # not a Unix, or a lower limit holds already
         pass
     question = read_question(**json.loads(sys.stdin.read()))
-    json.dump(asdict(answer_here(question)), sys.stdout)
+    pickle.dump(answer_here(question), sys.stdout.buffer)
 
 
 if __name__ == "__main__":

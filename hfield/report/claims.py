@@ -14,10 +14,9 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import tally
 from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
-from hfield.report.ledger_terms import term
 from hfield.report.markup import anchor, field_html, field_text, verdict_html
 from hfield.report.packed_certificates import Certificates
-from hfield.report.page_language import Language
+from hfield.report.words import Language, term
 
 MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
 Alike = tuple[str, str, str, str]

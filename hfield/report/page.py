@@ -18,7 +18,7 @@ from hfield.report.chapters import Chapter
 from hfield.report.claims import claims_html, errata_html
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
 from hfield.report.packed_certificates import Certificates
-from hfield.report.page_language import Language
+from hfield.report.words import Language
 
 
 def page(

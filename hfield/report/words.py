@@ -1,139 +1,91 @@
-"""The page's own words, in English and in Polish. What the ledger says stays in its own language."""
+"""What the page says in a language: its own words, kinds of claims, ways of proof, claims and decisions."""
 
 from __future__ import annotations
 
-from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS
+import json
+import re
+from collections.abc import Sequence
+from html import escape
+from pkgutil import get_data
 
-ENGLISH = {
-    "lang": "en",
-    "title": "The claims, decided",
-    "thesis": "Quaternions, rotations, and computer animations: the claims of the thesis, decided",
-    "thesis_of": "The claims of Szymon Sroka's master's thesis (Kraków University of Technology, 2023),"
-    " decided over a panel of fields",
-    "made_by": "Computed by hfield {version}. Nothing here was typed in as a verdict.",
-    "skip": "Skip to the claims",
-    "contents": "Contents",
-    "summary": "Summary",
-    "matrix": "Claims and fields",
-    "claims": "The claims",
-    "errata": "Errata",
-    "chapters": "Chapters",
-    "section": "Section",
-    "claim": "Claim",
-    "of_claims": "claims",
-    "rows": "decisions",
-    "certificates": "certificates",
-    "total": "total",
-    "beyond": "Claims that no program can check (history, opinion, announcement)",
-    "undecided_rows": "Undecided",
-    "contradictions": "Contradictions",
-    "about": "A claim is decided over each field, as it is printed; where that is refuted, its correction is"
-    " decided as well. ∀ stands for every commutative ring (or every field, where the claim needs one), and"
-    " – for claims about no field in particular.",
-    "filter": "Filter",
-    "field": "Field",
-    "verdict": "Verdict",
-    "search": "Search",
-    "all_sections": "all sections",
-    "all_fields": "all fields",
-    "all_verdicts": "all verdicts",
-    "reset": "Show all",
-    "shown": "{n} of {all} claims shown",
-    "statement": "in words",
-    "printed": "printed",
-    "read_as": "decided",
-    "note": "remark",
-    "corrected": "corrected",
-    "decisions": "Decisions",
-    "over": "over",
-    "method": "by",
-    "witness": "witness",
-    "steps": "steps",
-    "more_steps": "… {n} more",
-    "get": "certificate",
-    "get_hint": "A field in a frame is a button: it saves the certificate of that decision, which"
-    " “hfield check” checks again.",
-    "get_all": "Save all {n} certificates, a line of JSON each",
-    "refuted_over": "refuted over",
-    "elsewhere": "elsewhere",
-    "there": "there",
-    "no_errata": "No claim is refuted.",
-    "no_script": "Filters and certificates need JavaScript, which is off here.",
-    "assumes": "cites",
-    "tried": "tried",
-    "to_top": "Back to the top",
-    PROVED: "proved",
-    REFUTED: "refuted",
-    VACUOUS: "vacuous",
-    UNDECIDED: "undecided",
-    NOT_APPLICABLE: "not applicable",
-    "universal": "every commutative ring",
-    "-": "no field",
-}
-POLISH = {
-    "lang": "pl",
-    "title": "Twierdzenia rozstrzygnięte",
-    "thesis": "Kwaterniony, obroty i animacje komputerowe: twierdzenia pracy rozstrzygnięte",
-    "thesis_of": "Twierdzenia pracy magisterskiej Szymona Sroki (Politechnika Krakowska, 2023),"
-    " rozstrzygnięte nad wybranymi ciałami",
-    "made_by": "Obliczone programem hfield {version}. Żadnego rozstrzygnięcia nie wpisano ręcznie.",
-    "skip": "Przejdź do twierdzeń",
-    "contents": "Spis treści",
-    "summary": "Podsumowanie",
-    "matrix": "Twierdzenia i ciała",
-    "claims": "Twierdzenia",
-    "errata": "Errata",
-    "chapters": "Rozdziały",
-    "section": "Rozdział",
-    "claim": "Twierdzenie",
-    "of_claims": "twierdzeń",
-    "rows": "rozstrzygnięć",
-    "certificates": "certyfikatów",
-    "total": "razem",
-    "beyond": "Zdania, których nie sprawdzi żaden program (historia, opinie, zapowiedzi)",
-    "undecided_rows": "Nierozstrzygnięte",
-    "contradictions": "Sprzeczności",
-    "about": "Każde twierdzenie jest rozstrzygane nad każdym z ciał tak, jak je wydrukowano; gdzie jest"
-    " obalone, rozstrzygana jest też jego poprawka. ∀ oznacza każdy pierścień przemienny (lub każde ciało,"
-    " jeśli twierdzenie go wymaga), a – zdania nieodnoszące się do żadnego ciała.",
-    "filter": "Filtr",
-    "field": "Ciało",
-    "verdict": "Wynik",
-    "search": "Szukaj",
-    "all_sections": "wszystkie rozdziały",
-    "all_fields": "wszystkie ciała",
-    "all_verdicts": "wszystkie wyniki",
-    "reset": "Pokaż wszystko",
-    "shown": "widoczne: {n} z {all}",
-    "statement": "słowami",
-    "printed": "w druku",
-    "read_as": "rozstrzygane",
-    "note": "uwaga",
-    "corrected": "poprawione",
-    "decisions": "Rozstrzygnięcia",
-    "over": "nad",
-    "method": "metoda",
-    "witness": "świadek",
-    "steps": "kroki",
-    "more_steps": "… i jeszcze {n}",
-    "get": "certyfikat",
-    "get_hint": "Ciało w ramce jest przyciskiem: zapisuje certyfikat tego rozstrzygnięcia, który"
-    " „hfield check” sprawdza od nowa.",
-    "get_all": "Zapisz wszystkie certyfikaty ({n}), po jednym wierszu JSON",
-    "refuted_over": "obalone nad",
-    "elsewhere": "poza tym",
-    "there": "tam",
-    "no_errata": "Żadne twierdzenie nie jest obalone.",
-    "no_script": "Filtry i certyfikaty wymagają JavaScriptu, który jest tu wyłączony.",
-    "assumes": "cytuje",
-    "tried": "próbowano",
-    "to_top": "Na początek",
-    PROVED: "udowodnione",
-    REFUTED: "obalone",
-    VACUOUS: "puste",
-    UNDECIDED: "nierozstrzygnięte",
-    NOT_APPLICABLE: "nie dotyczy",
-    "universal": "każdy pierścień przemienny",
-    "-": "bez ciała",
-}
+from hfield.errors import shorten
+from hfield.ledger.claim import Claim, Row
+from hfield.ledger.translated import Told, Translation
+from hfield.report.markup import Words, formula, prose
+
+_TABLE = json.loads(get_data("hfield.report", "words.json") or "{}")
+ENGLISH: Words = {key: said["en"] for key, said in _TABLE["words"].items()}
+POLISH: Words = {key: said["pl"] for key, said in _TABLE["words"].items()}
 LANGUAGES = {"en": ENGLISH, "pl": POLISH}
+_TERMS: Words = _TABLE["terms"]
+_NUMBERED = re.compile(r"(\D+) (\d[\d.]*)( proof)?")
+
+
+def term(text: str, words: Words) -> str:
+    """Set the kind of a claim or a way of proof; what has no translation stays and is marked as English.
+
+    >>> term("lemma 3 proof", POLISH), term("identity; implication", POLISH)
+    ('lemat 3, dowód', 'tożsamość; implikacja')
+    """
+    if words["lang"] == "en":
+        return escape(text)
+    said = [_polish(part) for part in text.split("; ")]
+    if all(said):
+        return escape("; ".join(said))
+    return f'<span lang="en">{escape(text)}</span>'
+
+
+def _polish(text: str) -> str:
+    """Return the translation, or nothing."""
+    if found := _NUMBERED.fullmatch(text):
+        what, number, proof = found.groups()
+        name = _TERMS.get(what, "")
+        return name and f"{name} {number}" + (", dowód" if proof else "")
+    return _TERMS.get(text, "")
+
+
+OURS = (
+    ("hfield.report", "reasons.toml"),
+)  # what the prover says, and the claims that Python decides
+
+
+class Language(dict[str, str]):
+    """The page's words; what is written in English and has no translation is marked as English."""
+
+    def __init__(self, name: str, rows: Sequence[Row]) -> None:
+        super().__init__(LANGUAGES[name])
+        claims = dict.fromkeys(row.claim for row in rows)
+        self._translation = None if name == "en" else Translation(claims, name, OURS)
+
+    def told(self, claim: Claim) -> Told | None:
+        """Return what a claim says in this language, or None where it is known in English only."""
+        if self._translation is None:
+            return Told(claim.name, claim.statement, claim.note)
+        return self._translation.told(claim)
+
+    def printed(self, claim: Claim) -> str:
+        """Set what the thesis prints, in Polish, which is its language."""
+        text = self._translation.printed(claim) if self._translation else claim.printed
+        return f'<p lang="pl">{prose(text)}</p>'
+
+    def say(self, text: str) -> str | None:
+        """Return a text in this language, or None where it is known in English only."""
+        return text if self._translation is None else self._translation.say(text)
+
+    def html(self, text: str, tag: str = "span", most: int | None = None) -> str:
+        """Set a text in this language, cut after ``most`` letters; what stays English is marked."""
+        said = self.say(text)
+        shown = text if said is None else said
+        body = prose(shown if most is None else shorten(shown, most))
+        if said is None:
+            return f'<{tag} lang="en">{body}</{tag}>'
+        return body if tag == "span" else f"<{tag}>{body}</{tag}>"
+
+    def statement(self, text: str) -> str:
+        """Set what is decided: formulas, or a sentence."""
+        return formula(text) or self.html(text, "p")
+
+    def name(self, claim: Claim) -> str:
+        """Set the name of a claim."""
+        told = self.told(claim)
+        return prose(told.name) if told else f'<span lang="en">{prose(claim.name)}</span>'

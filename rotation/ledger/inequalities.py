@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from hfield.certificates.glossary import WITNESS
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.ledger.propositions import Every, Statement
 from hfield.proving.decision import REFUTED, Decision
@@ -62,7 +63,7 @@ class Less:
                 *steps,
                 f"their difference {gap} is not negative: it is a sum of squares over ℚ",
             ),
-            evidence={"kind": "witness", "ring": base.data, "values": {"q": witness}},
+            evidence=Evidence(Kind.WITNESS, ring=base.data, values={"q": witness}),
         )
 
 

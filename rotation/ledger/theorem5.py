@@ -11,8 +11,8 @@ those of R − Rᵗ + (1 + t)I = 0; so R + I has rank one, and a column of it, d
 norm is a square), is the axis of a half turn.
 """
 
-from hfield.ledger.bases import IsBasis
 from hfield.ledger.document import Propositions
+from hfield.ledger.linear_algebra import IsBasis
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import Angles

@@ -2,9 +2,9 @@
 
 import pytest
 
+from hfield.coq.base_rings import FIELDS, RINGS
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.export import Export, export_session, export_statements
-from hfield.coq.rooms import FIELDS, RINGS
 from hfield.coq.terms import NotCoveredError
 from hfield.coq.theorem import comment_text, theorem
 from hfield.errors import HFieldError, NotationError

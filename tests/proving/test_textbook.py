@@ -78,7 +78,7 @@ def test_constants_of_the_field_are_told_apart(statement, field):
 @pytest.mark.parametrize(("statement", "ring", "verdict", "kind"), RINGS)
 def test_rings_that_are_no_fields(statement, ring, verdict, kind):
     decision = decide(statement, ring)
-    assert (decision.verdict, decision.evidence["kind"]) == (verdict, kind)
+    assert (decision.verdict, decision.evidence.kind) == (verdict, kind)
 
 
 @pytest.mark.parametrize(

@@ -17,10 +17,9 @@ from hfield.cli import main
 from hfield.proving.decision import REFUTED
 from hfield.report import chapters as chapters_module
 from hfield.report.chapters import Chapter, ChapterError, chapters
-from hfield.report.ledger_terms import term
 from hfield.report.markup import anchor
 from hfield.report.page import page
-from hfield.report.words import ENGLISH, POLISH
+from hfield.report.words import ENGLISH, POLISH, term
 
 ROOT = Path(__file__).parents[2]
 VOID = {"meta", "link", "input", "br", "img"}

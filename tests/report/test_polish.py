@@ -16,7 +16,7 @@ from hfield.ledger.wording import witness_text
 from hfield.report.markup import formula
 from hfield.report.packed_certificates import Certificates
 from hfield.report.page import page
-from hfield.report.page_language import Language
+from hfield.report.words import Language
 from rotation.figures import FIGURES
 from rotation.report import LETTERING
 

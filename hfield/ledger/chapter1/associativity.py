@@ -2,8 +2,15 @@
 
 from hfield.certificates.glossary import INDUCTION
 from hfield.ledger.document import Propositions
-from hfield.ledger.linear_forms import all_tuples, constant_tuples, short_tuples, spoilt_tuples
-from hfield.ledger.multilinear import CurriedIsLinear, DeterminedBy, LastArgument
+from hfield.ledger.multilinear import (
+    CurriedIsLinear,
+    DeterminedBy,
+    LastArgument,
+    all_tuples,
+    constant_tuples,
+    short_tuples,
+    spoilt_tuples,
+)
 
 COMPUTED = {
     "C1.1.3-a": Propositions(

@@ -1,8 +1,8 @@
 """Sections 1.4.1 and 1.4.2: the canonical and the Hamiltonian form."""
 
-from hfield.ledger.bases import IsBasis
 from hfield.ledger.chapter1.multiplication import TABLE
 from hfield.ledger.document import Propositions
+from hfield.ledger.linear_algebra import IsBasis
 from hfield.ledger.propositions import Every, Statement
 
 UNITS = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))

@@ -1,7 +1,7 @@
 """Sections 1, 1.1.1 and 1.1.2: the table, its extension to all of H(F), identity, commutativity."""
 
-from hfield.ledger.centre import Centre
 from hfield.ledger.document import Propositions
+from hfield.ledger.linear_algebra import Centre
 from hfield.ledger.propositions import Equivalence, Every, Statement
 
 TABLE = (

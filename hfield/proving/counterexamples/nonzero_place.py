@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import HFieldError
 from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import small_scalars
-from hfield.proving.evaluation.searcher import Assignment
+from hfield.proving.evaluation.searcher import Assignment, assigned
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
 
@@ -45,11 +44,7 @@ def nonzero_place(
                 break
         else:
             return None
-    out: Assignment = {}
-    rest = iter(values)
-    for name, sort in problem.statement.unknowns:
-        out[name] = next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
-    return out
+    return assigned(problem.statement, values)
 
 
 def _substitute(f: dict[Monomial, Scalar], value: Scalar, field: Ring) -> dict[Monomial, Scalar]:

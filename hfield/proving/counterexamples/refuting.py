@@ -9,12 +9,11 @@ from hfield.errors import UndecidedError
 from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.counterexamples.solving import solve
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import Assignment, Searcher
+from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.starting_relations import quaternions_of
 from hfield.proving.problem import Problem
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint
@@ -29,14 +28,6 @@ def look_quickly(problem: Problem) -> Assignment | None:
     """Look at a few places of the prime field: a witness there serves every extension."""
     found = prime_search(problem, problem.ring.characteristic, QUICK)
     return None if found is None else lifted(problem.ring, found)
-
-
-def lifted(field: Ring, found: Assignment) -> Assignment:
-    """Turn numbers into elements of the field."""
-    return {
-        name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
-        for name, x in found.items()
-    }
 
 
 def look(problem: Problem, limit: int) -> Assignment | None:

@@ -16,12 +16,11 @@ from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import nonzero_first, small_scalars
 from hfield.proving.counterexamples.nonzero_place import values_of
-from hfield.proving.evaluation.searcher import Assignment
+from hfield.proving.evaluation.searcher import Assignment, assigned
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
 from hfield.rings.roots import rational_roots
@@ -48,11 +47,7 @@ def solve(problem: Problem, x: Expanded, clause: Clause) -> Assignment | None:
     values = solver.run(zeros, goals, {})
     if values is None:
         return None
-    out: Assignment = {}
-    rest = iter([values[n] for n in range(x.unknowns)])
-    for name, sort in problem.statement.unknowns:
-        out[name] = next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
-    return out
+    return assigned(problem.statement, (values[n] for n in range(x.unknowns)))
 
 
 class _Solver:

@@ -12,7 +12,7 @@ from hfield.errors import TooLargeError, UndecidedError
 from hfield.product import Scalar
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import Decided, PrimeScalars, RingScalars, constant
-from hfield.proving.evaluation.searcher import Assignment, Searcher
+from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
@@ -93,10 +93,7 @@ def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -
             raise UndecidedError(f"time was over after {n} cases")
         assignment = _assignment(statement, places, values, elements[0])
         if seeker.test(assignment):
-            return {
-                name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
-                for name, x in assignment.items()
-            }
+            return lifted(field, assignment)
     return None
 
 

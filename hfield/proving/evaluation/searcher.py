@@ -1,17 +1,43 @@
 """The truth of a statement at one place after the other."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
 from hfield.errors import UndecidedError
+from hfield.product import Scalar
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.proving.problem import Problem
+from hfield.proving.statements.language import Sort, Statement
 from hfield.proving.statements.trees import walk
+from hfield.rings.base import Ring
 from hfield.syntax import Name
 
 Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
+
+
+def lifted(field: Ring, found: Mapping[str, Any]) -> Assignment:
+    """Turn numbers, or the texts of coordinates, into elements of the field."""
+    return {
+        name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
+        for name, x in found.items()
+    }
+
+
+def read_back(field: Ring, witness: Mapping[str, Sequence[str]]) -> Assignment:
+    """Return the values of a witness in the field, which may be named beside them."""
+    values = {name: texts for name, texts in witness.items() if name != "F"}
+    return lifted(field, {n: tuple(x) if len(x) == 4 else x[0] for n, x in values.items()})
+
+
+def assigned(statement: Statement, scalars: Iterable[Scalar]) -> Assignment:
+    """Give the unknowns their values, of quaternions four coordinates together."""
+    rest = iter(scalars)
+    return {
+        name: next(rest) if sort is Sort.SCALAR else tuple(islice(rest, 4))
+        for name, sort in statement.unknowns
+    }
 
 
 class Searcher:

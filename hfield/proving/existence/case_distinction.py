@@ -2,14 +2,15 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
 
+from hfield.certificates.glossary import WITNESS
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search, ring_search
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
-from hfield.proving.evaluation.searcher import Searcher
+from hfield.proving.evaluation.searcher import Searcher, read_back
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
 from hfield.proving.existence.witness_terms import by_terms, combined, put_in
@@ -18,6 +19,7 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import FALSE, implication
+from hfield.proving.steps import say
 from hfield.syntax import Compare, Logic, Name, Node, Number, parse
 
 MAX_ISOLATED = 40
@@ -62,8 +64,7 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Decision | Non
 def by_zero_or_not(problem: Problem) -> Decision | None:
     """Prove by one term where something that is given is 0, and another one where it is not."""
     statement = problem.statement
-    free = [name for name, _ in statement.unknowns if name not in statement.exists]
-    for name in free[:MAX_ZERO]:
+    for name, _ in statement.given[:MAX_ZERO]:
         found: list[tuple[Case, Decision]] = []
         for op in ("==", "!="):
             when = Compare(op, Name(name), Number(0))
@@ -104,11 +105,7 @@ def _covered(problem: Problem, cases: list[Case]) -> tuple[list[Case], Decision]
         if cover.verdict != REFUTED or cover.witness is None:
             return chosen, cover
         field = problem.field or ring(cover.witness["F"][0])
-        place = {
-            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
-            for name, texts in cover.witness.items()
-            if name != "F"
-        }
+        place = read_back(field, cover.witness)
         world = RingScalars(field)
         found = [
             case
@@ -174,9 +171,7 @@ def _covering(problem: Problem, cases: list[Case]) -> Problem:
 
 def _given(problem: Problem, node: Node) -> Problem:
     """Return a problem about what is given."""
-    statement = problem.statement
-    free = tuple(name for name, _ in statement.unknowns if name not in statement.exists)
-    made = problem.alone(node, free)
+    made = problem.alone(node, tuple(name for name, _ in problem.statement.given))
     return made.stating(replace(made.statement, compares_unequal=True))
 
 
@@ -194,24 +189,24 @@ def _put_together(
     """Return the proof by cases, None where a case is not proved."""
     if any(proof.verdict != PROVED for proof in proofs):
         return None
-    evidence: dict[str, Any] = {
-        "kind": "cases",
-        "cases": [
-            {"when": case.when, "terms": dict(case.terms), "proof": proof.evidence}
-            for case, proof in zip(cases, proofs, strict=True)
-        ],
-        "cover": cover.evidence,
-    }
+    told = [
+        {"when": case.when, "terms": dict(case.terms), "proof": proof.evidence}
+        for case, proof in zip(cases, proofs, strict=True)
+    ]
     steps = [
-        f"where {case.when} take " + ", ".join(f"{name} = {term}" for name, term in case.terms)
+        say(
+            "take-where",
+            when=case.when,
+            terms=", ".join(f"{name} = {term}" for name, term in case.terms),
+        )
         for case in cases
     ]
     assumes = tuple(dict.fromkeys(a for d in (cover, *proofs) for a in d.assumes))
     return Decision(
         PROVED,
-        "witness",
-        steps=(*steps, "one of these cases always applies"),
+        WITNESS,
+        steps=(*steps, say("always-one")),
         scope=FIELDS if problem.field is None else FIELD,
         assumes=assumes,
-        evidence=evidence,
+        evidence=Evidence(Kind.CASES, cases=told, cover=cover.evidence),
     )

@@ -10,12 +10,12 @@ from typing import Any
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.product import Scalar
+from hfield.proving.evaluation.searcher import assigned
 from hfield.proving.existence.quadratic_equations import quaternion_roots
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Sort, Statement
 from hfield.rings.base import Ring
 
 MAX_BRANCHES = 16
@@ -56,7 +56,7 @@ def closed_solutions(problem: Problem) -> Solutions:
             none = False
             continue
         none = none and not found
-        places.extend(_assigned(problem.statement, values) for values in found)
+        places.extend(assigned(problem.statement, values) for values in found)
     return Solutions(tuple(places), none)
 
 
@@ -148,12 +148,3 @@ def _hermite(rows: list[list[Scalar]], ring: Ring) -> list[Scalar] | None:
         elif not ring.is_zero(rest[r]):
             return None
     return solution
-
-
-def _assigned(statement: Statement, values: Sequence[Scalar]) -> dict[str, object]:
-    """Give the unknowns their values, the coordinates of a quaternion together."""
-    rest = iter(values)
-    return {
-        name: next(rest) if sort is Sort.SCALAR else tuple(next(rest) for _ in range(4))
-        for name, sort in statement.unknowns
-    }

@@ -15,8 +15,7 @@ from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
-from hfield.proving.existence.elimination import MAX_TERMS, Elimination
-from hfield.proving.existence.linear_coefficients import Coefficients, Row
+from hfield.proving.existence.elimination import MAX_TERMS, Coefficients, Elimination, Row
 from hfield.proving.polynomials.expansion import Symbolic, coordinate_names
 from hfield.proving.polynomials.normal_form import Formula, Literal, branches
 from hfield.proving.polynomials.recognition import polynomial_text

@@ -3,31 +3,31 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import Any
 
+from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import HFieldError
+from hfield.evidence import Evidence, Kind, is_complete
 from hfield.product import Scalar
 from hfield.proving.counterexamples.candidates import by_weight, small_scalars, witness_texts
 from hfield.proving.decision import (
     FIELD,
     PROVED,
     REFUTED,
-    UNDECIDED,
     Decision,
-    has_evidence,
+    undecided,
 )
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import Assignment, Searcher
+from hfield.proving.evaluation.searcher import Assignment, Searcher, read_back
 from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.unsolvable import unsolvable_at
 from hfield.proving.existence.witnesses import decide_closed, shown
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem, constants_in
-from hfield.proving.statements.language import Sort
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import put_letters
 from hfield.proving.statements.trees import conjunction, quaternion_node, substitute, walk
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 from hfield.syntax import Name, Negate, Not, Number, parse
 
@@ -35,18 +35,10 @@ MAX_PLACES = 2_000
 MOST_LOOKED = 40  # of infinitely many
 SMALL = 5  # elements of an infinite field
 
-Free = list[tuple[str, Sort]]
-
-
-def given(problem: Problem) -> Free:
-    """Return the unknowns that are given, with their sorts."""
-    statement = problem.statement
-    return [(name, sort) for name, sort in statement.unknowns if name not in statement.exists]
-
 
 def by_places(problem: Problem) -> Decision:
     """Refute at one place of the given unknowns, or prove at all of them over a finite field."""
-    field, free = problem.ring, given(problem)
+    field, free = problem.ring, problem.statement.given
     width = sum(sort.width for _, sort in free)
     finite = field.order is not None and field.order**width <= MAX_PLACES
     if finite:
@@ -72,10 +64,10 @@ def by_places(problem: Problem) -> Decision:
         try:
             one = decide_closed(_instance(problem, values))
         except HFieldError:
-            return Decision(UNDECIDED, "none", tried=("values of the unknowns one by one",))
+            return undecided("values of the unknowns one by one")
         if one.verdict == REFUTED:
             refuted = _none_there(one, values)
-            if has_evidence(one.evidence):
+            if is_complete(one.evidence):
                 return refuted
             unproved = unproved or refuted
         elif finite and one.verdict != PROVED:
@@ -83,17 +75,13 @@ def by_places(problem: Problem) -> Decision:
     if unproved is not None:
         return unproved
     if finite and not problem.is_late:
-        steps = (f"there is one for {_each(count)}",)
-        counted: dict[str, Any] = {"kind": "exhaustion", "cases": count}
-        return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=counted)
+        steps = (say("one-each" if count > 1 else "one-only", n=count),)
+        counted = Evidence(Kind.EXHAUSTION, cases=count)
+        return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=counted)
     tried = ["terms in the unknowns", f"{looked} places"]
     if problem.is_late:
         tried.append("the time was over")
-    return Decision(UNDECIDED, "none", tried=tuple(tried))
-
-
-def _each(count: int) -> str:
-    return f"each of the {count} values of what is given" if count > 1 else "the only value given"
+    return undecided(*tried)
 
 
 def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision | None:
@@ -113,7 +101,7 @@ def at_zero(problem: Problem) -> tuple[str, ...] | None:
     """Return what exists when all that is given is 0 (letters −1): it may serve everywhere."""
     setting = problem.setting
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
-    zeros = {name: Number(0) for name, _ in given(problem)}
+    zeros = {name: Number(0) for name, _ in problem.statement.given}
     exists = problem.statement.exists
     instance = replace(problem.about(substitute(problem.matrix, zeros), exists), setting=there)
     if not algebra_exists(replace(problem, setting=there)):
@@ -130,7 +118,7 @@ def _small(field: Ring) -> list[Scalar]:
 
 def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
     """Run through places near those that are found by solving: the hypotheses, or where a term fails."""
-    field, statement, free = problem.ring, problem.statement, given(problem)
+    field, statement, free = problem.ring, problem.statement, problem.statement.given
     terms = [texts for texts in isolated(statement).values() if texts]
     failing = []
     if len(terms) == len(statement.exists) == 1:
@@ -143,10 +131,7 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
         witness = universal.decide(problem.about(node, names).share(1 / 4)).witness
         if witness is None:
             continue
-        found: Assignment = {
-            name: tuple(map(field, texts)) if len(texts) == 4 else field(texts[0])
-            for name, texts in witness.items()
-        }
+        found = read_back(field, witness)
         used = {n.name for n in walk(node) if isinstance(n, Name)} | set(problem.setting.letters)
         others = [(name, sort) for name, sort in free if name not in used]
         for place in by_weight(others, _small(field), 3):
@@ -158,14 +143,14 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
 
 def _meant(problem: Problem) -> Callable[[Assignment], bool]:
     """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
-    names = tuple(name for name, _ in given(problem))
+    names = tuple(name for name, _ in problem.statement.given)
     meant = problem.about(conjunction(problem.statement.hypotheses), names)
     return Searcher(meant, RingScalars(problem.ring), True).test
 
 
 def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
     """Put values in for what is given: into the statement, and for letters into the algebra."""
-    values = {name: quaternion_node(place[name]) for name, _ in given(problem)}
+    values = {name: quaternion_node(place[name]) for name, _ in problem.statement.given}
     instance = problem.about(substitute(problem.matrix, values), problem.statement.exists)
     there = put_letters(problem.setting, values)
     new = (c for tree in there.trees for c in constants_in(tree, problem.ring))
@@ -178,6 +163,6 @@ def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
 
 
 def _none_there(one: Decision, place: dict[str, list[str]]) -> Decision:
-    evidence = {"kind": "place", "values": place, "proof": one.evidence}
-    at = (f"at {shown(place)} there is none",) if place else ()
+    evidence = Evidence(Kind.PLACE, values=place, proof=one.evidence)
+    at = (say("none-at", values=shown(place)),) if place else ()
     return replace(one, witness=place, steps=(*at, *one.steps), evidence=evidence)

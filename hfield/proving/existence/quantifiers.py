@@ -3,30 +3,31 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from hfield.certificates.glossary import FLOATS
+from hfield.evidence import Evidence, Kind, is_complete
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import (
     FIELD,
     PROVED,
     REFUTED,
-    UNDECIDED,
     VACUOUS,
     Decision,
-    has_evidence,
+    undecided,
 )
 from hfield.proving.existence.case_distinction import (
     by_isolating,
     by_linear_algebra,
     by_zero_or_not,
 )
-from hfield.proving.existence.places import at_zero, by_places, given, refuted_at
-from hfield.proving.existence.quaternion_roots import by_quaternion_roots
-from hfield.proving.existence.real_roots import by_roots
+from hfield.proving.existence.places import at_zero, by_places, refuted_at
+from hfield.proving.existence.roots_by_theorem import by_roots
 from hfield.proving.existence.witness_terms import by_terms
 from hfield.proving.existence.witnesses import FEW, decide_closed
 from hfield.proving.methods import all_fields, universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.trees import conjunction
+from hfield.proving.steps import say
 from hfield.syntax import Not
 
 
@@ -38,8 +39,8 @@ def vacuous(problem: Problem) -> Decision | None:
     decision = universal.decide(problem.alone(Not(node)))
     if decision.verdict != PROVED:
         return None
-    evidence = {"kind": "unsatisfiable", "proof": decision.evidence}
-    steps = (*decision.steps, "so the hypotheses are never all true")
+    evidence = Evidence(Kind.UNSATISFIABLE, proof=decision.evidence)
+    steps = (*decision.steps, say("never-all"))
     # A conclusion with constants of the field speaks of no other, whatever its hypotheses do.
     scope = FIELD if problem.statement.constants else decision.scope
     return replace(decision, verdict=VACUOUS, scope=scope, steps=steps, evidence=evidence)
@@ -52,8 +53,8 @@ def decide(problem: Problem) -> Decision:
         return _over_all_fields(problem)
     if not field.is_exact:
         tried = (f"{field.name} is inexact, so nothing is proved there to exist, or not to",)
-        return Decision(UNDECIDED, "floats", tried=tried)
-    return _for_all_exists(problem) if given(problem) else decide_closed(problem)
+        return undecided(*tried, method=FLOATS)
+    return _for_all_exists(problem) if problem.statement.given else decide_closed(problem)
 
 
 def _over_all_fields(problem: Problem) -> Decision:
@@ -66,13 +67,13 @@ def _over_all_fields(problem: Problem) -> Decision:
     unproved = None  # refuted somewhere, but without evidence: another field may have some
     for one, name in _at_fields(problem, place):
         if one is not None and one.verdict == REFUTED:
-            if has_evidence(one.evidence):
+            if is_complete(one.evidence):
                 return all_fields.elsewhere(one, name)
             unproved = unproved or all_fields.elsewhere(one, name)
     if unproved is not None:
         return unproved
     tried = ("terms in the unknowns", f"each of {', '.join(all_fields.FIELDS_TRIED)}")
-    return Decision(UNDECIDED, "none", tried=tried)
+    return undecided(*tried)
 
 
 Place = dict[str, Sequence[str]]
@@ -105,7 +106,7 @@ def _for_all_exists(problem: Problem) -> Decision:
     if decision is None and place is not None:
         decision = refuted_at(problem, place)
     if decision is None:
-        decision = by_roots(problem) or by_quaternion_roots(problem)
+        decision = by_roots(problem)
     if decision is None:
         found = at_zero(problem)
         decision = None if found is None else by_terms(problem, [found])

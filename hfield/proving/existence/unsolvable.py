@@ -7,22 +7,22 @@ proved elsewhere.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import TooLargeError
 from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.evaluation.searcher import Assignment
-from hfield.proving.existence.linear_coefficients import Row
+from hfield.proving.existence.elimination import Row
 from hfield.proving.existence.linear_systems import System
 from hfield.proving.polynomials.normal_form import branches
+from hfield.proving.polynomials.vanishing import value_at
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
 from hfield.rings.base import Ring
-from hfield.rings.powers import power
 
 if TYPE_CHECKING:
-    import flint
+    pass
 
 
 MAX_TERMS = 2_000
@@ -59,7 +59,8 @@ def _is_solvable(
     rows: Sequence[Row], variables: Sequence[str], values: Mapping[str, Scalar], field: Ring
 ) -> bool:
     """Tell whether linear equations have a solution, by elimination."""
-    left = [[_value(f, variables, values, field) for f in row] for row in rows]
+    place = {n: values[name] for n, name in enumerate(variables) if name in values}
+    left = [[value_at(f, place, field) for f in row] for row in rows]
     width = len(left[0]) - 1 if left else 0
     for column in range(width):
         pivot = next((row for row in left if not field.is_zero(row[column])), None)
@@ -71,16 +72,3 @@ def _is_solvable(
             [x - row[column] * factor * y for x, y in zip(row, pivot, strict=True)] for row in left
         ]
     return all(field.is_zero(row[-1]) for row in left)
-
-
-def _value(
-    f: flint.fmpz_mpoly, variables: Sequence[str], values: Mapping[str, Scalar], field: Ring
-) -> Any:
-    total = field.zero
-    for exponents, c in f.terms():
-        term = field(int(c))
-        for name, e in zip(variables, exponents, strict=True):
-            if e:
-                term = term * power(field.one, values[name], int(e))
-        total = total + term
-    return total

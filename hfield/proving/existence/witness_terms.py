@@ -3,15 +3,17 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, product
-from typing import Any
 
+from hfield.certificates.glossary import WITNESS
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import FIELD, FIELDS, PROVED, Decision
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import BASIS, Sort
 from hfield.proving.statements.trees import divides_in, implication, substitute
+from hfield.proving.steps import say
 from hfield.syntax import Compare, Logic, Node, Not, parse
 
 MAX_TERMS = 400
@@ -20,7 +22,7 @@ MAX_TERMS = 400
 def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None) -> Decision | None:
     """Prove by a term in the given unknowns for each one that is said to exist."""
     statement = problem.statement
-    free = {name: sort for name, sort in statement.unknowns if name not in statement.exists}
+    free = dict(statement.given)
     if choices is None:
         kinds = [_terms(free, statement.sorts[name]) for name in statement.exists]
         choices = combined(kinds, MAX_TERMS)
@@ -38,19 +40,15 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
             continue
         if decision.verdict == PROVED:
             named_terms = dict(zip(statement.exists, terms, strict=True))
-            evidence: dict[str, Any] = {
-                "kind": "terms",
-                "terms": named_terms,
-                "proof": decision.evidence,
-            }
+            evidence = Evidence(Kind.TERMS, terms=named_terms, proof=decision.evidence)
             shown = ", ".join(f"{name} = {term}" for name, term in named_terms.items())
             terms_found = {n: [t] for n, t in named_terms.items()} if free else None
             return replace(
                 decision,
-                method="witness",
+                method=WITNESS,
                 witness=terms_found,
                 scope=FIELDS if problem.field is None else FIELD,
-                steps=(f"take {shown}", *decision.steps),
+                steps=(say("take", terms=shown), *decision.steps),
                 evidence=evidence,
             )
     return None

@@ -3,19 +3,20 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from hfield.certificates.glossary import LINEAR_ALGEBRA, WITNESS
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place, witness_texts
-from hfield.proving.counterexamples.refuting import lifted
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import Assignment, Searcher
+from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
-from hfield.proving.existence.quaternion_roots import by_quaternion_roots
-from hfield.proving.existence.real_roots import by_roots
+from hfield.proving.existence.roots_by_theorem import by_roots
 from hfield.proving.methods import universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
+from hfield.proving.steps import say
 from hfield.syntax import Not, parse
 
 FEW = 400
@@ -35,13 +36,13 @@ def decide_closed(problem: Problem) -> Decision:
         if test(place):
             return _witnessed(problem, place)
     if problem.statement.exists:
-        decision = by_roots(problem) or by_quaternion_roots(problem)
+        decision = by_roots(problem)
         if decision is not None:
             return decision
     decision = _by_contrary(problem)
     if decision.verdict not in (PROVED, REFUTED) and solutions.none:
-        steps = (f"solving the equations over {problem.ring.name} shows that there is none",)
-        return Decision(REFUTED, "linear algebra", steps=steps)
+        steps = (say("none-solving", R=problem.ring.name),)
+        return Decision(REFUTED, LINEAR_ALGEBRA, steps=steps)
     return decision
 
 
@@ -49,18 +50,16 @@ def _by_contrary(problem: Problem) -> Decision:
     """Decide whether the statement is false everywhere."""
     decision = universal.decide(problem.about(Not(problem.matrix)))
     if decision.verdict == REFUTED:
-        evidence = {**(decision.evidence or {}), "kind": "witness"}
         return replace(
             decision,
             verdict=PROVED,
-            method="witness",
+            method=WITNESS,
             scope=FIELD,
-            evidence=evidence,
-            steps=(f"true for {shown(decision.witness or {})}",),
+            steps=(say("true-for", values=shown(decision.witness or {})),),
         )
     if decision.verdict == PROVED:
-        evidence = {"kind": "none exists", "proof": decision.evidence}
-        steps = (*decision.steps, "so there is none")
+        evidence = Evidence(Kind.NONE_EXISTS, proof=decision.evidence)
+        steps = (*decision.steps, say("none"))
         return replace(decision, verdict=REFUTED, scope=None, evidence=evidence, steps=steps)
     return decision
 
@@ -96,11 +95,11 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
     witness = witness_texts(problem.ring, lifted(problem.ring, found))
     return Decision(
         PROVED,
-        "witness",
+        WITNESS,
         witness=witness,
-        steps=(f"true for {shown(witness)}",),
+        steps=(say("true-for", values=shown(witness)),),
         scope=FIELD,
-        evidence={"kind": "witness", "ring": problem.ring.data, "values": witness},
+        evidence=Evidence(Kind.WITNESS, ring=problem.ring.data, values=witness),
     )
 
 

@@ -3,10 +3,12 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from hfield.certificates.glossary import IDENTITY
 from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.counterexamples.candidates import prime_search
-from hfield.proving.decision import FIELDS, PROVED, REFUTED, UNDECIDED, Decision, counted
+from hfield.proving.decision import FIELDS, PROVED, REFUTED, Decision, undecided
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.methods import one_field
 from hfield.proving.methods.decisions import expanding, implied, scope_of_identity
@@ -15,6 +17,7 @@ from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, generators
+from hfield.proving.steps import say
 
 # Where a counterexample is looked for, in this order.
 FIELDS_TRIED = (
@@ -51,7 +54,7 @@ def decide(problem: Problem) -> Decision:
     if found is not None:
         return found if x is None else _with_exceptions(problem, found)
     tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", _why(x))
-    return Decision(UNDECIDED, "none", tried=tried)
+    return undecided(*tried)
 
 
 def _with_exceptions(problem: Problem, found: Decision) -> Decision:
@@ -66,10 +69,7 @@ def _with_exceptions(problem: Problem, found: Decision) -> Decision:
         return found
     failing = [q for q in primes if not prove_clauses(problem.within(1.0), q).complete]
     where = " and ".join(map(str, failing))
-    kind = counted("characteristic", len(failing), number=False)
-    step = f"over the fields of every characteristic but {where} it holds"
-    if len(failing) > 1:
-        step = f"it holds over all fields but, perhaps, those of the {kind} {where}"
+    step = say("holds-but-perhaps" if len(failing) > 1 else "holds-but", p=where)
     return replace(found, steps=(*found.steps, step))
 
 
@@ -78,12 +78,9 @@ def _why(x: Expanded | None) -> str:
 
 
 def _identity(statement: Statement, x: Expanded) -> Decision:
-    steps = (
-        expanding(x),
-        "all coefficients of the difference are 0 in ℤ",
-    )
+    steps = (expanding(x), say("all-zero", R="ℤ"))
     scope = scope_of_identity(statement, x)
-    return Decision(PROVED, "identity", steps=steps, scope=scope, evidence={"kind": "identity"})
+    return Decision(PROVED, IDENTITY, steps=steps, scope=scope, evidence=Evidence(Kind.IDENTITY))
 
 
 def _quickly(problem: Problem) -> bool:
@@ -134,5 +131,5 @@ def fields_tried(problem: Problem) -> Iterator[Problem]:
 
 def elsewhere(decision: Decision, name: str) -> Decision:
     """Return a refutation over one field as one over all fields."""
-    evidence = {**(decision.evidence or {}), "ring": ring(name).data}
+    evidence = decision.evidence and decision.evidence.over(ring(name).data)
     return replace(decision, witness={**(decision.witness or {}), "F": [name]}, evidence=evidence)

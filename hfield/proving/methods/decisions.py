@@ -1,6 +1,13 @@
 """Decisions put together from what the procedures found."""
 
-from hfield.certificates.glossary import COUNTEREXAMPLE, FLOATS_EXACT, IDENTITY, WITNESS
+from hfield.certificates.glossary import (
+    COUNTEREXAMPLE,
+    FLOATS_EXACT,
+    IDENTITY,
+    IMPLICATION,
+    WITNESS,
+)
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
@@ -9,8 +16,7 @@ from hfield.proving.decision import (
     PROVED,
     REFUTED,
     Decision,
-    characteristics,
-    counted,
+    Scope,
 )
 from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.methods.implications import Proof
@@ -20,18 +26,19 @@ from hfield.proving.polynomials.vanishing import common_primes
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.trees import conjuncts
+from hfield.proving.steps import Step, say
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node, Not
 
 
-def expanding(x: Expanded) -> str:
+def expanding(x: Expanded) -> Step:
     """Say how both sides of an identity are compared."""
     if not x.unknowns:
-        return "compute both sides"
-    return f"expand both sides in the {counted('coordinate', x.unknowns)} of what is unknown"
+        return say("compute")
+    return say("expand-one" if x.unknowns == 1 else "expand", n=x.unknowns)
 
 
-def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
+def scope_of_identity(statement: Statement, x: Expanded) -> Scope | None:
     """Return where all clauses are polynomial identities, over every commutative ring there is.
 
     What divides, or compares with ``!=``, is claimed of fields alone: over F₂ × F₂ an element that is
@@ -41,7 +48,7 @@ def scope_of_identity(statement: Statement, x: Expanded) -> str | None:
     if not x.clauses and not x.has_constants:
         return FIELDS if fields_only else COMMUTATIVE_RINGS
     primes = () if fields_only else primes_of_identity(x)
-    return characteristics(list(primes)) if primes else None
+    return Scope.characteristics(primes) if primes else None
 
 
 def primes_of_identity(x: Expanded) -> tuple[int, ...]:
@@ -67,32 +74,24 @@ def is_conjunction_of_identities(statement: Statement) -> bool:
     )
 
 
-def identity(statement: Statement, x: Expanded, field: Ring, scope: str | None) -> Decision:
+def identity(statement: Statement, x: Expanded, field: Ring, scope: Scope | None) -> Decision:
     """Return the decision "proved" for what holds coefficient by coefficient."""
     p = field.characteristic
-    holds_in_p = scope in (COMMUTATIVE_RINGS, FIELDS) or (
-        scope is not None and p in _listed_characteristics(scope)
-    )
-    if not holds_in_p:
-        scope = FIELD
     steps = [expanding(x)]
-    if scope in (COMMUTATIVE_RINGS, FIELDS):
-        steps.append("all coefficients of the difference are 0 in ℤ")
+    general = scope in (COMMUTATIVE_RINGS, FIELDS)
+    holds_in_p = scope is not None and p in scope.primes
+    if not (general or holds_in_p):
+        scope = FIELD
+    if general:
+        steps.append(say("all-zero", R="ℤ"))
     elif holds_in_p:
-        steps.append(f"all coefficients of the difference are divisible by {p}")
+        steps.append(say("all-divisible", p=p))
     elif field.order is not None and p not in primes_of_identity(x):
-        steps.append(f"all coefficients of the difference are 0 after reducing x^{field.order} = x")
+        steps.append(say("all-zero-reduced", relation=f"x^{field.order} = x"))
     else:
-        steps.append(f"all coefficients of the difference are 0 in {field.name}")
-    return Decision(
-        PROVED, "identity", steps=tuple(steps), scope=scope, evidence={"kind": "identity"}
-    )
-
-
-def _listed_characteristics(scope: str) -> list[int]:
-    """Read the numbers of a scope "characteristics [...]"."""
-    inside = scope.partition("[")[2].rstrip("]")
-    return [int(n) for n in inside.split(",") if n.strip()]
+        steps.append(say("all-zero", R=field.name))
+    evidence = Evidence(Kind.IDENTITY)
+    return Decision(PROVED, IDENTITY, steps=tuple(steps), scope=scope, evidence=evidence)
 
 
 def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
@@ -123,24 +122,24 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
     field = problem.ring
     witness = witness_texts(field, found)
     shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
-    steps = [f"over {field.name} the statement is false for {shown}" if shown else "it is false"]
+    steps = [say("false-at", F=field.name, values=shown) if shown else say("false")]
     primes = () if x is None else primes_of_identity(x)
     primes = tuple(p for p in primes if x is not None and _algebra_may_exist(x, p))
     scope = None
     if primes:
-        where = f"characteristic{'s' if len(primes) > 1 else ''} {', '.join(map(str, primes))}"
+        where, many = ", ".join(map(str, primes)), "-some" if len(primes) > 1 else ""
         if is_conjunction_of_identities(problem.statement):
-            scope = characteristics(list(primes))
-            steps.append(f"it holds exactly in {where}")
+            scope = Scope.characteristics(primes)
+            steps.append(say(f"exactly-in{many}", p=where))
         else:
-            steps.append(f"over fields of {where} it holds")
+            steps.append(say(f"holds-in{many}", p=where))
     return Decision(
         REFUTED,
         _method(problem),
         witness=witness,
         steps=tuple(steps),
         scope=scope,
-        evidence={"kind": "witness", "ring": field.data, "values": witness},
+        evidence=Evidence(Kind.WITNESS, ring=field.data, values=witness),
     )
 
 
@@ -158,12 +157,12 @@ def implied(proof: Proof, problem: Problem) -> Decision:
     setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
-    facts = [f"over {setting.algebra} {rule}" for rule in used]
+    facts = [say("over", A=setting.algebra, fact=rule.fact) for rule in used]
     assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
-    evidence = {
-        "kind": "implication",
-        "facts": [dict(rule.evidence) for rule in used],
-        "items": [dict(item.evidence) for item in proof.items],
-    }
+    evidence = Evidence(
+        Kind.IMPLICATION,
+        facts=[dict(rule.evidence) for rule in used],
+        items=[dict(item.evidence) for item in proof.items],
+    )
     scope, steps = proof.scope(problem.statement), (*facts, *proof.steps)
-    return Decision(PROVED, "implication", None, steps, scope, assumes, (), evidence)
+    return Decision(PROVED, IMPLICATION, None, steps, scope, assumes, (), evidence)

@@ -1,12 +1,15 @@
 """Deciding over a finite ring by all cases."""
 
+from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import MANY, look
-from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
+from hfield.proving.decision import FIELD, PROVED, Decision, undecided
 from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.methods.decisions import refuted
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.problem import Problem
+from hfield.proving.steps import say
 
 
 def exhaust(problem: Problem, x: Expanded | None) -> Decision:
@@ -18,16 +21,12 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
         found = look(problem, MANY)
         if found is not None:
             return refuted(problem, found)
-        return Decision(UNDECIDED, "none", tried=(str(error), f"{MANY} small places"))
+        return undecided(str(error), f"{MANY} small places")
     if found is not None:
         return refuted(problem, found)
-    steps = (f"true in {_each(cases)} over {problem.ring.name}",)
-    evidence = {"kind": "exhaustion", "cases": cases}
-    return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD, evidence=evidence)
-
-
-def _each(cases: int) -> str:
-    return f"each of the {cases} cases" if cases > 1 else "the only case"
+    steps = (say("each-case" if cases > 1 else "only-case", n=cases, R=problem.ring.name),)
+    evidence = Evidence(Kind.EXHAUSTION, cases=cases)
+    return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=evidence)
 
 
 def used_variables(x: Expanded) -> frozenset[str]:

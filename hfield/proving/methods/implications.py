@@ -14,8 +14,7 @@ from hfield.proving.decision import (
     FIELD,
     FIELDS,
     REDUCED_RINGS,
-    characteristics,
-    counted,
+    Scope,
 )
 from hfield.proving.methods.contradiction import Conditions, member, refute
 from hfield.proving.polynomials.expansion import Expanded, expand
@@ -31,6 +30,7 @@ from hfield.proving.polynomials.starting_relations import (
 from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Statement
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
@@ -75,14 +75,14 @@ class Proof:
         """Whether the proof is valid over every commutative ring."""
         return all(item.direct for item in self.items) and abs(self.denominator) == 1
 
-    def scope(self, statement: Statement) -> str:
+    def scope(self, statement: Statement) -> Scope:
         """Return where the proof is valid."""
         if self.rules or self.has_constants:
             return FIELD
         if self.characteristic:  # by contradiction it is shown over fields, not over F₂[ε]
             fields_only = statement.divides or statement.compares_unequal
             direct = self.is_direct and not fields_only
-            return characteristics([self.characteristic]) if direct else FIELD
+            return Scope.characteristics([self.characteristic]) if direct else FIELD
         if abs(self.denominator) != 1:
             return FIELD
         if statement.divides or statement.compares_unequal:
@@ -114,7 +114,7 @@ def _zeros(zeros: Sequence[str]) -> Iterator[str]:
     """Write what is 0 by the hypotheses and by denying a conclusion that is no equation, with its names."""
     if zeros:
         named = ", ".join(f"h{n} = {shorten(text, 120)}" for n, text in enumerate(zeros, 1))
-        yield f"suppose that {named} {'is' if len(zeros) == 1 else 'are'} 0"
+        yield say("suppose", h=named) if len(zeros) == 1 else say("suppose-all", list=named)
 
 
 def _member(item: Item) -> str:
@@ -130,13 +130,14 @@ def _excluded(items: Sequence[Item]) -> str:
     cases = [" and ".join(f"{g} ≠ 0" for g in item.evidence["nonzero"]) for item in items]
     counts = [sum(s["step"] != "contradiction" for s in item.evidence["steps"]) for item in items]
     few, many = min(counts), max(counts)
-    after = f", after {few if few == many else f'{few} to {many}'} " if many else ""
-    plural = many if few == many else 2
-    after += counted("conclusion", plural, number=False) + " from these facts" if many else ""
-    end = f"1 would lie in the ideal of the hypotheses{after}"
+    if few < many:
+        end = say("contains-one-after-some", n=few, m=many)
+    else:
+        after = {0: "", 1: "-after-one"}.get(many, "-after")
+        end = say(f"contains-one{after}", n=many)
     if len(cases) == 1:
-        return f"if {cases[0]}, {end}" if cases[0] else end
-    return f"in each of {len(cases)} cases, from {cases[0]} to {cases[-1]}, {end}"
+        return say("if", conditions=cases[0], end=end) if cases[0] else end
+    return say("in-each-case", n=len(cases), first=cases[0], last=cases[-1], end=end)
 
 
 def prove_clauses(problem: Problem, characteristic: int) -> Proof:

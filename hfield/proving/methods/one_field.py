@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from hfield.certificates.glossary import IDENTITY
 from hfield.errors import TooLargeError
 from hfield.proving.counterexamples.nonzero_place import nonzero_place
 from hfield.proving.counterexamples.refuting import (
@@ -12,7 +13,7 @@ from hfield.proving.counterexamples.refuting import (
     look_quickly,
     solve_clauses,
 )
-from hfield.proving.decision import UNDECIDED, Decision
+from hfield.proving.decision import Decision, undecided
 from hfield.proving.methods.decisions import identity, implied, refuted, scope_of_identity
 from hfield.proving.methods.exhaustion import exhaust
 from hfield.proving.methods.implications import prove_clauses
@@ -55,7 +56,7 @@ def decide(problem: Problem) -> Decision:
     found = look(problem, MANY)
     if found is not None:
         return refuted(problem, found, x)
-    return Decision(UNDECIDED, "none", tried=_tried(problem))
+    return undecided(*_tried(problem))
 
 
 def is_trivial(clause: Clause, x: Expanded, field: Ring) -> bool:
@@ -83,9 +84,7 @@ def _refuted_identity(problem: Problem, x: Expanded, left: Sequence[Clause]) -> 
             if found is not None:
                 break
     if found is None:
-        return Decision(
-            UNDECIDED, "identity", tried=("the identity fails, but no place was found",)
-        )
+        return undecided("the identity fails, but no place was found", method=IDENTITY)
     return refuted(problem, found, x)
 
 
@@ -106,4 +105,4 @@ def _unexpanded(problem: Problem, why: str) -> Decision:
         return refuted(problem, found)
     if problem.ring.order is not None:
         return exhaust(problem, None)
-    return Decision(UNDECIDED, "none", tried=(why, f"{FEW} small places"))
+    return undecided(why, f"{FEW} small places")

@@ -10,9 +10,11 @@ from fractions import Fraction
 from itertools import product
 from math import gcd
 
+from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import FEW, look
-from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
+from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision, undecided
 from hfield.proving.evaluation.all_cases import FEW_CASES, coordinates
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
@@ -26,6 +28,7 @@ from hfield.proving.problem import Problem
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import put_letters
 from hfield.proving.statements.trees import FALSE, divides_in, substitute, walk
+from hfield.proving.steps import say
 from hfield.rings import ZZ
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
@@ -65,7 +68,7 @@ def decide(problem: Problem) -> Decision:
         tried.append(
             f"where something divides, what holds over fields says nothing of {field.name}"
         )
-    return _at_units(problem) or Decision(UNDECIDED, "none", tried=tuple(tried))
+    return _at_units(problem) or undecided(*tried)
 
 
 def _at_units(problem: Problem) -> Decision | None:
@@ -83,9 +86,8 @@ def _at_units(problem: Problem) -> Decision | None:
         one = decide(replace(there, setting=put_letters(problem.setting, chosen)))
         if one.verdict != PROVED:
             return None
-    shown = ", ".join(units)
-    steps = (f"{shown} must be units of ZZ: 1 or -1, and there it holds",)
-    return Decision(PROVED, "exhaustion", steps=steps, scope=FIELD)
+    steps = (say("units", letters=", ".join(units)),)
+    return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD)
 
 
 def _factors(node: Node) -> tuple[str, ...]:
@@ -126,8 +128,8 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
     if above is not None:
         decision = one_field.decide(problem.over(above))
         if decision.verdict == PROVED:
-            evidence = {"kind": "fractions", "ring": above.data, "proof": decision.evidence}
-            step = f"{field.name} lies in {above.name}, where this holds"
+            evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)
+            step = say("in-fractions", R=field.name, F=above.name)
             return replace(decision, steps=(*decision.steps, step), evidence=evidence)
     return _modulo(problem, x) if not p else None
 
@@ -153,8 +155,8 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
     decision = one_field.decide(problem.stating(there).over(above))
     if decision.verdict != PROVED:
         return None
-    evidence = {"kind": "fractions", "ring": above.data, "proof": decision.evidence}
-    step = f"what it divides by are units of {field.name}, or the comparison is false"
+    evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)
+    step = say("divides-by-units", R=field.name)
     return replace(decision, steps=(*decision.steps, step), evidence=evidence if same else None)
 
 
@@ -207,8 +209,8 @@ def _modulo(problem: Problem, x: Expanded) -> Decision | None:
         except HFieldError:
             continue
         if decision.verdict == PROVED:
-            evidence = {"kind": "reduction", "modulus": n, "proof": decision.evidence}
-            step = f"so in {field.name} too there is nothing else: it would stay true modulo {n}"
+            evidence = Evidence(Kind.REDUCTION, modulus=n, proof=decision.evidence)
+            step = say("modulo", R=field.name, n=n)
             return replace(decision, scope=FIELD, steps=(*decision.steps, step), evidence=evidence)
     return None
 

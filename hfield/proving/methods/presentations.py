@@ -10,7 +10,9 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from hfield.certificates.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import NotationError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.clock import Clock
 from hfield.proving.decision import (
@@ -18,15 +20,16 @@ from hfield.proving.decision import (
     FIELD,
     PROVED,
     REFUTED,
-    UNDECIDED,
     VACUOUS,
     Decision,
-    characteristics,
+    Scope,
+    undecided,
 )
 from hfield.proving.methods.algebra_tables import Table, find_table
 from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import MEMORY
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
 
@@ -78,7 +81,7 @@ def decide_presentation(
         found = find_table("eijk", "e" if identity else None, read_relations, read_goals, q, clock)
         if found is not None:
             return _refuted(found, target, q, field is None)
-    return Decision(UNDECIDED, "presentation", tried=("rewriting", "tables with entries 0, ±1"))
+    return undecided("rewriting", "tables with entries 0, ±1", method=PRESENTATION)
 
 
 def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: bool = True) -> str:
@@ -142,16 +145,16 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
                 "denominator": scale,
             }
         )
-    evidence = {"kind": "presentation", "characteristic": p, **target, "proofs": entries}
+    evidence = Evidence(Kind.PRESENTATION, characteristic=p, **target, proofs=entries)
     integral = all(scale == 1 for _, scale in proof)
-    scope = characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
-    return Decision(PROVED, "presentation", None, tuple(steps), scope, evidence=evidence)
+    scope = Scope.characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
+    return Decision(PROVED, PRESENTATION, None, tuple(steps), scope, evidence=evidence)
 
 
 def _vacuous(proof: Proof, target: dict[str, Any], p: int) -> Decision:
     shown = _proved(proof, {**target, "goals": [_listed(ONE)]}, p)
-    steps = (*shown.steps, "1 = 0: the relations hold in no algebra other than 0.")
-    evidence = {"kind": "unsatisfiable", "proof": shown.evidence}
+    steps = (*shown.steps, say("trivial-only"))
+    evidence = Evidence(Kind.UNSATISFIABLE, proof=shown.evidence)
     return replace(shown, verdict=VACUOUS, steps=steps, evidence=evidence)
 
 
@@ -169,24 +172,15 @@ def _refuted(
         for place, v in products.items()
     )
     vector = _shown([[c, names[n]] for n, c in enumerate(value) if c])
-    steps = (
-        f"an associative algebra with basis e, i, j, k: {shown}",
-        "all relations hold in it",
-        f"{_shown(target['goals'][goal])} is {vector} there, not 0"
-        + (f", in characteristic {p}" if p else ""),
-    )
-    evidence = {
-        "kind": "algebra",
-        "characteristic": p,
-        **target,
-        "table": products,
-        "goal": goal,
-        "value": value,
-    }
+    failing = {"x": _shown(target["goals"][goal]), "y": vector, "p": p}
+    last = say("is-there-in" if p else "is-there", **failing)
+    steps = (say("table", table=shown), say("relations-hold"), last)
+    shown_by = {"table": products, "goal": goal, "value": value}
+    evidence = Evidence(Kind.ALGEBRA, characteristic=p, **target, **shown_by)
     witness = {place: [str(c) for c in v] for place, v in products.items()}
     if everywhere:
         witness["F"] = [f"GF({p})" if p else "QQ"]
-    return Decision(REFUTED, "algebra", witness, steps, evidence=evidence)
+    return Decision(REFUTED, ALGEBRA, witness, steps, evidence=evidence)
 
 
 def _listed(f: Words) -> list[list[Any]]:

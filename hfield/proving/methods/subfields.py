@@ -7,7 +7,7 @@ somewhere in a subfield is false over ℚ_p, and what exists in a subfield exist
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
 from typing import Any, Protocol, runtime_checkable
@@ -15,12 +15,14 @@ from typing import Any, Protocol, runtime_checkable
 import flint
 
 from hfield.errors import HFieldError, TooLargeError
+from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.proving.decision import PROVED, REFUTED, Decision
 from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.problem import Problem
+from hfield.proving.steps import say
 from hfield.rings import QQ
 from hfield.rings.base import Ring
 from hfield.rings.closed_fields.radicands import reduced
@@ -29,7 +31,6 @@ from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
 from hfield.syntax import Not
 
-Evidence = Mapping[str, Any]
 NEAR = 6  # digits of a root
 GENERATOR = "g"  # no unknown has that name
 MAX_DEGREE = 20
@@ -67,7 +68,7 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
     if not isinstance(F, Local) or F.global_field != QQ or problem.setting.letters:
         return None
     bound = set(statement.exists)
-    if bound and any(name not in bound for name, _ in statement.unknowns):
+    if bound and statement.given:
         return None
     wanted = PROVED if bound else REFUTED
     for K, near in _subfields(F, problem):
@@ -77,7 +78,7 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
             continue
         if decision.verdict == wanted:
             root = F.up_to(near, NEAR)
-            step = f"{K} lies in {F}, with {K.gen_name} near {root} (Hensel's lemma)"
+            step = say("in-subfield", K=K, F=F, x=K.gen_name, root=root)
             return replace(
                 decision,
                 witness={
@@ -93,10 +94,10 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
 
 def _evidence(K: Ring, near: flint.fmpq, decision: Decision) -> Evidence | None:
     """Return the witness with a number so near the generator that Hensel's lemma finds it."""
-    if decision.evidence is None or decision.evidence.get("kind") != "witness":
+    found = decision.evidence
+    if found is None or found.kind is not Kind.WITNESS:
         return None
-    root = QQ.text(near)
-    return {"kind": "subfield", "ring": K.data, "root": root, "witness": decision.evidence}
+    return Evidence(Kind.SUBFIELD, ring=K.data, root=QQ.text(near), witness=found)
 
 
 def _read_back(K: Any, root: Any, text: str) -> str:

@@ -16,9 +16,8 @@ from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
 from hfield.proving.polynomials.recognition import polynomial_text
-from hfield.proving.polynomials.vanishing import factored
+from hfield.proving.polynomials.vanishing import factored, value_at
 from hfield.rings.base import Ring
-from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint
@@ -211,15 +210,8 @@ class Forms:
 
     def value(self, f: flint.fmpz_mpoly) -> Any:
         """Return a polynomial in the constants as an element of the field."""
-        total = self.field.zero
-        for exponents, c in f.terms():
-            term = self.field(int(c))
-            for n in range(self.unknowns, len(self.names)):
-                e = int(exponents[n])
-                if e:
-                    term = term * power(self.field.one, constant(self.field, self.names[n]), e)
-            total = total + term
-        return total
+        known = range(self.unknowns, len(self.names))
+        return value_at(f, {n: constant(self.field, self.names[n]) for n in known}, self.field)
 
     def values(self, coefficients: list[flint.fmpz_mpoly]) -> list[Scalar]:
         """Return coefficients as elements of the field."""

@@ -15,6 +15,7 @@ from typing import Any
 from hfield.errors import HFieldError, UndecidedError
 from hfield.product import Constants
 from hfield.proving.statements.setting import Setting, read_setting
+from hfield.proving.steps import say
 from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.rings.powers import power
 from hfield.syntax import Call, Number, parse
@@ -43,12 +44,13 @@ class Rule:
     algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
     data: Mapping[str, Any] | None = a_field(default=None, compare=False)
 
-    def __str__(self) -> str:
+    @property
+    def fact(self) -> str:
+        """The rule in words."""
         if self.form == ROOTS:
             return self.reason
-        what = "the norm" if self.form == NORM else "a sum of squares"
-        what += f" of {self.algebra}" if self.algebra else ""
-        return f"{what} is 0 only if all its terms are ({self.reason})"
+        name = "norm-zero-of" if self.algebra else f"{self.form}-zero"
+        return say(name, A=self.algebra, reason=self.reason)
 
     @property
     def evidence(self) -> Mapping[str, Any]:
@@ -83,17 +85,17 @@ def rules(setting: Setting) -> tuple[Rule, ...]:
         return tuple(out)
     if level.value == INFINITY:
         positive = field.characteristic == 0
-        reason = f"the field has an ordering: {level.reason}"
+        reason = say("ordered", reason=level.reason)
         out.append(Rule(SQUARES, reason, positive=positive, by="ordering"))
     else:
-        reason = f"the level of {field.name} is {level.value}: {level.reason}"
+        reason = say("level", F=field.name, n=level.value, reason=level.reason)
         out.append(Rule(SQUARES, reason, most=level.value, by="level"))
     return tuple(out)
 
 
 def _roots_rule(field: Ring) -> Rule | None:
     if isinstance(field, WithIntegers) and field.degree == 1:
-        reason = "a rational root of an integer polynomial gives a linear factor of it"
+        reason = say("rational-root")
         return Rule(ROOTS, reason, by="factors")
     if field.characteristic == 2 or (field.order is not None and field.order <= EXHAUSTED):
         return None
@@ -101,7 +103,7 @@ def _roots_rule(field: Ring) -> Rule | None:
         field.sqrt(field(2))
     except UndecidedError:
         return None
-    reason = f"a quadratic has a root in {field.name} only if its discriminant is a square there"
+    reason = say("quadratic-root", F=field.name)
     return Rule(ROOTS, reason, most=2, by="squares")
 
 

@@ -76,6 +76,18 @@ def coefficients(
     return {m: c for m, c in out.items() if not field.is_zero(c)}
 
 
+def value_at(f: flint.fmpz_mpoly, values: Mapping[int, Scalar], field: Ring) -> Any:
+    """Return the value of a polynomial in the variables that have one, by their numbers."""
+    total = field.zero
+    for exponents, c in f.terms():
+        term = field(int(c))
+        for n, value in values.items():
+            if exponents[n]:
+                term = term * power(field.one, value, int(exponents[n]))
+        total = total + term
+    return total
+
+
 def factored(
     polynomial: flint.fmpz_mpoly, squarefree: bool = False
 ) -> tuple[int, list[tuple[flint.fmpz_mpoly, int]]]:

@@ -94,6 +94,11 @@ class Statement:
         return max(map(weight, (*self.hypotheses, self.conclusion)))
 
     @property
+    def given(self) -> tuple[tuple[str, Sort], ...]:
+        """The unknowns that the statement is for all values of, with their sorts."""
+        return tuple((name, sort) for name, sort in self.unknowns if name not in self.exists)
+
+    @property
     def sorts(self) -> dict[str, Sort]:
         """The unknowns with their sorts, in order of first appearance."""
         return dict(self.unknowns)

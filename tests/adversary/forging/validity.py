@@ -12,7 +12,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import HFieldError
-from hfield.ledger.centre import _equations
+from hfield.ledger.linear_algebra import centre_equations
 from hfield.product import Constants, multiply, norm
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
@@ -253,7 +253,7 @@ def _reduced(evidence: Any) -> Any:
 
 def _minor(evidence: Any, data: Certificate) -> bool:
     p = 0 if data["field"] is None else ring(data["field"]).characteristic
-    rows = [[_equations()[r][c] for c in evidence["columns"]] for r in evidence["rows"]]
+    rows = [[centre_equations()[r][c] for c in evidence["columns"]] for r in evidence["rows"]]
     return p == 2 or abs(int(fmpz_mat(rows).det())) in (2, 4, 8)
 
 

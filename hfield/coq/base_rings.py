@@ -15,7 +15,7 @@ MAX_RESIDUE_BITS = 400
 
 
 @dataclass(frozen=True)
-class Room:
+class BaseRing:
     """A ring, or all of a kind. ``opening`` stands in front of a statement, ``names`` introduce it."""
 
     opening: str
@@ -30,24 +30,24 @@ class Room:
         return not self.opening
 
 
-RINGS = Room("every commutative ring R, ", "R", False, "R operations laws")
-FIELDS = Room("every field R, ", "R", True, "R operations inverse laws")
-RATIONALS = Room("", "Qc", True)
-INTEGERS = Room("", "Z", False)
+RINGS = BaseRing("every commutative ring R, ", "R", False, "R operations laws")
+FIELDS = BaseRing("every field R, ", "R", True, "R operations inverse laws")
+RATIONALS = BaseRing("", "Qc", True)
+INTEGERS = BaseRing("", "Z", False)
 
 
-def of_characteristic(p: int) -> Room:
+def of_characteristic(p: int) -> BaseRing:
     """Return all fields of a characteristic."""
     opening = f"every field R, num (R := R) {p} = 0 -> "
-    return Room(opening, "R", True, "R operations inverse laws char", p)
+    return BaseRing(opening, "R", True, "R operations inverse laws char", p)
 
 
-def residues(n: int, is_field: bool) -> Room:
+def residues(n: int, is_field: bool) -> BaseRing:
     """Return the residues modulo n."""
-    return Room("", f"GF {n}", is_field, characteristic=n)
+    return BaseRing("", f"GF {n}", is_field, characteristic=n)
 
 
-def room_of(field: Ring) -> Room:
+def base_ring_of(field: Ring) -> BaseRing:
     """Return one ring as Coq has it. Raises :class:`NotCoveredError`."""
     if field == ring("QQ"):
         return RATIONALS
@@ -59,7 +59,7 @@ def room_of(field: Ring) -> Room:
     raise NotCoveredError(f"the field {field.name}: Coq has ZZ, QQ, GF(p) and ZZ/n here")
 
 
-def value_in(room: Room, text: str) -> str:
+def value_in(room: BaseRing, text: str) -> str:
     """Return an element of a ring, from its text in a certificate."""
     if not re.fullmatch(r"-?[0-9]{1,1000}(/[1-9][0-9]{0,999})?", text):
         raise NotCoveredError(f"the value {shorten(text)!r}")

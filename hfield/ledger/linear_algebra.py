@@ -1,4 +1,4 @@
-"""The claim about the centre: linear algebra in each field, and a Smith form for all at once."""
+"""Claims of linear algebra: the centre, in each field and for all at once; whether vectors are a basis."""
 
 from __future__ import annotations
 
@@ -6,12 +6,21 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from hfield import structure
-from hfield.certificates.glossary import LINEAR_ALGEBRA, PROVED, REFUTED, SMITH_FORM
+from hfield.certificates.glossary import (
+    COUNT,
+    DETERMINANT,
+    LINEAR_ALGEBRA,
+    PROVED,
+    REFUTED,
+    SMITH_FORM,
+)
+from hfield.evidence import Evidence, Kind
 from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
-from hfield.proving.decision import Decision
+from hfield.proving.decision import FIELDS, Decision
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 
@@ -39,32 +48,28 @@ class Centre:
         names = ", ".join(element_text(field, q, "unicode", "e") for q in basis)
         whole = field.characteristic == self.special
         right = len(basis) == 4 if whole else len(basis) == 1 and field.is_unit(basis[0][0])
-        steps = (
-            f"Solving q·i = i·q and q·j = j·q over {field}: dimension {len(basis)}, basis {names}.",
-        )
+        steps = (say("centre-solved", F=field, n=len(basis), basis=names),)
         witness = None if right else {f"c{n}": texts(field, q) for n, q in enumerate(basis, 1)}
         return Decision(
             PROVED if right else REFUTED,
             LINEAR_ALGEBRA,
             witness=witness,
             steps=steps,
-            evidence=_minor(_equations()) if right else None,
+            evidence=_minor(centre_equations()) if right else None,
         )
 
     def _everywhere(self) -> Decision:
         from flint import fmpz_mat
 
-        rows = _equations()
+        rows = centre_equations()
         smith = fmpz_mat(rows).snf()
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
         special = sorted({p for d in divisors for p in _primes(abs(d))})
         dimension = {p: 4 - sum(1 for d in divisors if d % p) for p in special}
+        told = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
         steps = (
-            f"Over ℤ, q·i = i·q and q·j = j·q has the elementary divisors {', '.join(map(str, divisors))}.",
-            f"So the centre is F·e in every field of characteristic not in {special}; "
-            + ", ".join(
-                f"in characteristic {p} its dimension is {n}" for p, n in dimension.items()
-            ),
+            say("centre-divisors", list=", ".join(map(str, divisors))),
+            say("centre-is", list=special, rest=told[0] if len(told) == 1 else ", ".join(told)),
         )
         right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
         witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}
@@ -73,12 +78,12 @@ class Centre:
             SMITH_FORM,
             witness=witness,
             steps=steps,
-            scope="fields",
+            scope=FIELDS,
             evidence=_minor(rows) if right else None,
         )
 
 
-def _equations() -> list[list[int]]:
+def centre_equations() -> list[list[int]]:
     """Return the coefficients of q·i = i·q and q·j = j·q over ℤ: eight rows, a column a coordinate."""
     c = Constants(-1, 0, -1)
     units: list[Coordinates] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
@@ -92,16 +97,61 @@ def _equations() -> list[list[int]]:
     return rows
 
 
-def _minor(rows: list[list[int]]) -> dict[str, object]:
+def _minor(rows: list[list[int]]) -> Evidence:
     """Return, as evidence, three rows whose minor with the columns of i, j, k is not 0."""
     from flint import fmpz_mat
 
     columns = [1, 2, 3]
     for chosen in combinations(range(len(rows)), 3):
         if fmpz_mat([[rows[r][c] for c in columns] for r in chosen]).det() != 0:
-            return {"kind": "minor", "rows": list(chosen), "columns": columns}
+            return Evidence(Kind.MINOR, rows=list(chosen), columns=columns)
     raise AssertionError("the equations for the centre have rank 3 over the rationals")
 
 
 def _primes(n: int) -> list[int]:
     return list(factorise(n))
+
+
+@dataclass(frozen=True)
+class IsBasis:
+    """The vectors listed are a basis of the free module of rank ``dimension``."""
+
+    vectors: tuple[tuple[int, ...], ...]
+    dimension: int
+    words: str
+
+    @property
+    def text(self) -> str:
+        """The claim in words."""
+        return f"{self.words} is a basis"
+
+    @property
+    def statement(self) -> str:
+        """The claim in the vocabulary of certificates."""
+        return f"basis{{{'; '.join((str(self.dimension), *(','.join(map(str, v)) for v in self.vectors)))}}}"
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Count the vectors and their coordinates, then take the determinant over ℤ."""
+        lengths = {len(v) for v in self.vectors}
+        if lengths != {self.dimension} or len(self.vectors) != self.dimension:
+            listed = ", ".join(map(str, sorted(lengths)))
+            step = say("not-enough", n=len(self.vectors), m=listed, d=self.dimension)
+            last = [str(int(n == self.dimension - 1)) for n in range(self.dimension)]
+            return Decision(
+                REFUTED,
+                COUNT,
+                witness={"missing": last},
+                steps=(step,),
+                evidence=Evidence(Kind.COUNT),
+            )
+        from flint import fmpz_mat
+
+        det = int(fmpz_mat([list(v) for v in self.vectors]).det())
+        unit = abs(det) == 1 if field is None else field.is_unit(field(det))
+        step = say("determinant-unit" if unit else "determinant-none", d=det)
+        return Decision(
+            PROVED if unit else REFUTED,
+            DETERMINANT,
+            steps=(step,),
+            evidence=Evidence(Kind.DETERMINANT),
+        )

@@ -1,0 +1,149 @@
+"""What shows a verdict, for a program that checks it: the kinds of evidence, and certificates made of them.
+
+What each kind shows is written in docs/certificates.md. The checker imports none of this: it reads the JSON,
+in its own way.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from hfield.certificates.glossary import SCHEMA
+
+
+class Kind(StrEnum):
+    """Every kind of evidence that a certificate may have."""
+
+    # about a statement of the language
+    CASES = "cases"
+    COMPLEX_ROOT = "complex root"
+    EXHAUSTION = "exhaustion"
+    FRACTIONS = "fractions"
+    IDENTITY = "identity"
+    IMPLICATION = "implication"
+    MULTILINEAR = "multilinear"
+    NONE_EXISTS = "none exists"
+    PLACE = "place"
+    QUATERNION_ROOT = "quaternion root"
+    REAL_ROOT = "real root"
+    REDUCTION = "reduction"
+    RINGS = "rings"
+    SUBFIELD = "subfield"
+    TERMS = "terms"
+    UNSATISFIABLE = "unsatisfiable"
+    WITNESS = "witness"
+    # about algebras with relations
+    ALGEBRA = "algebra"
+    PRESENTATION = "presentation"
+    # about a field, and logic between closed statements
+    ALL_CHOICES = "all choices"
+    ANISOTROPIC = "anisotropic"
+    BASIS_TUPLES = "basis tuples"
+    BOTH = "both"
+    CLOSED = "closed"
+    CONCLUSION = "conclusion"
+    COUNT = "count"
+    DETERMINANT = "determinant"
+    HYPOTHESIS = "hypothesis"
+    LEFT_OUT = "left out"
+    LEMMAS = "lemmas"
+    LEVEL = "level"
+    MINOR = "minor"
+    NO_ROOT = "no root"
+    ORDERING = "ordering"
+    OVER = "over"
+    PART = "part"
+    PARTS = "parts"
+    PURE_SUBGROUP = "pure subgroup"
+    SQUARE_ROOTS = "square roots"
+    SQUARES = "squares"
+    UNIQUE_ROOTS = "unique roots"
+    ZERO_NORM = "zero norm"
+    # about lattices
+    CLASS_SET = "class-set"
+    EMBEDDING = "embedding"
+    EQUIVALENT = "equivalent"
+    IDEAL = "ideal"
+    ISOMORPHIC_ORDERS = "isomorphic-orders"
+    ORDER = "order"
+
+
+@dataclass(init=False)
+class Evidence:
+    """Evidence of a kind, with its values by their names, in the order in which JSON has them."""
+
+    kind: Kind
+    values: Mapping[str, Any]
+
+    def __init__(self, kind: str, **values: Any) -> None:
+        self.kind, self.values = Kind(kind), values
+
+    def __getitem__(self, name: str) -> Any:
+        return self.values[name]
+
+    def over(self, ring: Mapping[str, Any] | None) -> "Evidence":
+        """Return the same with the ring that it is about, where the statement is about all."""
+        return Evidence(self.kind, **{**self.values, "ring": ring})
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the evidence as JSON data."""
+        return {"kind": self.kind.value, **_plain(self.values)}
+
+
+def _plain(x: Any) -> Any:
+    match x:
+        case Evidence():
+            return x.to_json()
+        case dict():
+            return {name: _plain(y) for name, y in x.items()}
+        case list():
+            return [_plain(y) for y in x]
+    return x
+
+
+def is_complete(evidence: object) -> bool:
+    """Tell whether there is evidence, and for all that it builds on."""
+    match evidence:
+        case Evidence(values=values) | ({} as values):
+            return all(
+                is_complete(values[name]) for name in ("proof", "cover", "cases") if name in values
+            )
+        case list():
+            return all(map(is_complete, evidence))
+    return evidence is not None
+
+
+def certificate(
+    statement: str,
+    algebra: str,
+    field: str | None,
+    ring: Mapping[str, Any] | None,
+    verdict: str,
+    method: str,
+    assumes: Sequence[str],
+    evidence: Evidence,
+) -> dict[str, object]:
+    """Return a certificate as JSON data, whatever a checker says of it."""
+    return {
+        "schema": SCHEMA,
+        "statement": statement,
+        "algebra": algebra,
+        "field": field,
+        "ring": ring,
+        "verdict": verdict,
+        "method": method,
+        "assumes": list(assumes),
+        "evidence": evidence.to_json(),
+    }
+
+
+def why_rejected(data: dict[str, object]) -> str | None:
+    """Say why the checker does not follow a certificate; None where it does."""
+    from hfield.certificates.check import Rejected, check
+
+    try:
+        check(data)
+    except Rejected as error:
+        return f"the checker does not follow: {error}"
+    return None
