@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.maps import matrix_text
 from hfield.errors import shorten
-from hfield.lattices.over_integers import IntegersOrder
+from hfield.lattices.number_field_orders import IntegersOrder
 from hfield.notation import element_text
 from hfield.rings.base import Ring
 from hfield.rings.printing import is_sum, number_text, parentheses
