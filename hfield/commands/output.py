@@ -111,23 +111,6 @@ def gone_on(text: str, width: int, below: str = "  ") -> str:
     )
 
 
-def fitted(facts: Iterable[tuple[str, str]], margin: int, width: int) -> str:
-    """Return a line for each label and what it says, gone on below the text where it is too long."""
-    from textwrap import fill
-
-    below = " " * (margin + 1)
-    return "\n".join(
-        fill(
-            text,
-            width,
-            initial_indent=f"{label:<{margin}} ",
-            subsequent_indent=below,
-            break_on_hyphens=False,
-        )
-        for label, text in facts
-    )
-
-
 @contextmanager
 def open_output(path: str | None) -> Iterator[Sink]:
     """Open the terminal, or a file: tried before the work, and in place only when all went well.

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from hfield.commands.answers import Answer
 from hfield.commands.output import OutputError, note, open_output
 from hfield.commands.parser import add_format, add_output, add_standalone, processes
 from hfield.commands.status import Progress
@@ -82,29 +83,31 @@ def _verify(args: Namespace) -> int:
         with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)
         paths = _certificates(rows, args.certificates)
-        if args.format == "json":
-            from hfield import __version__
-
-            results = [row.to_json(paths.get((row.claim.id, row.field))) for row in rows]
-            out.write_json(
-                {"schema": "hfield-verify/1", "version": __version__, "results": results}
-            )
-        elif args.format == "markdown":
-            from hfield.ledger.markdown import markdown
-
-            out.write(markdown(rows, everything=args.all))
-        elif args.format == "latex":
-            from hfield.ledger import paper
-
-            out.write_latex(paper.report(rows, everything=args.all), args.standalone)
-        else:
-            from hfield.ledger.report import report
-
-            out.write(report(rows, out.style(), chosen=own or bool(chosen), everything=args.all))
+        _answer(rows, paths, args.all, own or bool(chosen)).write(out, args)
     clashes = contradictions(rows)
     for clash in clashes if args.format == "json" else ():
         note(f"contradiction: {clash}")
     return int(bool(clashes) or not all(row.settled for row in rows))
+
+
+def _answer(
+    rows: Sequence[Row], paths: Mapping[tuple[str, str], str], everything: bool, chosen: bool
+) -> Answer:
+    from hfield import __version__
+    from hfield.ledger import markdown, paper, report
+
+    def data() -> dict[str, object]:
+        results = [row.to_json(paths.get((row.claim.id, row.field))) for row in rows]
+        return {"schema": "hfield-verify/1", "version": __version__, "results": results}
+
+    return Answer(
+        data,
+        lambda style: report.report(rows, style, chosen=chosen, everything=everything),
+        {
+            "markdown": lambda: markdown.markdown(rows, everything=everything),
+            "latex": lambda: paper.report(rows, everything=everything),
+        },
+    )
 
 
 def _ledger(arguments: Sequence[str]) -> tuple[Sequence[Claim], list[str]]:
