@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from hfield.commands.answers import Answer
 from hfield.commands.output import OutputError, note, open_output
-from hfield.commands.parser import add_format, add_output, add_standalone, processes
+from hfield.commands.parser import add_format, add_jobs, add_output, add_standalone
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
@@ -47,8 +47,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument("--all", action="store_true", help="show every row, not only the report")
     add_format(parser, "table", "json", "markdown", "latex")
     add_standalone(parser)
-    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
-    parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at tcp://HOST:PORT")
+    add_jobs(parser, "use the Dask cluster at tcp://HOST:PORT")
     parser.add_argument(
         "--certificates", metavar="DIR", help="write a certificate for every decided row to DIR"
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -24,7 +25,8 @@ def decision_text(
 ) -> str:
     """Write a statement of the language in ``algebra`` and its decision; no field means all."""
     where = "for every F" if field is None else f"{over(field)}, {ring(field).in_words()}"
-    lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
+    place = textwrap.wrap(f"in the algebra {algebra}, {where}", style.width, subsequent_indent="  ")
+    lines = [style.bold(pretty(statement)), *place, ""]
     told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
     return "\n".join([*lines, *told])
 
