@@ -124,18 +124,22 @@ def open_output(path: str | None) -> Iterator[Sink]:
         return
     if not path:
         raise OutputError("the name of the output file is empty; expected -o FILE")
+    with writing(repr(shorten(path))), _open_file(Path(path)) as stream:
+        sink = Sink(stream)
+        yield sink
+        sink.finish()
+
+
+@contextmanager
+def writing(what: str, instead: str = "file") -> Iterator[None]:
+    """Say in a line what the system does not take inside the ``with``. Raises :class:`OutputError`."""
     try:
-        with _open_file(Path(path)) as stream:
-            sink = Sink(stream)
-            yield sink
-            sink.finish()
+        yield
     except OSError as error:
         if isinstance(error, HFieldError):
             raise
         reason = error.strerror or str(error)
-        raise OutputError(
-            f"cannot write {shorten(path)!r}: {reason}; choose another file"
-        ) from error
+        raise OutputError(f"cannot write {what}: {reason}; choose another {instead}") from error
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from hfield.commands.answers import Answer
-from hfield.commands.output import OutputError, note, open_output
+from hfield.commands.output import note, open_output, writing
 from hfield.commands.parser import add_format, add_jobs, add_output, add_standalone
 from hfield.commands.status import Progress
 from hfield.errors import shorten
@@ -127,13 +127,8 @@ def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str,
 
     from hfield.ledger.certificate import write_certificates
 
-    try:
+    with writing(f"certificates to {shorten(directory)!r}", "directory"):
         return write_certificates(rows, Path(directory))
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise OutputError(
-            f"cannot write certificates to {shorten(directory)!r}: {reason}; choose another directory"
-        ) from error
 
 
 def _remark(fields: list[str]) -> None:
