@@ -9,7 +9,7 @@ from typing import Any
 from numba import njit
 from numba.core import config
 
-from hfield.compiling import keeping
+from hfield.compiling import disk_cache as keeping
 from hfield.compiling.machine_code import lock
 
 # FMA is allowed. Reassociation would change results, and assuming finite numbers would lose NaN, so
@@ -26,7 +26,7 @@ PART = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return ``function`` compiled at its first call for each set of argument types.
 
-    The machine code is kept where `hfield.compiling.keeping` keeps its own, if that folder is this user's
+    The machine code is kept where `hfield.compiling.disk_cache` keeps its own, if that folder is this user's
     alone: numba reads pickles, whoever wrote them. Else it is compiled anew in each process.
     """
     place = keeping.private_directory()

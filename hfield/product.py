@@ -1,4 +1,4 @@
-"""The one formula: the algebra with ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``.
+"""Product, conjugate, norm and trace where ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``.
 
 Everything here uses only ``+``, ``−`` and ``×`` on coordinates: no literal, no division, no branch
 on the ring. So the same lines multiply flint scalars, arrays of a million Galois field elements,

@@ -41,8 +41,8 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             *(
                 f"hfield/certificates/{name}.py"
                 for name in (
-                    *("clauses", "evaluate", "finding", "items", "json_text", "kinds"),
-                    *("over_field", "pin", "statement", "values"),
+                    *("check", "clauses", "evaluate", "finding", "ideal_membership"),
+                    *("json_text", "kinds", "over_field", "statement", "values"),
                 )
             ),
         ),

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from hfield.compiling import keeping, machine_code
+from hfield.compiling import disk_cache, machine_code
 
 pytestmark = pytest.mark.skipif(
     not machine_code.available(), reason="there is nothing to compile with"
@@ -23,70 +23,70 @@ PATIENCE = 60.0  # seconds until a test that waits for a thread is given up
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(machine_code, "_addresses", {})
-    return tmp_path / keeping.FOLDER
+    return tmp_path / disk_cache.FOLDER
 
 
 def files(place: Path) -> list[Path]:
-    return [path for path in place.iterdir() if path.name != keeping.SECRET]
+    return [path for path in place.iterdir() if path.name != disk_cache.SECRET]
 
 
 # --- on disk -----------------------------------------------------------------------------------------
 
 
 def test_what_is_kept_is_whole_or_not_used(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert keeping.kept("key") is None
-    keeping.keep("key", b"machine code")
-    assert keeping.kept("key") == b"machine code"
+    assert disk_cache.kept("key") is None
+    disk_cache.keep("key", b"machine code")
+    assert disk_cache.kept("key") == b"machine code"
     (file,) = files(place)
     file.write_bytes(file.read_bytes()[:-1])
-    assert keeping.kept("key") is None
+    assert disk_cache.kept("key") is None
     file.unlink()
     file.mkdir()  # something else stands in the place
-    keeping.keep("key", b"machine code")
-    assert keeping.kept("key") is None
+    disk_cache.keep("key", b"machine code")
+    assert disk_cache.kept("key") is None
     assert files(place) == [file]
     file.rmdir()
     file.write_text("no folder")
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(file))
-    keeping.keep("key", b"nowhere to write")
-    assert keeping.kept("key") is None
+    disk_cache.keep("key", b"nowhere to write")
+    assert disk_cache.kept("key") is None
 
 
 def test_a_file_says_which_one_it_is_and_who_wrote_it(place: Path) -> None:
-    keeping.keep("key", b"machine code")
+    disk_cache.keep("key", b"machine code")
     os.link(place / "key", place / "other")
-    assert keeping.kept("other") is None
-    secret = place / keeping.SECRET
-    secret.write_bytes(bytes(keeping.SIZE))
-    assert keeping.kept("key") is None
+    assert disk_cache.kept("other") is None
+    secret = place / disk_cache.SECRET
+    secret.write_bytes(bytes(disk_cache.SIZE))
+    assert disk_cache.kept("key") is None
     secret.write_bytes(b"")  # and is made anew where it is none
-    keeping.keep("key", b"machine code")
-    assert keeping.kept("key") == b"machine code"
+    disk_cache.keep("key", b"machine code")
+    assert disk_cache.kept("key") == b"machine code"
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
-@pytest.mark.parametrize("name", ["key", keeping.SECRET])
+@pytest.mark.parametrize("name", ["key", disk_cache.SECRET])
 def test_what_others_may_have_written_is_not_read(
     place: Path, name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     mask = os.umask(0)
     try:
-        keeping.keep("key", b"machine code")
+        disk_cache.keep("key", b"machine code")
     finally:
         os.umask(mask)
-    assert keeping.kept("key") == b"machine code"
+    assert disk_cache.kept("key") == b"machine code"
     file = place / name
     assert file.stat().st_mode & 0o777 == 0o600
     for mode, found in ((0o620, None), (0o602, None), (0o644, b"machine code")):
         file.chmod(mode)
-        assert keeping.kept("key") == found
+        assert disk_cache.kept("key") == found
     me = os.geteuid()
     monkeypatch.setattr(os, "geteuid", lambda: me + 1)
-    assert keeping.kept("key") is None
+    assert disk_cache.kept("key") is None
     monkeypatch.undo()
     file.unlink()
     os.mkfifo(file)  # nobody writes there: who reads it as a file waits for ever
-    assert keeping.kept("key") is None
+    assert disk_cache.kept("key") is None
 
 
 @pytest.mark.parametrize(
@@ -103,7 +103,8 @@ def test_what_others_may_have_written_is_not_read(
 def test_what_cannot_be_linked_is_compiled_again(place: Path, code: bytes | str) -> None:
     """With a stamp that fits: LLVM's older engine ended the process."""
     run = f"""
-from hfield.compiling import keeping, machine_code
+from hfield.compiling import machine_code
+from hfield.compiling import disk_cache
 import llvmlite.binding as llvm
 ADD = {ADD!r}
 def add():
@@ -118,10 +119,10 @@ code = {{
     "that calls what is not there": lambda: made("declare i64 @missing(i64, i64)\\n"
         + ADD.replace("add i64 %a, %b", "call i64 @missing(i64 %a, i64 %b)")),
 }}.get({code!r}, lambda: {code!r})()
-keeping.keep(key, code)
+disk_cache.keep(key, code)
 machine_code._addresses.clear()
 assert add() == 42
-assert keeping.kept(key) != code
+assert disk_cache.kept(key) != code
 print("alive")
 """
     done = subprocess.run([sys.executable, "-c", run], capture_output=True, text=True, check=False)

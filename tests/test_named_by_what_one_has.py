@@ -1,5 +1,7 @@
 """Objects, texts and lists are taken wherever one of them is; what is typed first is read, or has a hint."""
 
+import pickle
+
 import pytest
 
 import anim
@@ -86,6 +88,14 @@ def test_an_unknown_claim_shows_the_nearest_five() -> None:
         explain("theorme-3")
     assert "theorem-3" in str(error.value)
     assert str(error.value).count(",") == 4
+
+
+@pytest.mark.parametrize("field", [None, "QQ", "RR", GF(9)])
+def test_equal_answers_are_equal(field) -> None:
+    one, again = (prove("norm(q) == 0 => q == 0", field) for _ in range(2))
+    assert one == again == pickle.loads(pickle.dumps(one))
+    assert len({one, again}) == 1
+    assert one != prove("p*q == q*p", field)
 
 
 def test_public_classes() -> None:

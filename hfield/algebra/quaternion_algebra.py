@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Lattice, Order
-    from hfield.lattices.over_integers import IntegersOrder
+    from hfield.lattices.number_field_orders import IntegersOrder
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MOST = 10**8  # elements of an array that lists all
@@ -585,7 +585,7 @@ class QuaternionAlgebra(Hinted):
         """
         from hfield.lattices.lattice import Order
         from hfield.lattices.named_orders import maximal_order
-        from hfield.lattices.over_integers import maximal_order_over_integers
+        from hfield.lattices.number_field_orders import maximal_order_over_integers
 
         with known_primes(factors):
             F = self.ring

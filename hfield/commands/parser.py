@@ -1,4 +1,4 @@
-"""Reading a command line: expressions that begin with a minus, errors of one line that help."""
+"""The argument parser: expressions that begin with a minus, errors of one line that help."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """One way from formulas to machine code, and to threads that share the work.
 
 `instructions` writes programs in LLVM's notation; `machine_code` compiles them in milliseconds, once on
-this machine (`keeping`), for as long as the process lives. `loops` puts a straight-line program in an
+this machine (`disk_cache`), for as long as the process lives. `loops` puts a straight-line program in an
 `arithmetic` (those of rings are `arithmetics`) into a loop over the rows of arrays, and `calling` runs it in
 `threads`. LLVM comes with numba, but numba itself, which takes a second to import, is not needed.
 """

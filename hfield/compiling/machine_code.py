@@ -15,7 +15,7 @@ from functools import cache
 from typing import Any
 
 from hfield import locking
-from hfield.compiling.keeping import keep, kept
+from hfield.compiling.disk_cache import keep, kept
 
 Function = Callable[[int, int], int]
 lock = locking.lock()

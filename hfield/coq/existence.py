@@ -1,4 +1,4 @@
-"""Evidence for what exists by terms, at once or in cases, and against it, at a place."""
+"""Coq proofs of what exists by terms, at once or in cases, and against it, at a place."""
 
 from __future__ import annotations
 

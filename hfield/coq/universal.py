@@ -1,4 +1,4 @@
-"""Evidence about all values: identities, implications, all cases, tuples of basis vectors."""
+"""Coq proofs from evidence about all values: identities, implications, all cases, tuples of basis vectors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Evidence by values: counterexamples, and examples of what exists."""
+"""Coq proofs from values: counterexamples, and examples of what exists."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Maximal orders that contain a given one, and the Eichler orders inside a given maximal one.
+"""Maximal orders over ℤ that contain a given one, and the Eichler orders inside a given maximal one.
 
 At a prime p the left order of the radical is larger until the order is hereditary; then the residue algebra
 is a field, or a product of two, and one of its two maximal ideals has a maximal left order (Voight,

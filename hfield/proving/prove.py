@@ -35,9 +35,12 @@ _COMPARISON = re.compile(r"[=!]=|=>|[=≠⇒⇔]")
 _SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APPLICABLE: "–"}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Answer:
-    """A statement with its decision. Its truth value raises UndecidedError when there is none."""
+    """A statement with its decision. Its truth value raises UndecidedError when there is none.
+
+    Answers are equal when statement, algebra, field and decision are, pickled ones too.
+    """
 
     statement: Statement
     setting: Setting
@@ -116,6 +119,9 @@ class Answer:
             "tried": list(d.tried),
             "certificate": certificate,
         }
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.setting.algebra, self.verdict))
 
     def __bool__(self) -> bool:
         return bool(self.decision)

@@ -1,4 +1,4 @@
-"""Whole numbers: what Hilbert symbols, conics and orders over ℚ need to know of them."""
+"""Whole numbers: residues put together, roots modulo n, square classes and squarefree parts."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ import pytest
 from hfield.certificates import glossary
 from hfield.certificates.check import check
 from hfield.certificates.glossary import METHODS, THEOREMS, UNCERTIFIED, VERDICTS
+from hfield.evidence import Evidence, Kind
 from hfield.ledger.certificate import certificate
 from hfield.ledger.propositions import Statement
 from hfield.proving.decision import Decision
@@ -87,7 +88,7 @@ def test_the_documents_list_the_methods() -> None:
 
 def test_a_row_that_cites_other_than_its_evidence_has_no_certificate() -> None:
     claim = Statement("p*q == q*p")
-    evidence = {"kind": "identity"}
+    evidence = Evidence(Kind.IDENTITY)
     good = Decision("proved", "identity", evidence=evidence)
     data = certificate(claim, good, "GF(2)")
     assert data is not None

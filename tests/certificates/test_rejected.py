@@ -254,7 +254,7 @@ def test_presentations() -> None:
         field=None,
         ring=None,
         method="presentation",
-        evidence=decision.evidence,
+        evidence=decision.evidence.to_json(),
     )
     assert check(data)
     rejects(

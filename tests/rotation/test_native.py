@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hfield.compiling import keeping
+from hfield.compiling import disk_cache
 from rotation import Rotation, threads
 from rotation.namespaces import quiet
 from rotation.quaternions import _PRODUCT, _product, normalise
@@ -121,7 +121,7 @@ def test_few_rotations_and_points_import_no_numba(tmp_path: Path) -> None:
         "print('numba' in sys.modules)"
     )
     assert run(code, NUMBA_CACHE_DIR=str(tmp_path)) == "False"
-    assert list((tmp_path / keeping.FOLDER).iterdir())
+    assert list((tmp_path / disk_cache.FOLDER).iterdir())
 
 
 def test_a_program_rounds_as_numpy_does() -> None:

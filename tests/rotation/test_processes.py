@@ -13,7 +13,7 @@ import pytest
 
 import hfield
 import rotation
-from hfield.compiling import keeping, machine_code
+from hfield.compiling import disk_cache, machine_code
 from rotation import kernels
 from rotation.fused import rotate, rotate_quat
 
@@ -151,8 +151,8 @@ def test_machine_code_is_kept_and_follows_the_formulas(tmp_path: Path) -> None:
     place = {"NUMBA_CACHE_DIR": str(cache)}
 
     def kept() -> int:
-        names = {path.name for path in (cache / keeping.FOLDER).iterdir()}
-        return len(names - {keeping.SECRET})
+        names = {path.name for path in (cache / disk_cache.FOLDER).iterdir()}
+        return len(names - {disk_cache.SECRET})
 
     for numbers in ((1, 1), (2, 2)):
         for number in numbers:
