@@ -36,7 +36,6 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """List the claims."""
-    from hfield.ledger import paper
     from hfield.ledger.registry import claims
     from hfield.ledger.selection import in_section
 
@@ -45,10 +44,16 @@ def run(args: Namespace) -> int:
         chosen = [claim for claim in chosen if _speaks_of(claim, args.search)]
         if not chosen:
             note(f"no claim speaks of {shorten(args.search)!r}; `hfield claims` lists them all")
+
+    def latex() -> str:
+        from hfield.ledger import paper
+
+        return paper.claims(chosen)
+
     answer = Answer(
         lambda: {"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]},
         lambda style: _table(chosen, style),
-        {"markdown": lambda: _markdown(chosen), "latex": lambda: paper.claims(chosen)},
+        {"markdown": lambda: _markdown(chosen), "latex": latex},
     )
     return answer_one(args, lambda: answer)
 

@@ -40,14 +40,19 @@ def run(args: Namespace) -> int:
 
 
 def _explain(args: Namespace, claim: str) -> Answer:
-    from hfield.ledger import paper
     from hfield.ledger.explanation import explain
 
     Waiting.at(f"deciding {claim}")
     explanation = explain(claim, args.field)
+
+    def latex() -> str:
+        from hfield.ledger import paper
+
+        return paper.explanation(explanation.row)
+
     return Answer(
         explanation.to_json,
         explanation.text,
-        {"latex": lambda: paper.explanation(explanation.row)},
+        {"latex": latex},
         status=0 if explanation.row.settled else 1,
     )

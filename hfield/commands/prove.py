@@ -61,8 +61,6 @@ def run(args: Namespace) -> int:
 
 
 def _decide(args: Namespace, statement: str) -> Answer:
-    from hfield.ledger import paper
-    from hfield.ledger.claim import UNIVERSAL
     from hfield.ledger.decision_lines import decision_text
     from hfield.proving.prove import prove
 
@@ -77,9 +75,16 @@ def _decide(args: Namespace, statement: str) -> Answer:
     path = None if certificate is None else args.certificate
     said = {} if args.given else {"statement": statement}
     told, inside, field = (answer.text, answer.decision), answer.setting.algebra, answer.field
+
+    def latex() -> str:
+        from hfield.ledger.claim import UNIVERSAL
+        from hfield.ledger.paper import decision
+
+        return decision(*told, field or UNIVERSAL, inside)
+
     return Answer(
         lambda: answer.to_json(path) | said,
         lambda style: decision_text(*told, inside, field, style),
-        {"latex": lambda: paper.decision(*told, field or UNIVERSAL, inside)},
+        {"latex": latex},
         answer.exit_status,
     )

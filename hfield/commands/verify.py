@@ -93,19 +93,26 @@ def _answer(
     rows: Sequence[Row], paths: Mapping[tuple[str, str], str], everything: bool, chosen: bool
 ) -> Answer:
     from hfield import __version__
-    from hfield.ledger import markdown, paper, report
+    from hfield.ledger.report import report
 
     def data() -> dict[str, object]:
         results = [row.to_json(paths.get((row.claim.id, row.field))) for row in rows]
         return {"schema": "hfield-verify/1", "version": __version__, "results": results}
 
+    def markdown() -> str:
+        from hfield.ledger import markdown
+
+        return markdown.markdown(rows, everything=everything)
+
+    def latex() -> str:
+        from hfield.ledger import paper
+
+        return paper.report(rows, everything=everything)
+
     return Answer(
         data,
-        lambda style: report.report(rows, style, chosen=chosen, everything=everything),
-        {
-            "markdown": lambda: markdown.markdown(rows, everything=everything),
-            "latex": lambda: paper.report(rows, everything=everything),
-        },
+        lambda style: report(rows, style, chosen=chosen, everything=everything),
+        {"markdown": markdown, "latex": latex},
     )
 
 
