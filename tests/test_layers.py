@@ -33,6 +33,7 @@ FLOORS = [
     {"hfield.structure"},
     {"hfield.fields"},
     {"hfield.notation", "hfield.algebra.embedding", "hfield.latex"},
+    {"hfield.presenting"},
     {"hfield.algebra.quaternion"},  # lattices stand on the element, and the algebra makes lattices
     {
         "hfield.functions",

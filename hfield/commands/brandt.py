@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from math import cos, pi, sin
 from typing import TYPE_CHECKING, Any
 
+from hfield.commands.answers import Answer, answer_one
 from hfield.commands.orders import SECONDS_A_CLASS, algebra_of, announce, level_of
-from hfield.commands.output import OutputError, open_output
+from hfield.commands.output import OutputError, gone_on
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import ClassSet
+    from hfield.ledger.matrix import Style
 
 HELP = (
     "Print the Brandt matrix of a prime (or any n) for discriminant D and level N, with its characteristic "
@@ -48,43 +51,47 @@ def run(args: Namespace) -> int:
         raise UsageError(
             f"--prime {shorten(args.prime)!r}: expected a positive number, a prime such as 2 or any other"
         )
-    n = int(args.prime)
+    with given_factors(args):
+        return answer_one(args, partial(_answer, args, int(args.prime)))
+
+
+def _answer(args: Namespace, n: int) -> Answer:
     from hfield.primality import is_prime
 
-    with given_factors(args), open_output(args.output) as out:
-        A, level = algebra_of(args.algebra), level_of(args.level)
-        O = A.eichler_order(level)
-        sparse = args.format == "edges" and is_prime(n) and not args.plot
-        _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
-        C = O.class_set()
-        if sparse:
-            out.write("\n".join(_edges(C.neighbours(n))))
-            return 0
-        matrix = C.brandt_matrix(n)
-        if args.plot:
-            _plot(matrix, args.plot)
-        if args.format == "json":
-            out.write_json(
-                {
-                    "schema": "hfield-brandt/1",
-                    "algebra": A.name,
-                    "discriminant": A.discriminant(),
-                    "level": level,
-                    "n": n,
-                    "classes": len(C),
-                    "units": C.unit_counts,
-                    "matrix": matrix,
-                    "characteristic_polynomial": C.hecke_polynomial(n),
-                }
-            )
-        elif args.format == "edges":
-            out.write("\n".join(_edges([dict(enumerate(row)) for row in matrix])))
-        elif args.format == "latex":
-            rows = " \\\\\n".join(" & ".join(map(str, row)) for row in matrix)
-            out.write(f"\\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}")
-        else:
-            out.write("\n".join(_plain(C, matrix, n)))
-    return 0
+    A, level = algebra_of(args.algebra), level_of(args.level)
+    O = A.eichler_order(level)
+    sparse = args.format == "edges" and is_prime(n) and not args.plot
+    _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
+    C = O.class_set()
+    matrix = [] if sparse else C.brandt_matrix(n)
+    if args.plot:
+        _plot(matrix, args.plot)
+
+    def data() -> dict[str, object]:
+        return {
+            "schema": "hfield-brandt/1",
+            "algebra": A.name,
+            "discriminant": A.discriminant(),
+            "level": level,
+            "n": n,
+            "classes": len(C),
+            "units": C.unit_counts,
+            "matrix": matrix,
+            "characteristic_polynomial": C.hecke_polynomial(n),
+        }
+
+    def latex() -> str:
+        rows = " \\\\\n".join(" & ".join(map(str, row)) for row in matrix)
+        return f"\\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}"
+
+    def edges() -> str:
+        rows = C.neighbours(n) if sparse else [dict(enumerate(row)) for row in matrix]
+        return "\n".join(_edges(rows))
+
+    def page(style: Style) -> str:
+        return "\n".join(_plain(C, matrix, n, style.width))
+
+    return Answer(data, page, {"latex": latex, "edges": edges})
 
 
 def _announce(number: int, sparse: bool, polynomial: bool) -> None:
@@ -105,14 +112,15 @@ def _edges(rows: Sequence[Mapping[int, int]]) -> Iterator[str]:
     return (f"{i} {j} {row[j]}" for i, row in enumerate(rows) for j in sorted(row) if row[j])
 
 
-def _plain(C: ClassSet, matrix: list[list[int]], n: int) -> list[str]:
-    width = max(len(str(x)) for row in matrix for x in row)
-    lines = [
-        f"Brandt matrix of {n}, {len(C)} classes of {C.order.algebra}, level {C.order.level}",
-        "",
-    ]
-    lines += ["  " + " ".join(f"{x:>{width}}" for x in row) for row in matrix]
-    return [*lines, "", f"characteristic polynomial  {polynomial(C.hecke_polynomial(n))}"]
+def _plain(C: ClassSet, matrix: list[list[int]], n: int, width: int) -> list[str]:
+    from hfield.presenting import hanging
+
+    wide = max(len(str(x)) for row in matrix for x in row)
+    title = f"Brandt matrix of {n}, {len(C)} classes of {C.order.algebra}, level {C.order.level}"
+    lines = [*gone_on(title, width).splitlines(), ""]
+    lines += ["  " + " ".join(f"{x:>{wide}}" for x in row) for row in matrix]
+    told = polynomial(C.hecke_polynomial(n))
+    return [*lines, "", *hanging("characteristic polynomial  ", told, width)]
 
 
 def polynomial(coefficients: list[int]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from hfield.certificates.rejection import Rejected, one_line
 from hfield.certificates.work import MILLIONS, Work, bounded
 from hfield.commands.many import LINES, Lines, add_inputs, check_given, texts
 from hfield.commands.output import note, open_output
-from hfield.commands.parser import UsageError, add_output
+from hfield.commands.parser import UsageError, add_output, positive
 from hfield.commands.second_judge import Judge, Verdict, add_coq, exit_status, judge_by_coq
 from hfield.errors import HFieldError, shorten
 
@@ -33,10 +33,9 @@ EXAMPLES = (
     "hfield check *.json --coq",
 )
 MANY = ".jsonl"  # a file of many, one a line
-COLUMNS = (
-    *("file", "accepted", "statement", "algebra", "field", "verdict", "scope"),
-    *("theorems", "assumptions", "vacuous", "left_out", "rings", "reason"),
-)
+ABOUT = ("statement", "algebra", "field", "verdict", "scope")
+LISTS = ("assumes", "theorems", "assumptions", "vacuous", "left_out", "rings")
+COLUMNS = ("file", "accepted", *ABOUT, *LISTS[1:], "reason")
 UNIVERSAL = ("universal", "-")
 ASSUMING = 3  # the exit status where an assumption is left
 
@@ -68,7 +67,7 @@ def configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--work",
-        type=_millions,
+        type=positive(1e9, "positive number"),
         default=float(MILLIONS),
         metavar="N",
         help="do no more for one file than N million units of work, each a microsecond and 100 bytes "
@@ -76,17 +75,6 @@ def configure(parser: ArgumentParser) -> None:
     )
     add_coq(parser)
     add_output(parser)
-
-
-def _millions(text: str) -> float:
-    """Read a positive number."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 0 < value <= 1e9:
-        raise ArgumentTypeError(f"expected a positive number, found {shorten(text)!r}")
-    return value
 
 
 Outcome = Established | Rejected | UnreadableError
@@ -253,19 +241,10 @@ def _json(each: Checked) -> dict[str, object]:
     outcome = each.outcome
     if not isinstance(outcome, Established):
         return {"file": each.name, "accepted": False, "reason": str(outcome)}
+    told = {name: getattr(outcome, name) for name in (*ABOUT, *LISTS)}
     return {
         "file": each.name,
         "accepted": True,
-        "statement": outcome.statement,
-        "algebra": outcome.algebra,
-        "field": outcome.field,
-        "verdict": outcome.verdict,
-        "scope": outcome.scope,
-        "assumes": list(outcome.assumes),
-        "theorems": list(outcome.theorems),
-        "assumptions": list(outcome.assumptions),
-        "vacuous": list(outcome.vacuous),
-        "left_out": list(outcome.left_out),
-        "rings": list(outcome.rings),
+        **{name: list(value) if name in LISTS else value for name, value in told.items()},
         **({"coq": each.coq.json()} if each.coq else {}),
     }

@@ -7,7 +7,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import note, open_output
+from hfield.commands.answers import Answer, answer_one
+from hfield.commands.output import note
 from hfield.commands.parser import add_format, add_output, add_standalone
 from hfield.errors import shorten
 
@@ -43,18 +44,18 @@ def run(args: Namespace) -> int:
         chosen = [claim for claim in chosen if _speaks_of(claim, args.search)]
         if not chosen:
             note(f"no claim speaks of {shorten(args.search)!r}; `hfield claims` lists them all")
-    with open_output(args.output) as out:
-        if args.format == "json":
-            out.write_json({"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]})
-        elif args.format == "markdown":
-            out.write(_markdown(chosen))
-        elif args.format == "latex":
-            from hfield.ledger import paper
 
-            out.write_latex(paper.claims(chosen), args.standalone)
-        else:
-            out.write(_table(chosen, out.style()))
-    return 0
+    def latex() -> str:
+        from hfield.ledger import paper
+
+        return paper.claims(chosen)
+
+    answer = Answer(
+        lambda: {"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]},
+        lambda style: _table(chosen, style),
+        {"markdown": lambda: _markdown(chosen), "latex": latex},
+    )
+    return answer_one(args, lambda: answer)
 
 
 def _speaks_of(claim: Claim, word: str) -> bool:
@@ -79,6 +80,8 @@ def _markdown(chosen: Sequence[Claim]) -> str:
 
 
 def _table(chosen: Sequence[Claim], style: Style) -> str:
+    from hfield.presenting import hanging
+
     ids, names, kinds = (
         max((len(getattr(c, a)) for c in chosen), default=0) for a in ("id", "name", "kind")
     )
@@ -97,7 +100,5 @@ def _table(chosen: Sequence[Claim], style: Style) -> str:
                 claim.statement, style.width, initial_indent=start, subsequent_indent=start
             )
             continue
-        room = style.width - len(start)
-        text = textwrap.wrap(claim.statement, room, break_on_hyphens=False) or [""]
-        lines += [start + text[0], *(" " * len(start) + line for line in text[1:])]
+        lines += hanging(start, claim.statement, style.width) or [start]
     return "\n".join(line.rstrip() for line in lines).lstrip("\n")

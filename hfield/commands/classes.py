@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from typing import Any
+from collections.abc import Callable
+from itertools import islice
+from typing import TYPE_CHECKING
 
+from hfield.commands.answers import Answer, of_parts
 from hfield.commands.orders import (
     SECONDS_A_CLASS,
     add_answers,
     add_where,
     algebra_of,
     announce,
+    answer_certified,
     level_of,
-    open_answers,
-    write_certificate,
 )
-from hfield.commands.output import fitted
 from hfield.commands.parser import UsageError
+
+if TYPE_CHECKING:
+    from hfield.lattices.certificates import Claim
+    from hfield.lattices.lattice import ClassSet
+    from hfield.presenting import Part
 
 HELP = (
     "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ, compare with "
@@ -40,79 +46,64 @@ def run(args: Namespace) -> int:
         raise UsageError(
             "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
         )
-    with open_answers(args) as (out, file):
-        A, level = algebra_of(args.algebra), level_of(args.level)
-        O = A.eichler_order(level)
-        number, mass = A.class_number(level), O.mass()
-        if not args.formula:
-            announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")
-        C = None if args.formula else O.class_set()
-        if C is not None and args.certificate is not None:
-            write_certificate(file, C.claim)
-        if args.format == "json":
-            head = {
-                "schema": "hfield-classes/1",
-                "algebra": A.name,
-                "discriminant": A.discriminant(),
-                "level": level,
-                "class_number": number,
-                "mass": str(mass),
-            }
-            tail = {} if C is None else {"type_number": C.type_number, **C.evidence}
-            out.write_json({**tail, **head})
-        else:
-            facts = [
-                ("algebra", f"{A.name}, discriminant {A.discriminant()}, level {level}"),
-                ("class number", f"{number}, by Eichler's formula"),
-                ("mass", f"{mass}, the sum of 1/[units : ±1]"),
-            ]
-            if C is not None:
-                facts[1] = ("class number", f"{number}, by Eichler's formula and by enumeration")
-                facts.append(("type number", str(C.type_number)))
-            width = out.style().width
-            if args.format == "latex":
-                out.write_latex("\n".join(_latex(facts, C)), args.standalone)
-            else:
-                out.write("\n".join(_plain(facts, C, width)))
-    return 0
+    return answer_certified(args, _answer)
 
 
-def _table(C: Any) -> list[list[str]]:
-    header = ["class", "norm", "units", "group", "type", "reduced basis"]
-    rows = [header]
-    for n, I in enumerate(C):
-        if n == SHOWN:
-            break
-        O = I.left_order()
-        basis = ", ".join(str(q) for q in I.reduced_basis())
-        rows.append(
-            [str(n), str(I.norm()), str(C.unit_counts[n]), O.unit_group(), str(C.types[n]), basis]
-        )
-    return rows
+def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
+    A, level = algebra_of(args.algebra), level_of(args.level)
+    O = A.eichler_order(level)
+    number, mass = A.class_number(level), O.mass()
+    if args.formula:
+        C = None
+    else:
+        announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")
+        C = O.class_set()
+
+    def data() -> dict[str, object]:
+        head = {
+            "schema": "hfield-classes/1",
+            "algebra": A.name,
+            "discriminant": A.discriminant(),
+            "level": level,
+            "class_number": number,
+            "mass": str(mass),
+        }
+        tail = {} if C is None else {"type_number": C.type_number, **C.evidence}
+        return {**tail, **head}
+
+    def parts() -> list[Part]:
+        from hfield.presenting import Facts
+
+        how = "by Eichler's formula" + (" and by enumeration" if C is not None else "")
+        facts = [
+            ("algebra", f"{A.name}, discriminant {A.discriminant()}, level {level}"),
+            ("class number", f"{number}, {how}"),
+            ("mass", f"{mass}, the sum of 1/[units : ±1]"),
+        ]
+        if C is None:
+            return [Facts(facts, 14)]
+        return [Facts([*facts, ("type number", str(C.type_number))], 14), _table(C)]
+
+    return of_parts(data, parts), lambda: O.claim if C is None else C.claim
 
 
-def _plain(facts: list[tuple[str, str]], C: Any, width: int) -> list[str]:
-    lines = [fitted(facts, 14, width)]
-    if C is None:
-        return lines
-    table = _table(C)
-    widths = [max(len(row[n]) for row in table) for n in range(5)]
-    lines.append("")
-    for row in table:
-        cells = "  ".join(f"{x:>{w}}" for x, w in zip(row, widths, strict=False))
-        lines.append(fitted([(f"{cells} ", row[5])], len(cells) + 1, width))
-    if len(C) > SHOWN:
-        lines.append(f"… and {len(C) - SHOWN} more; --format json lists all")
-    return lines
+def _table(C: ClassSet) -> Part:
+    from hfield.presenting import Table
 
-
-def _latex(facts: list[tuple[str, str]], C: Any) -> list[str]:
-    from hfield.latex import descriptions, words
-
-    lines = [descriptions((label, words(text)) for label, text in facts)]
-    if C is None:
-        return lines
-    header, *rows = [row[:5] for row in _table(C)]
-    lines += [r"\begin{tabular}{rrrlr}", " & ".join(header) + r" \\ \hline"]
-    lines += [" & ".join([*row[:3], rf"$\mathrm{{{row[3]}}}$", row[4]]) + r" \\" for row in rows]
-    return [*lines, r"\end{tabular}"]
+    rows = [
+        [
+            *(str(n), str(I.norm()), str(C.unit_counts[n])),
+            *(I.left_order().unit_group(), str(C.types[n])),
+            ", ".join(map(str, I.reduced_basis())),
+        ]
+        for n, I in enumerate(islice(C, SHOWN))
+    ]
+    more = len(C) - SHOWN
+    return Table(
+        rows,
+        ">>>>>",
+        "rrrlr",
+        head=("class", "norm", "units", "group", "type", "reduced basis"),
+        below=f"… and {more} more; --format json lists all" if more > 0 else "",
+        cells={3: lambda group: rf"$\mathrm{{{group}}}$"},
+    )

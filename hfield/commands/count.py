@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import open_output
+from hfield.commands.answers import Answer, answer_one, of_parts
 from hfield.commands.parser import add_algebra, add_format, add_output, add_standalone, algebra_of
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
+    from hfield.presenting import Part
 
 HELP = (
     "Count the elements of an algebra over a finite ring by norm and by what they are: by closed formulas "
@@ -54,17 +55,16 @@ class Counts:
 def run(args: Namespace) -> int:
     """Count and print."""
     A = algebra_of(args)
-    with open_output(args.output) as out:
+
+    def answer() -> Answer:
         result = counts(A, formulas=args.formulas)
-        if args.format == "json":
-            head = {"schema": "hfield-count/1", "algebra": A.name, "field": A.ring.name}
-            out.write_json({**head, "q": A.ring.order, **result.to_json()})
-        elif args.format == "latex":
-            out.write_latex(count_latex(result), args.standalone)
-        else:
-            title = f"{A.name}, q = {A.ring.order}"
-            out.write("\n".join([title, "", *count_lines(result, out.style().width)]))
-    return 0
+        head = {"schema": "hfield-count/1", "algebra": A.name, "field": A.ring.name}
+        return of_parts(
+            lambda: {**head, "q": A.ring.order, **result.to_json()},
+            lambda: parts(result, f"{A.name}, q = {A.ring.order}"),
+        )
+
+    return answer_one(args, answer)
 
 
 def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) -> Counts:
@@ -146,29 +146,30 @@ def _exhausted(A: QuaternionAlgebra) -> Counts:
     return Counts(A, lines, found.elements)
 
 
-def count_lines(result: Counts, width: int) -> list[str]:
-    """Lay out the counts in columns, and wrap what is said of them."""
-    from textwrap import wrap
-
-    rows = [(label, str(n), formula or "") for label, n, formula in result.lines]
-    wide = [max(len(row[n]) for row in rows) for n in (0, 1)]
-    lines = [f"  {w:<{wide[0]}}  {n:>{wide[1]}}  {formula}".rstrip() for w, n, formula in rows]
-    told = wrap(_note(result), width, initial_indent="  ", subsequent_indent="  ")
-    return [*lines, "", *told]
-
-
-def count_latex(result: Counts) -> str:
-    """Lay out the counts as a table of LaTeX."""
+def parts(result: Counts, heading: str = "") -> list[Part]:
+    """Return what people read; without a heading as a part of the page about the algebra."""
     from hfield.latex import words
+    from hfield.presenting import Piece, Table, hanging
 
-    A = result.algebra
-    rows = (
-        rf"{words(label)} & {n} & " + (f"${words(formula).strip('$')}$" if formula else "") + r" \\"
-        for label, n, formula in result.lines
-    )
-    head = rf"\[ {A.latex()}, \qquad q = {A.ring.order} \]"
-    table = [r"\begin{tabular}{lrl}", *rows, r"\end{tabular}"]
-    return "\n".join([head, *table, "", rf"\noindent {words(_note(result).capitalize())}."])
+    A, note = result.algebra, _note(result)
+    return [
+        Piece(
+            lambda _: [heading] * bool(heading),
+            lambda: rf"\[ {A.latex()}, \qquad q = {A.ring.order} \]",
+        ),
+        Table(
+            [(label, str(n), formula or "") for label, n, formula in result.lines],
+            "<>",
+            "lrl",
+            title="" if heading else "Counts",
+            indent="  ",
+            cells={2: lambda formula: formula and f"${words(formula).strip('$')}$"},
+        ),
+        Piece(
+            lambda width: hanging("  ", note, width),
+            lambda: rf"\noindent {words(note.capitalize())}.",
+        ),
+    ]
 
 
 def _note(result: Counts) -> str:

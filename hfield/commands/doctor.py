@@ -5,12 +5,17 @@ from __future__ import annotations
 import platform
 import sys
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, requires, version
 from shutil import which
+from typing import TYPE_CHECKING
 
 from hfield import __version__
-from hfield.commands.output import fitted, open_output
+from hfield.commands.answers import answer_one, of_parts
 from hfield.commands.parser import add_format, add_output
+
+if TYPE_CHECKING:
+    from hfield.presenting import Part
 
 HELP = (
     "Tell which parts of hfield work here: the libraries it needs, and what is missing and would add "
@@ -42,16 +47,14 @@ def run(args: Namespace) -> int:
     needed = {name: _version(name) for name in _needed()}
     optional = {name: _version(name) for name in OPTIONAL}
     programs = {name: which(name) for name in PROGRAMS}
-    with open_output(args.output) as out:
-        if args.format == "json":
-            found = {"needed": needed, "optional": optional, "programs": programs}
-            python = platform.python_version()
-            out.write_json(
-                {"schema": "hfield-doctor/1", "version": __version__, "python": python, **found}
-            )
-        else:
-            out.write("\n".join(_page(needed, optional | programs, out.style().width)))
-    return int(None in needed.values())
+    found = {"needed": needed, "optional": optional, "programs": programs}
+    head = {
+        "schema": "hfield-doctor/1",
+        "version": __version__,
+        "python": platform.python_version(),
+    }
+    answer = of_parts(lambda: head | found, lambda: _parts(needed, optional | programs))
+    return answer_one(args, lambda: replace(answer, status=int(None in needed.values())))
 
 
 def _needed() -> list[str]:
@@ -70,23 +73,24 @@ def _version(name: str) -> str | None:
         return None
 
 
-def _page(needed: dict[str, str | None], others: dict[str, str | None], width: int) -> list[str]:
+def _parts(needed: dict[str, str | None], others: dict[str, str | None]) -> list[Part]:
+    from hfield.presenting import Facts, Piece
+
     encoding = getattr(sys.stdout, "encoding", None) or "unknown"
     lines = [
         f"hfield {__version__} on Python {platform.python_version()}, {platform.system()}",
         f"the terminal's encoding is {encoding}",
-        "",
-        "Needed",
-        *(
-            f"  {name:<16} {found or 'MISSING: pip install ' + name}"
-            for name, found in needed.items()
-        ),
-        "",
-        "Not needed",
     ]
+    optional: list[tuple[str, str]] = []
     for name, (how, adds) in (OPTIONAL | PROGRAMS).items():
         found = others[name]
-        told = [found] if found else [f"missing; it adds {adds}", how]
-        labels = [f"  {name}", ""]
-        lines.append(fitted(zip(labels, told, strict=False), 18, width))
-    return lines
+        missing = ((name, f"missing; it adds {adds}"), ("", how))
+        optional += [(name, found)] if found else missing
+    return [
+        Piece(lambda _: lines),
+        Facts(
+            [(name, found or f"MISSING: pip install {name}") for name, found in needed.items()],
+            title="Needed",
+        ),
+        Facts(optional, title="Not needed"),
+    ]

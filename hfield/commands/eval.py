@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from hfield.commands.answers import Answer
 from hfield.commands.many import add_inputs, answer_all
-from hfield.commands.output import Sink
 from hfield.commands.parser import add_algebra, add_output, algebra_of
 
 if TYPE_CHECKING:
@@ -38,26 +37,21 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute and print."""
-    return answer_all(args, partial(_compute, algebra_of(args), args.format), COLUMNS, apart=False)
+    return answer_all(args, partial(_compute, algebra_of(args)), COLUMNS, apart=False)
 
 
-def _compute(
-    A: QuaternionAlgebra, style: str, text: str
-) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+def _compute(A: QuaternionAlgebra, text: str) -> Answer:
     value = A.parse(text)
-    data: dict[str, object] = {
-        "schema": "hfield-eval/1",
-        "expression": text,
-        "algebra": A.name,
-        "field": A.ring.name,
-        "value": value.text(),
-        "coordinates": [A.ring.text(x) for x in value.coordinates],
-    }
 
-    def show(out: Sink) -> None:
-        if style == "json":
-            out.write_json(data)
-        else:
-            out.write(value.text(style))
+    def data() -> dict[str, object]:
+        return {
+            "schema": "hfield-eval/1",
+            "expression": text,
+            "algebra": A.name,
+            "field": A.ring.name,
+            "value": value.text(),
+            "coordinates": [A.ring.text(x) for x in value.coordinates],
+        }
 
-    return 0, data, show
+    styles = {style: partial(value.text, style) for style in ("unicode", "latex")}
+    return Answer(data, lambda _: value.text(), styles)

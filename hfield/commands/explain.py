@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
 from functools import partial
 
+from hfield.commands.answers import Answer
 from hfield.commands.many import add_inputs, answer_all, check_given, texts
-from hfield.commands.output import Sink
 from hfield.commands.parser import add_output, add_standalone
 from hfield.commands.status import Waiting
 
@@ -40,21 +39,20 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_explain, args), COLUMNS)
 
 
-def _explain(args: Namespace, claim: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+def _explain(args: Namespace, claim: str) -> Answer:
     from hfield.ledger.explanation import explain
 
     Waiting.at(f"deciding {claim}")
     explanation = explain(claim, args.field)
-    data = explanation.to_json()
 
-    def show(out: Sink) -> None:
-        if args.format == "json":
-            out.write_json(data)
-        elif args.format == "latex":
-            from hfield.ledger.paper import explanation as paragraphs
+    def latex() -> str:
+        from hfield.ledger import paper
 
-            out.write_latex(paragraphs(explanation.row), args.standalone)
-        else:
-            out.write(explanation.text(out.style()))
+        return paper.explanation(explanation.row)
 
-    return (0 if explanation.row.settled else 1), data, show
+    return Answer(
+        explanation.to_json,
+        explanation.text,
+        {"latex": latex},
+        status=0 if explanation.row.settled else 1,
+    )

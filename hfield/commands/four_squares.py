@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from hfield.commands.output import open_output
+from hfield.commands.answers import Answer, answer_one
 from hfield.commands.parser import add_format, add_output
 from hfield.errors import TooLargeError
 
@@ -29,12 +29,13 @@ def run(args: Namespace) -> int:
     n = int(ring("ZZ")(args.n))
     if abs(n) >= 10**DIGITS:
         raise TooLargeError(f"four-squares takes numbers of at most {DIGITS} digits")
-    with open_output(args.output) as out:
+
+    def answer() -> Answer:
         squares = four_squares(n)
-        if args.format == "json":
-            out.write_json({"schema": "hfield-four-squares/1", "n": n, "squares": squares})
-        elif args.format == "unicode":
-            out.write(f"{n} = {' + '.join(f'{x}²' for x in squares)}")
-        else:
-            out.write(f"{n} = {' + '.join(f'{x}^2' for x in squares)}")
-    return 0
+        return Answer(
+            lambda: {"schema": "hfield-four-squares/1", "n": n, "squares": squares},
+            lambda _: f"{n} = {' + '.join(f'{x}^2' for x in squares)}",
+            {"unicode": lambda: f"{n} = {' + '.join(f'{x}²' for x in squares)}"},
+        )
+
+    return answer_one(args, answer)

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from hfield.commands.answers import Answer, of_parts
 from hfield.commands.orders import (
     add_answers,
     add_where,
     algebra_of,
+    answer_certified,
     elements_of,
     level_of,
-    open_answers,
-    write_certificate,
 )
-from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
-    from hfield.lattices.certificates import Answer
+    from hfield.lattices.certificates import Answer as Verdict
+    from hfield.lattices.certificates import Claim
     from hfield.lattices.lattice import Ideal
+    from hfield.presenting import Part
 
 HELP = (
     "Show the ideal of a maximal or an Eichler order that elements generate: its basis, norm, orders, and "
@@ -47,20 +49,16 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Make the ideal, ask what is asked, and print."""
-    with open_answers(args) as (out, file):
-        I, answer = _asked(args)
-        if args.certificate is not None:
-            write_certificate(file, I.claim if answer is None else answer)
-        if args.format == "json":
-            out.write_json(to_json(I, answer))
-        elif args.format == "latex":
-            out.write_latex(latex(I, answer), args.standalone)
-        else:
-            out.write(fitted(page(I, answer), 22, out.style().width))
-    return 0
+    return answer_certified(args, _answer)
 
 
-def _asked(args: Namespace) -> tuple[Ideal, Answer | None]:
+def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim | Verdict]]:
+    I, answer = _asked(args)
+    found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer))
+    return found, lambda: I.claim if answer is None else answer
+
+
+def _asked(args: Namespace) -> tuple[Ideal, Verdict | None]:
     A = algebra_of(args.algebra)
     O = A.eichler_order(level_of(args.level))
     make = O.left_ideal if args.side == "left" else O.right_ideal
@@ -72,7 +70,7 @@ def _asked(args: Namespace) -> tuple[Ideal, Answer | None]:
     return I, I.equivalence(make(elements_of(A, args.other, "--with")))
 
 
-def to_json(I: Ideal, answer: Answer | None) -> dict[str, object]:
+def to_json(I: Ideal, answer: Verdict | None) -> dict[str, object]:
     """Return what programs read."""
     data = {
         "schema": "hfield-ideal/1",
@@ -87,8 +85,10 @@ def to_json(I: Ideal, answer: Answer | None) -> dict[str, object]:
     return data
 
 
-def page(I: Ideal, answer: Answer | None) -> list[tuple[str, str]]:
-    """Return the lines of the page."""
+def parts(I: Ideal, answer: Verdict | None) -> list[Part]:
+    """Return what people read."""
+    from hfield.presenting import Facts
+
     kinds = [
         word
         for word, holds in (
@@ -99,7 +99,7 @@ def page(I: Ideal, answer: Answer | None) -> list[tuple[str, str]]:
         if holds
     ]
     other = I.right_order() if I.side == "left" else I.left_order()
-    lines = [
+    facts = [
         (f"{I.side} ideal of", str(I.order)),
         ("basis", ", ".join(map(str, I.basis))),
         ("reduced basis", ", ".join(map(str, I.reduced_basis()))),
@@ -108,18 +108,8 @@ def page(I: Ideal, answer: Answer | None) -> list[tuple[str, str]]:
     ]
     if answer is not None:
         question = "principal" if answer.lattices[0] == I.order.value else "equivalent"
-        lines.append((question, repr(answer)))
+        facts.append((question, repr(answer)))
     if answer is not None and answer.theorem is not None:
-        lines.append(("theorem", answer.theorem))
-    return lines
-
-
-def latex(I: Ideal, answer: Answer | None) -> str:
-    """Return the lines of the page as a list of LaTeX."""
-    from hfield.latex import descriptions, words
-
-    formulas = {f"{I.side} ideal of": I.order.latex(), "basis": I.latex()}
-    return descriptions(
-        (label, f"${formulas[label]}$" if label in formulas else words(text))
-        for label, text in page(I, answer)
-    )
+        facts.append(("theorem", answer.theorem))
+    formulas = {f"{I.side} ideal of": f"${I.order.latex()}$", "basis": f"${I.latex()}$"}
+    return [Facts(facts, 22, formulas=formulas)]

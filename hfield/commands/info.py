@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
-from functools import partial
 
+from hfield.commands.answers import Answer, of_parts
 from hfield.commands.many import add_inputs, answer_all
-from hfield.commands.output import Sink
 from hfield.commands.parser import add_factors, add_output, add_standalone, given_factors
 from hfield.commands.status import Waiting
 
@@ -39,32 +37,19 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Ask everything, and print the pages."""
     with given_factors(args):
-        return answer_all(args, partial(_describe, args), COLUMNS)
+        return answer_all(args, _describe, COLUMNS)
 
 
-def _describe(args: Namespace, text: str) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
-    from hfield.commands.count import count_latex, count_lines, counts
+def _describe(text: str) -> Answer:
+    from hfield.commands import count
     from hfield.description import info
-    from hfield.description.page import page, page_latex
+    from hfield.description.page import parts
 
     Waiting.at(f"describing {text}")
     description = info(text)
     A = description.algebra
-    counted = counts(A, quick=True) if A.ring.order is not None else None
-    data = {**description.to_json(), "counts": counted and counted.to_json()}
-
-    def show(out: Sink) -> None:
-        if args.format == "json":
-            out.write_json(data)
-            return
-        if args.format == "latex":
-            parts = [page_latex(description), *([count_latex(counted)] if counted else [])]
-            out.write_latex("\n\n".join(parts), args.standalone)
-            return
-        width = out.style().width
-        lines = page(description, width)
-        if counted is not None:
-            lines += ["", "Counts", *count_lines(counted, width)]
-        out.write("\n".join(lines))
-
-    return 0, data, show
+    counted = count.counts(A, quick=True) if A.ring.order is not None else None
+    return of_parts(
+        lambda: {**description.to_json(), "counts": counted and counted.to_json()},
+        lambda: [*parts(description), *(count.parts(counted) if counted else ())],
+    )

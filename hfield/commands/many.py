@@ -9,15 +9,13 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 
+from hfield.commands.answers import Answer
 from hfield.commands.output import Sink, encodable, open_output
 from hfield.commands.parser import UsageError, add_format
 from hfield.errors import HFieldError, shorten
 
 LINES = ("jsonl", "csv")  # the formats that write an answer a line
 WORST = (0, 1, 3, 2)  # exit statuses, from the one that any other hides to the one that hides all
-
-Answer = Callable[[str], tuple[int, Mapping[str, object], Callable[[Sink], None]]]
-"""What a command says to one input: its exit status, its JSON, and what shows it."""
 
 
 def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -> None:
@@ -32,7 +30,9 @@ def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -
     parser.set_defaults(wanted=metavar)
 
 
-def answer_all(args: Namespace, answer: Answer, columns: Sequence[str], apart: bool = True) -> int:
+def answer_all(
+    args: Namespace, answer: Callable[[str], Answer], columns: Sequence[str], apart: bool = True
+) -> int:
     """Answer each input in turn and return the worst exit status.
 
     The first column of ``columns``, the keys of the JSON that ``--format csv`` writes, names the input. One
@@ -43,12 +43,12 @@ def answer_all(args: Namespace, answer: Answer, columns: Sequence[str], apart: b
     check_given(args)
     with open_output(args.output) as out:
         if len(args.inputs) == 1 and args.inputs != ["-"] and args.source is None:
-            status, data, show = answer(args.inputs[0])
+            found = answer(args.inputs[0])
             if args.format in LINES:
-                Lines(out, args.format, columns).write(data)
+                Lines(out, args.format, columns).write(found.data())
             else:
-                show(out)
-            return status
+                found.write(out, args)
+            return found.status
         if args.format not in (*LINES, "plain", "unicode", "latex"):
             raise UsageError(
                 f"--format {args.format} shows one answer; of many, write jsonl or csv"
@@ -63,31 +63,35 @@ def check_given(args: Namespace) -> None:
 
 
 def _answer_many(
-    out: Sink, args: Namespace, answer: Answer, columns: Sequence[str], apart: bool
+    out: Sink,
+    args: Namespace,
+    answer: Callable[[str], Answer],
+    columns: Sequence[str],
+    apart: bool,
 ) -> int:
     lines = Lines(out, args.format, columns) if args.format in LINES else None
     worst, first = 0, True
     for text in texts(args):
+        if lines is None and apart and not first:
+            out.write("")
         try:
-            status, data, show = answer(text)
+            found = answer(text)
+            if lines is not None:
+                lines.write(found.data())
+            else:
+                found.write(out, args)
+            status = found.status
         except HFieldError as error:
-            message = " ".join(str(error).split())
-            status, data, show = 2, {columns[0]: text, "error": message}, _complain(text, message)
-        if lines is not None:
-            lines.write(data)
-        else:
-            if apart and not first:
-                out.write("")
-            show(out)
+            status, message = 2, " ".join(str(error).split())
+            if lines is not None:
+                lines.write({columns[0]: text, "error": message})
+            else:
+                line = f"hfield: error: {shorten(' '.join(text.split()))}: {message}"
+                print(encodable(line, sys.stderr), file=sys.stderr)
         first = False
         worst = max(worst, status, key=WORST.index)
         out.stream.flush()
     return worst
-
-
-def _complain(text: str, message: str) -> Callable[[Sink], None]:
-    line = f"hfield: error: {shorten(' '.join(text.split()))}: {message}"
-    return lambda out: print(encodable(line, sys.stderr), file=sys.stderr)
 
 
 def texts(args: Namespace) -> Iterator[str]:

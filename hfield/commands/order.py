@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from hfield.commands.answers import Answer, of_parts
 from hfield.commands.orders import (
     add_algebra,
     add_answers,
     algebra_of,
+    answer_certified,
     elements_of,
     level_of,
-    open_answers,
-    write_certificate,
 )
-from hfield.commands.output import fitted
 
 if TYPE_CHECKING:
+    from hfield.lattices.certificates import Claim
     from hfield.lattices.lattice import Order
+    from hfield.presenting import Part
 
 HELP = (
     "Show an order over ZZ in an algebra over QQ: its basis, discriminant, units, conductor, class number. "
@@ -41,17 +43,12 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Make the order, and print what it is."""
-    with open_answers(args) as (out, file):
-        O = _made(args)
-        if args.certificate is not None:
-            write_certificate(file, O.claim)
-        if args.format == "json":
-            out.write_json(to_json(O))
-        elif args.format == "latex":
-            out.write_latex(latex(O), args.standalone)
-        else:
-            out.write(fitted(page(O), 22, out.style().width))
-    return 0
+    return answer_certified(args, _answer)
+
+
+def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
+    O = _made(args)
+    return of_parts(lambda: to_json(O), lambda: parts(O)), lambda: O.claim
 
 
 def _made(args: Namespace) -> Order:
@@ -94,8 +91,10 @@ def _class_number(O: Order, definite: bool) -> dict[str, object]:
     return {"class_number": number, "class_number_by": how}
 
 
-def page(O: Order) -> list[tuple[str, str]]:
-    """Return the lines of the page."""
+def parts(O: Order) -> list[Part]:
+    """Return what people read."""
+    from hfield.presenting import Facts
+
     data = to_json(O)
     kind = (
         "maximal"
@@ -109,7 +108,7 @@ def page(O: Order) -> list[tuple[str, str]]:
         if data["units"] is None
         else f"{data['units']}, the group {data['unit_group']}"
     )
-    lines = [
+    facts = [
         ("algebra", data["algebra"]),
         ("basis", ", ".join(str(q) for q in O.basis)),
         ("reduced discriminant", f"{data['discriminant']}, of level {data['level']}: {kind}"),
@@ -117,18 +116,8 @@ def page(O: Order) -> list[tuple[str, str]]:
         ("units", units),
     ]
     if data["mass"] is not None:
-        lines.append(("mass", data["mass"]))
+        facts.append(("mass", data["mass"]))
     if data["class_number"] is not None:
-        lines.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
-    return lines
-
-
-def latex(O: Order) -> str:
-    """Return the lines of the page as a list of LaTeX."""
-    from hfield.latex import descriptions, words
-
-    formulas = {
-        "algebra": f"${O.algebra.latex()}$",
-        "basis": f"${O.latex()}$",
-    }
-    return descriptions((label, formulas.get(label) or words(text)) for label, text in page(O))
+        facts.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
+    formulas = {"algebra": f"${O.algebra.latex()}$", "basis": f"${O.latex()}$"}
+    return [Facts(facts, 22, formulas=formulas)]

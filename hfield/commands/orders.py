@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import Sink, note, open_output
+from hfield.commands.answers import Answer, answer_one
+from hfield.commands.output import note, open_output
 from hfield.commands.parser import (
     UsageError,
     add_factors,
@@ -21,7 +21,8 @@ from hfield.errors import shorten
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
-    from hfield.lattices.certificates import Answer, Claim
+    from hfield.lattices.certificates import Answer as Verdict
+    from hfield.lattices.certificates import Claim
 
 PATIENCE = 10
 """Seconds: for what takes longer, one is told before how long it will be."""
@@ -39,23 +40,23 @@ def add_answers(parser: ArgumentParser) -> None:
     add_output(parser)
 
 
-@contextmanager
-def open_answers(args: Namespace) -> Iterator[tuple[Sink, Sink]]:
-    """Open the places of the answer and of the certificate; inside, the primes that are known are used."""
-    with (
-        given_factors(args),
-        open_output(args.output) as out,
-        open_output(args.certificate) as file,
-    ):
-        yield out, file
+def answer_certified(
+    args: Namespace, answer: Callable[[Namespace], tuple[Answer, Callable[[], Claim | Verdict]]]
+) -> int:
+    """Answer, and write a certificate where it is asked for; the primes that are known are used."""
+    with given_factors(args), open_output(args.certificate) as file:
 
+        def certified() -> Answer:
+            found, claim = answer(args)
+            if args.certificate is not None:
+                claimed = claim()
+                if claimed.certificate is None:
+                    note(f"no certificate is written: {claimed.why_no_certificate}")
+                else:
+                    file.write_json(claimed.certificate)
+            return found
 
-def write_certificate(file: Sink, claim: Claim | Answer) -> None:
-    """Write a certificate, or tell why there is none."""
-    if claim.certificate is None:
-        note(f"no certificate is written: {claim.why_no_certificate}")
-    else:
-        file.write_json(claim.certificate)
+        return answer_one(args, certified)
 
 
 def add_algebra(parser: ArgumentParser) -> None:

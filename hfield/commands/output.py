@@ -111,23 +111,6 @@ def gone_on(text: str, width: int, below: str = "  ") -> str:
     )
 
 
-def fitted(facts: Iterable[tuple[str, str]], margin: int, width: int) -> str:
-    """Return a line for each label and what it says, gone on below the text where it is too long."""
-    from textwrap import fill
-
-    below = " " * (margin + 1)
-    return "\n".join(
-        fill(
-            text,
-            width,
-            initial_indent=f"{label:<{margin}} ",
-            subsequent_indent=below,
-            break_on_hyphens=False,
-        )
-        for label, text in facts
-    )
-
-
 @contextmanager
 def open_output(path: str | None) -> Iterator[Sink]:
     """Open the terminal, or a file: tried before the work, and in place only when all went well.
@@ -141,18 +124,22 @@ def open_output(path: str | None) -> Iterator[Sink]:
         return
     if not path:
         raise OutputError("the name of the output file is empty; expected -o FILE")
+    with writing(repr(shorten(path))), _open_file(Path(path)) as stream:
+        sink = Sink(stream)
+        yield sink
+        sink.finish()
+
+
+@contextmanager
+def writing(what: str, instead: str = "file") -> Iterator[None]:
+    """Say in a line what the system does not take inside the ``with``. Raises :class:`OutputError`."""
     try:
-        with _open_file(Path(path)) as stream:
-            sink = Sink(stream)
-            yield sink
-            sink.finish()
+        yield
     except OSError as error:
         if isinstance(error, HFieldError):
             raise
         reason = error.strerror or str(error)
-        raise OutputError(
-            f"cannot write {shorten(path)!r}: {reason}; choose another file"
-        ) from error
+        raise OutputError(f"cannot write {what}: {reason}; choose another {instead}") from error
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from argparse import REMAINDER, ArgumentParser, ArgumentTypeError, Namespace
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from difflib import get_close_matches
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -130,27 +130,44 @@ def _fitted(examples: Sequence[str]) -> list[str]:
     return lines
 
 
-def processes(text: str) -> int:
-    """Read a number of processes for argparse."""
-    word = text.strip()
-    if not (
-        word.isascii() and word.isdecimal() and len(word) < 5 and 0 < int(word) <= MOST_PROCESSES
-    ):
-        raise ArgumentTypeError(
-            f"expected a number from 1 to {MOST_PROCESSES}, found {shorten(text)!r}"
-        )
-    return int(word)
+def whole(least: int, most: int, what: str = "whole number") -> Callable[[str], int]:
+    """Return a reader, for argparse, of whole numbers from ``least`` to ``most``."""
+
+    def read(text: str) -> int:
+        word = text.strip().replace("_", "")
+        fits = word.isascii() and word.isdecimal() and len(word) <= 18
+        if not fits or not least <= int(word) <= most:
+            found = shorten(text.strip())
+            raise ArgumentTypeError(f"expected a {what} from {least} to {most}, found {found!r}")
+        return int(word)
+
+    return read
 
 
-def seconds(text: str) -> float:
-    """Read a number of seconds for argparse."""
-    try:
-        found = float(text)
-    except ValueError:
-        found = 0.0
-    if not 0 < found <= MOST_SECONDS:
-        raise ArgumentTypeError(f"expected a number of seconds above 0, found {shorten(text)!r}")
-    return found
+def positive(most: float, what: str) -> Callable[[str], float]:
+    """Return a reader, for argparse, of positive numbers up to ``most``."""
+
+    def read(text: str) -> float:
+        try:
+            found = float(text)
+        except ValueError:
+            found = 0.0
+        if not 0 < found <= most:
+            raise ArgumentTypeError(f"expected a {what}, found {shorten(text)!r}")
+        return found
+
+    return read
+
+
+processes = whole(1, MOST_PROCESSES, "number")
+seconds = positive(MOST_SECONDS, "number of seconds above 0")
+
+
+def add_jobs(parser: ArgumentParser, dask: str = "") -> None:
+    """Declare ``--jobs``, and ``--dask`` where that has a help."""
+    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
+    if dask:
+        parser.add_argument("--dask", metavar="ADDRESS", help=dask)
 
 
 def add_format(parser: ArgumentParser, *formats: str) -> None:

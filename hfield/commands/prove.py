@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
 from functools import partial
 
+from hfield.commands.answers import Answer
 from hfield.commands.many import add_inputs, answer_all
-from hfield.commands.output import Sink, note, open_output
+from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError, add_output, add_standalone, seconds
 from hfield.commands.status import Waiting
 
@@ -60,9 +60,7 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_decide, args), COLUMNS)
 
 
-def _decide(
-    args: Namespace, statement: str
-) -> tuple[int, dict[str, object], Callable[[Sink], None]]:
+def _decide(args: Namespace, statement: str) -> Answer:
     from hfield.ledger.decision_lines import decision_text
     from hfield.proving.prove import prove
 
@@ -74,21 +72,19 @@ def _decide(
             file.write_json(certificate)
         elif args.certificate is not None:
             note(f"no certificate is written: {answer.why_no_certificate}")
-    data = answer.to_json(None if certificate is None else args.certificate)
-    if not args.given:
-        data = {**data, "statement": statement}
+    path = None if certificate is None else args.certificate
+    said = {} if args.given else {"statement": statement}
+    told, inside, field = (answer.text, answer.decision), answer.setting.algebra, answer.field
 
-    def show(out: Sink) -> None:
-        if args.format == "json":
-            out.write_json(data)
-        elif args.format == "latex":
-            from hfield.ledger.claim import UNIVERSAL
-            from hfield.ledger.paper import decision
+    def latex() -> str:
+        from hfield.ledger.claim import UNIVERSAL
+        from hfield.ledger.paper import decision
 
-            place = (answer.field or UNIVERSAL, answer.setting.algebra)
-            out.write_latex(decision(answer.text, answer.decision, *place), args.standalone)
-        else:
-            where = (answer.setting.algebra, answer.field)
-            out.write(decision_text(answer.text, answer.decision, *where, out.style()))
+        return decision(*told, field or UNIVERSAL, inside)
 
-    return answer.exit_status, data, show
+    return Answer(
+        lambda: answer.to_json(path) | said,
+        lambda style: decision_text(*told, inside, field, style),
+        {"latex": latex},
+        answer.exit_status,
+    )

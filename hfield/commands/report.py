@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import Sink, open_output
-from hfield.commands.parser import UsageError, add_output, processes
+from hfield.commands.parser import UsageError, add_jobs, add_output
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
@@ -49,7 +49,7 @@ def configure(parser: ArgumentParser) -> None:
         help="chapters of other packages, such as figures,benchmark,top; all, or none (default: all, and "
         "none for ledgers of your own)",
     )
-    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
+    add_jobs(parser)
     add_output(parser)
 
 

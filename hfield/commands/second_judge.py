@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 from hfield.certificates.check import Established
 from hfield.certificates.glossary import COMMUTATIVE_RINGS
 from hfield.certificates.rejection import one_line
-from hfield.commands.parser import seconds
+from hfield.commands.parser import seconds, whole
 from hfield.commands.status import Waiting
 from hfield.coq.bounded import MEMORY, SECONDS
-from hfield.errors import HFieldError, shorten
+from hfield.errors import HFieldError
 
 if TYPE_CHECKING:
     from hfield.coq.coqc import Coqc
@@ -69,20 +69,11 @@ def add_coq(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--coq-memory",
-        type=_mebibytes,
+        type=whole(1, MOST_MEMORY, "number of MiB"),
         default=MEMORY,
         metavar="MIB",
         help=f"memory that it may take, in MiB (default: {MEMORY})",
     )
-
-
-def _mebibytes(text: str) -> int:
-    word = text.strip()
-    if not (word.isascii() and word.isdecimal() and len(word) < 9 and 0 < int(word) <= MOST_MEMORY):
-        raise ArgumentTypeError(
-            f"expected a number of MiB from 1 to {MOST_MEMORY}, found {shorten(text)!r}"
-        )
-    return int(word)
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from hfield.commands.output import OutputError, open_output
-from hfield.commands.parser import UsageError, processes
+from hfield.commands.parser import UsageError, add_jobs
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
@@ -37,8 +37,7 @@ def configure(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="FILE.jsonl, an object of JSON a line, or FILE.parquet (needs pyarrow)",
     )
-    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
-    parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at ADDRESS")
+    add_jobs(parser, "use the Dask cluster at ADDRESS")
 
 
 def run(args: Namespace) -> int:

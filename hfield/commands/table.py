@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from functools import partial
 
-from hfield.commands.output import open_output
+from hfield.commands.answers import Answer, answer_one
 from hfield.commands.parser import add_algebra, add_format, add_output, algebra_of
 
 HELP = "Print the products of the basis e, i, j, k: row times column."
@@ -23,14 +24,14 @@ def run(args: Namespace) -> int:
     from hfield.notation import BASIS, element_text
 
     A = algebra_of(args)
-    with open_output(args.output) as out:
-        if args.format == "json":
-            rows = [
-                [element_text(A.ring, q.coordinates, "plain", "e") for q in row]
-                for row in A.multiplication_table()
-            ]
-            head = {"schema": "hfield-table/1", "algebra": A.name, "field": A.ring.name}
-            out.write_json({**head, "basis": BASIS, "table": rows})
-        else:
-            out.write(A.table_text(args.format))
-    return 0
+
+    def data() -> dict[str, object]:
+        rows = [
+            [element_text(A.ring, q.coordinates, "plain", "e") for q in row]
+            for row in A.multiplication_table()
+        ]
+        head = {"schema": "hfield-table/1", "algebra": A.name, "field": A.ring.name}
+        return {**head, "basis": BASIS, "table": rows}
+
+    styles = {style: partial(A.table_text, style) for style in ("unicode", "latex")}
+    return answer_one(args, lambda: Answer(data, lambda _: A.table_text(), styles))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import OutputError, note, open_output
-from hfield.commands.parser import add_format, add_output, add_standalone, processes
+from hfield.commands.answers import Answer
+from hfield.commands.output import note, open_output, writing
+from hfield.commands.parser import add_format, add_jobs, add_output, add_standalone
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
@@ -46,8 +47,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument("--all", action="store_true", help="show every row, not only the report")
     add_format(parser, "table", "json", "markdown", "latex")
     add_standalone(parser)
-    parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
-    parser.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at tcp://HOST:PORT")
+    add_jobs(parser, "use the Dask cluster at tcp://HOST:PORT")
     parser.add_argument(
         "--certificates", metavar="DIR", help="write a certificate for every decided row to DIR"
     )
@@ -82,29 +82,38 @@ def _verify(args: Namespace) -> int:
         with open_executor(args.jobs, args.dask) as executor, Progress("rows") as progress:
             rows = decide_rows(pieces, executor, progress)
         paths = _certificates(rows, args.certificates)
-        if args.format == "json":
-            from hfield import __version__
-
-            results = [row.to_json(paths.get((row.claim.id, row.field))) for row in rows]
-            out.write_json(
-                {"schema": "hfield-verify/1", "version": __version__, "results": results}
-            )
-        elif args.format == "markdown":
-            from hfield.ledger.markdown import markdown
-
-            out.write(markdown(rows, everything=args.all))
-        elif args.format == "latex":
-            from hfield.ledger import paper
-
-            out.write_latex(paper.report(rows, everything=args.all), args.standalone)
-        else:
-            from hfield.ledger.report import report
-
-            out.write(report(rows, out.style(), chosen=own or bool(chosen), everything=args.all))
+        _answer(rows, paths, args.all, own or bool(chosen)).write(out, args)
     clashes = contradictions(rows)
     for clash in clashes if args.format == "json" else ():
         note(f"contradiction: {clash}")
     return int(bool(clashes) or not all(row.settled for row in rows))
+
+
+def _answer(
+    rows: Sequence[Row], paths: Mapping[tuple[str, str], str], everything: bool, chosen: bool
+) -> Answer:
+    from hfield import __version__
+    from hfield.ledger.report import report
+
+    def data() -> dict[str, object]:
+        results = [row.to_json(paths.get((row.claim.id, row.field))) for row in rows]
+        return {"schema": "hfield-verify/1", "version": __version__, "results": results}
+
+    def markdown() -> str:
+        from hfield.ledger import markdown
+
+        return markdown.markdown(rows, everything=everything)
+
+    def latex() -> str:
+        from hfield.ledger import paper
+
+        return paper.report(rows, everything=everything)
+
+    return Answer(
+        data,
+        lambda style: report(rows, style, chosen=chosen, everything=everything),
+        {"markdown": markdown, "latex": latex},
+    )
 
 
 def _ledger(arguments: Sequence[str]) -> tuple[Sequence[Claim], list[str]]:
@@ -125,13 +134,8 @@ def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str,
 
     from hfield.ledger.certificate import write_certificates
 
-    try:
+    with writing(f"certificates to {shorten(directory)!r}", "directory"):
         return write_certificates(rows, Path(directory))
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise OutputError(
-            f"cannot write certificates to {shorten(directory)!r}: {reason}; choose another directory"
-        ) from error
 
 
 def _remark(fields: list[str]) -> None:

@@ -2,59 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from textwrap import wrap
+from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.maps import matrix_text
 from hfield.errors import shorten
+from hfield.latex import words
 from hfield.lattices.number_field_orders import IntegersOrder
 from hfield.notation import element_text
+from hfield.presenting import Facts, Part, Piece, hanging
 from hfield.rings.base import Ring
 from hfield.rings.printing import is_sum, number_text, parentheses
 from hfield.structure.global_field import global_field
 
 if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
     from hfield.description.summary import Description
 
-LABEL = 16  # the width of the first column
 WIDTH = 100  # where nobody says how wide the page is
 
 
-def page(d: Description, width: int) -> list[str]:
-    """Lay out the page in lines of at most ``width`` characters, tables apart."""
+def parts(d: Description) -> list[Part]:
+    """Return the page about an algebra in parts: what it is, its table, and what is known of it."""
     A = d.algebra
-    lines = [*_title(A.name, A.ring.in_words(), width), ""]
-    lines += [f"  {',   '.join(shorten(relation, width // 2) for relation in d.relations)}", ""]
+    over = A.ring.in_words()
+    return [
+        Piece(
+            partial(_title, A.name, over),
+            lambda: rf"\[ {A.latex()} \]" + f"\n\n\\noindent over {words(over)}.",
+        ),
+        Piece(partial(_relations, d.relations)),
+        Piece(partial(_table, A), lambda: rf"\[ {A.table_text('latex')} \]"),
+        *(Facts(facts, title=title) for title, facts in _facts(d) if facts),
+    ]
+
+
+def _relations(relations: Sequence[str], width: int) -> list[str]:
+    """Lay out the relations in lines, each of them whole."""
+    whole = (shorten(relation, width // 2).replace(" ", "\0") for relation in relations)
+    return [line.replace("\0", " ") for line in hanging("  ", ",   ".join(whole), width)]
+
+
+def _table(A: QuaternionAlgebra, width: int) -> list[str]:
     table = [f" {line}" for line in A.table_text("unicode").splitlines()]
-    if max(map(len, table)) > width:
-        table = ["  The table is wider than this page; `hfield table` prints it."]
-    lines += table
-    for title, rows in _facts(d):
-        if rows:
-            lines += ["", title]
-            for label, text in rows:
-                lines += row(label, text, width)
-    return lines
-
-
-def page_latex(d: Description) -> str:
-    """Set the page in LaTeX: the algebra and its table as formulas, and what is known of it as lists."""
-    from hfield.latex import descriptions, words
-
-    A = d.algebra
-    parts = [rf"\[ {A.latex()} \]", rf"\noindent over {words(A.ring.in_words())}."]
-    parts.append(rf"\[ {A.table_text('latex')} \]")
-    for title, rows in _facts(d):
-        if rows:
-            pairs: list[tuple[str, str]] = []
-            for label, text in rows:  # a row without a label goes on with the one above
-                if label or not pairs:
-                    pairs.append((label, words(text)))
-                else:
-                    pairs[-1] = (pairs[-1][0], f"{pairs[-1][1]} {words(text)}")
-            parts += [rf"\paragraph{{{title}}}", descriptions(pairs)]
-    return "\n\n".join(parts)
+    if max(map(len, table)) <= width:
+        return table
+    return hanging("  ", "The table is wider than this page; `hfield table` prints it.", width)
 
 
 def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
@@ -65,18 +59,9 @@ def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
 
 def _title(name: str, ring: str, width: int) -> list[str]:
     """Lay out the first line, which says what the base ring is, in words, and a rule under it."""
-    words = shorten(f"over {ring}", width - 20)
-    title = f"{shorten(name, width - len(words) - 2)}  {words}"
+    over = shorten(f"over {ring}", width - 20)
+    title = f"{shorten(name, width - len(over) - 2)}  {over}"
     return [title, "─" * len(title)]
-
-
-def row(label: str, text: str, width: int) -> list[str]:
-    """Lay out one fact: a label, and its text wrapped beside it, words cut that are too long."""
-    room = max(width - LABEL - 3, 24)
-    text = " ".join(shorten(word, room) for word in text.split(" "))
-    body = wrap(text, room, break_long_words=False, break_on_hyphens=False)
-    labels = [label] + [""] * (len(body) - 1)
-    return [f"  {head:<{LABEL}} {line}".rstrip() for head, line in zip(labels, body, strict=True)]
 
 
 def _field(d: Description) -> list[tuple[str, str]]:

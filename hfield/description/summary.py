@@ -66,9 +66,10 @@ class Description:
         return None
 
     def __str__(self) -> str:
-        from hfield.description.page import WIDTH, page
+        from hfield.description.page import WIDTH, parts
+        from hfield.presenting import page
 
-        return "\n".join(page(self, WIDTH))
+        return page(parts(self), WIDTH)
 
     __repr__ = __str__
 

@@ -11,6 +11,7 @@ from hfield.fields.names import ring
 from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.matrix import Style
 from hfield.ledger.wording import over, pretty, witness_text
+from hfield.presenting import hanging
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision, in_characteristics
 
 _MOST = (
@@ -24,7 +25,8 @@ def decision_text(
 ) -> str:
     """Write a statement of the language in ``algebra`` and its decision; no field means all."""
     where = "for every F" if field is None else f"{over(field)}, {ring(field).in_words()}"
-    lines = [style.bold(pretty(statement)), f"in the algebra {algebra}, {where}", ""]
+    place = textwrap.wrap(f"in the algebra {algebra}, {where}", style.width, subsequent_indent="  ")
+    lines = [style.bold(pretty(statement)), *place, ""]
     told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
     return "\n".join([*lines, *told])
 
@@ -67,9 +69,6 @@ def scope_text(decision: Decision) -> str:
     return f", over all {scope}"
 
 
-def wrapped(label: str, text: str, style: Style, indent: int = 0) -> Iterator[str]:
-    """Yield the label and the text beside it, wrapped to the width of the terminal."""
-    head = f"  {label:<{_LABEL}}" + " " * indent
-    room = max(style.width - len(head), 30)
-    for n, line in enumerate(textwrap.wrap(text, room, break_on_hyphens=False)):
-        yield (head if n == 0 else " " * len(head)) + line
+def wrapped(label: str, text: str, style: Style, indent: int = 0) -> list[str]:
+    """Return the label and the text beside it, wrapped to the width of the terminal."""
+    return hanging(f"  {label:<{_LABEL}}" + " " * indent, text, style.width)

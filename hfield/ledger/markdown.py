@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from hfield.ledger.claim import Row
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.matrix import MARKS, columns_of
+from hfield.ledger.matrix import MARKS, marked
 from hfield.ledger.report import totals
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text
@@ -15,12 +15,9 @@ from hfield.ledger.wording import witness_text
 
 def markdown(rows: Sequence[Row], *, everything: bool = False) -> str:
     """Write the rows as a table of marks, the errata, and with ``everything`` each row."""
-    fields = columns_of(rows)
-    marks = {(row.claim.id, row.field): MARKS[row.as_printed.verdict] for row in rows}
-    claims = {row.claim.id: row.claim for row in rows}
-    grid = [["claim", "", *(head(field) for field in fields)]]
-    for name, claim in claims.items():
-        grid.append([name, claim.name, *(marks.get((name, field), "") for field in fields)])
+    fields, lines = marked(rows, MARKS)
+    grid = [["claim", "", *map(head, fields)]]
+    grid += [[claim.id, claim.name, *marks] for claim, marks in lines]
     legend = ", ".join(f"{mark} {verdict}" for verdict, mark in MARKS.items())
     parts = ["## Claims, as printed", table(grid), legend]
     parts += _list("## Contradictions", [f"- {text}" for text in contradictions(rows)])

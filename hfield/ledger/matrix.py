@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from hfield.ledger.claim import Claim, Row
@@ -65,6 +65,16 @@ def columns_of(rows: Sequence[Row]) -> list[str]:
     return sorted(dict.fromkeys(row.field for row in rows), key=panel_order)
 
 
+def marked(
+    rows: Sequence[Row], marks: Mapping[str, str]
+) -> tuple[list[str], list[tuple[Claim, list[str]]]]:
+    """Return the fields, and each claim with its marks as printed, nothing where it was not decided."""
+    fields = columns_of(rows)
+    found = {(row.claim.id, row.field): marks[row.as_printed.verdict] for row in rows}
+    claims = {row.claim.id: row.claim for row in rows}.values()
+    return fields, [(c, [found.get((c.id, field), "") for field in fields]) for c in claims]
+
+
 def matrix(rows: Sequence[Row], style: Style) -> str:
     """Lay out the verdicts as printed: one line a claim, one column a field.
 
@@ -72,11 +82,9 @@ def matrix(rows: Sequence[Row], style: Style) -> str:
     each other. A claim about no field shows its one mark in a column of its own only when it has
     to; the caller leaves such rows to the summary.
     """
-    claims = list({row.claim.id: row.claim for row in rows}.values())
-    marks = {(row.claim.id, row.field): row.as_printed.verdict for row in rows}
-    fields = columns_of(rows)
-    ids = max(len(c.id) for c in claims)
-    names = max(len(c.name) for c in claims)
+    fields, lines = marked(rows, {v: style.mark(v) for v in VERDICTS})
+    ids = max(len(claim.id) for claim, _ in lines)
+    names = max(len(claim.name) for claim, _ in lines)
     room = style.width - ids - 3
     short = [head(field, style.ascii_only) for field in fields]
     for heads, gap, label in ((fields, 2, names), (short, 2, names), (short, 1, names)):
@@ -85,9 +93,7 @@ def matrix(rows: Sequence[Row], style: Style) -> str:
     else:
         heads, gap, label = short, 1, _clip(names, room, short)
     blocks = _blocks(heads, room - label, gap)
-    return "\n\n".join(
-        _block(claims, marks, fields, heads, b, (ids, label, gap), style) for b in blocks
-    )
+    return "\n\n".join(_block(lines, heads, b, (ids, label, gap), style.rule) for b in blocks)
 
 
 def _clip(names: int, room: int, heads: Sequence[str]) -> int:
@@ -106,26 +112,23 @@ def _blocks(heads: Sequence[str], room: int, gap: int) -> list[range]:
 
 
 def _block(
-    claims: Sequence[Claim],
-    marks: dict[tuple[str, str], str],
-    fields: Sequence[str],
+    claims: Sequence[tuple[Claim, Sequence[str]]],
     heads: Sequence[str],
     block: range,
     widths: tuple[int, int, int],
-    style: Style,
+    rule: str,
 ) -> str:
     ids, label, gap = widths
     space = " " * gap
     lines = [" " * (ids + label + 3) + "".join(f"{space}{heads[n]}" for n in block)]
-    lines.append(style.rule * len(lines[0]))
-    for claim in claims:
+    lines.append(rule * len(lines[0]))
+    for claim, marks in claims:
         name = claim.name if len(claim.name) <= label else claim.name[: label - 1] + "…"
         cells = ""
         for n in block:
-            verdict = marks.get((claim.id, fields[n]))
             left = (len(heads[n]) - 1) // 2
             right = len(heads[n]) - 1 - left
-            cells += space + " " * left + (style.mark(verdict) if verdict else " ") + " " * right
+            cells += space + " " * left + (marks[n] or " ") + " " * right
         lines.append(f"{claim.id:<{ids}}  {name:<{label}} {cells}".rstrip())
     return "\n".join(lines)
 

@@ -9,7 +9,7 @@ from hfield.executors import InProcess
 from hfield.latex import words
 from hfield.ledger.claim import Row
 from hfield.ledger.columns import split_columns
-from hfield.ledger.matrix import LATEX_MARKS, Style, columns_of
+from hfield.ledger.matrix import LATEX_MARKS, Style, marked
 from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
@@ -27,15 +27,11 @@ class Report:
 
     def latex(self) -> str:
         """Write the table of verdicts as an array of LaTeX."""
-        fields = columns_of(self.rows)
-        marks = {
-            (row.claim.id, row.field): LATEX_MARKS[row.as_printed.verdict] for row in self.rows
-        }
-        names = {row.claim.id: row.claim.name for row in self.rows}
+        fields, claims = marked(self.rows, LATEX_MARKS)
         lines = [" & ".join(["", *map(latex_name, fields)]) + r" \\ \hline"]
-        for key, name in names.items():
-            cells = [marks.get((key, field), "") for field in fields]
-            lines.append(" & ".join([rf"\text{{{words(f'{key} {name}')}}}", *cells]) + r" \\")
+        for claim, marks in claims:
+            name = rf"\text{{{words(f'{claim.id} {claim.name}')}}}"
+            lines.append(" & ".join([name, *marks]) + r" \\")
         return rf"\begin{{array}}{{l|{'c' * len(fields)}}}" + "\n".join(lines) + r"\end{array}"
 
     def __str__(self) -> str:

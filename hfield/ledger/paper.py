@@ -13,7 +13,7 @@ from hfield.latex import enumeration, long_table, words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
 from hfield.ledger.decision_lines import scope_text
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.matrix import LATEX_MARKS, columns_of
+from hfield.ledger.matrix import LATEX_MARKS, marked
 from hfield.ledger.report import totals
 from hfield.ledger.wording import witness_text
 from hfield.ledger.worked_counterexamples import worked_out
@@ -94,13 +94,9 @@ def explanation(row: Row) -> str:
 
 def marks(rows: Sequence[Row]) -> str:
     """Set the claims × fields table of marks, with their meaning below."""
-    fields = columns_of(rows)
-    found = {(row.claim.id, row.field): LATEX_MARKS[row.as_printed.verdict] for row in rows}
+    fields, lines = marked(rows, {v: f"${mark}$" for v, mark in LATEX_MARKS.items()})
     head = ["", *(rf"\scriptsize${_head(field)}$" for field in fields)]
-    body = (
-        [words(name), *(f"${found[name, f]}$" if (name, f) in found else "" for f in fields)]
-        for name in dict.fromkeys(row.claim.id for row in rows)
-    )
+    body = ([words(claim.id), *own] for claim, own in lines)
     legend = ", ".join(f"${LATEX_MARKS[v]}$ {v.replace('-', ' ')}" for v in VERDICTS)
     table = long_table(f"l{'c' * len(fields)}", head, body)
     return rf"{{\small\setlength{{\tabcolsep}}{{2pt}}{table}}}" + f"\n\n\\noindent {legend}."

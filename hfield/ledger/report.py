@@ -12,6 +12,7 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import Style, matrix, tally
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text
+from hfield.presenting import aligned, hanging
 from hfield.proving.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
 
 _LABEL = 11  # width of the labels in the errata
@@ -66,12 +67,7 @@ def summary(rows: Sequence[Row], style: Style) -> str:
         grid.append([section, *_counts([row for row in rows if row.claim.section == section])])
     if len(sections) > 1:
         grid.append(["total", *_counts(rows)])
-    widths = [max(len(line[n]) for line in grid) for n in range(len(grid[0]))]
-    return "\n".join(
-        f"  {line[0]:<{widths[0]}}"
-        + "".join(f"  {cell:>{w}}" for cell, w in zip(line[1:], widths[1:], strict=True))
-        for line in grid
-    )
+    return "\n".join(aligned(grid, "<" + ">" * (len(words) - 1), "  "))
 
 
 def _counts(rows: Sequence[Row]) -> list[str]:
@@ -142,8 +138,4 @@ def _line(row: Row, style: Style) -> str:
 
 
 def _wrap(label: str, text: str, style: Style, width: int = _LABEL) -> str:
-    head = f"  {label:<{width}}"
-    wrapped = textwrap.wrap(
-        text, style.width - len(head), break_on_hyphens=False, break_long_words=True
-    )
-    return "\n".join((head if n == 0 else " " * len(head)) + line for n, line in enumerate(wrapped))
+    return "\n".join(hanging(f"  {label:<{width}}", text, style.width))

@@ -11,7 +11,7 @@ from importlib.resources import files
 from itertools import groupby
 
 from hfield.ledger.claim import Claim, Row
-from hfield.ledger.matrix import MARKS, columns_of, tally
+from hfield.ledger.matrix import MARKS, columns_of, marked, tally
 from hfield.ledger.run import contradictions
 from hfield.proving.decision import UNDECIDED, VERDICTS
 from hfield.report.chapters import Chapter
@@ -151,24 +151,22 @@ def _select(name: str, label: str, every: str, options: Sequence[tuple[str, str]
 
 def _matrix(rows: Sequence[Row], words: Language) -> str:
     """Set the matrix: a line a claim, a column a field; a cell has its mark, and its word for readers."""
-    fields = columns_of(rows)
-    verdicts = {(row.claim.id, row.field): row.as_printed.verdict for row in rows}
+    fields, claims = marked(rows, {verdict: verdict for verdict in VERDICTS})
     top = "".join(
         f'<th scope="col" data-f="{escape(f)}">{field_html(f)}'
         + (f'<span class="vh">{_meaning(f, words)}</span>' if f in words else "")
         + "</th>"
         for f in fields
     )
-    claims = dict.fromkeys(row.claim for row in rows)
     bodies = ""
-    for section, own in groupby(claims, key=lambda claim: claim.section):
+    for section, own in groupby(claims, key=lambda line: line[0].section):
         bodies += (
             f'<tbody data-s="{escape(section)}"><tr class="group"><th scope="rowgroup"'
             f' colspan="{len(fields) + 1}">{words["section"]} {escape(section)}</th></tr>'
         )
-        for claim in own:
-            cells = (_cell(verdicts.get((claim.id, field)), words) for field in fields)
-            bodies += f"{_line(claim, words)}{''.join(cells)}</tr>"
+        for claim, verdicts in own:
+            cells = "".join(_cell(verdict, words) for verdict in verdicts)
+            bodies += f"{_line(claim, words)}{cells}</tr>"
         bodies += "</tbody>"
     legend = " ".join(verdict_html(v, words) for v in VERDICTS)
     return (
@@ -186,7 +184,7 @@ def _line(claim: Claim, words: Language) -> str:
     )
 
 
-def _cell(verdict: str | None, words: Words) -> str:
-    if verdict is None:
+def _cell(verdict: str, words: Words) -> str:
+    if not verdict:
         return "<td></td>"
     return f'<td class="{verdict}"><i>{MARKS[verdict]}</i><b>{words[verdict]}</b></td>'

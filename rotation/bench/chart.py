@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.output import OutputError
+from hfield.commands.output import OutputError, writing
 from hfield.errors import shorten
 from rotation.bench.measure import Result, Settings
 from rotation.bench.results import counted
@@ -55,13 +55,8 @@ def write_chart(results: Sequence[Result], settings: Settings, path: Path) -> No
 
     height = sum(0.27 * len(group) + 0.75 for group in groups) + 0.4
     content = picture(draw, (7.6, height), path.suffix[1:].lower())
-    try:
+    with writing(repr(shorten(path))):
         write_whole(path, content)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise OutputError(
-            f"cannot write {shorten(path)!r}: {reason}; choose another file"
-        ) from error
 
 
 def _draw(figure: Figure, groups: Sequence[Sequence[Result]], settings: Settings) -> None:

@@ -8,9 +8,8 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 
 from hfield.commands.output import note, open_output
-from hfield.commands.parser import add_format, add_output
+from hfield.commands.parser import add_format, add_output, whole
 from hfield.commands.status import Progress
-from rotation.commands.numbers import whole
 
 SUMMARY = "time rotations as the thesis did, against other libraries"
 HELP = (

@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import open_output
-from hfield.commands.parser import UsageError, suggest
+from hfield.commands.parser import UsageError, suggest, whole
 from hfield.errors import shorten
-from rotation.commands.numbers import whole
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import AbstractContextManager
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import TYPE_CHECKING
 
 from hfield.atomic import whole_file
-from hfield.commands.output import OutputError
+from hfield.commands.output import writing
 from hfield.errors import shorten
 from rotation.figures.backend import import_matplotlib
 from rotation.figures.drawing import STYLE, Drawing
@@ -64,13 +65,11 @@ def save(
     """
     try_folder(directory)
     paths = []
-    try:
+    with _writing(directory):
         for drawing in drawings:
             path = directory / f"figure-{drawing.number}.{suffix}"
             write_whole(path, picture(drawing.draw, drawing.size, suffix, dpi))
             paths.append(path)
-    except OSError as error:
-        raise _refusal(directory, error) from error
     return paths
 
 
@@ -79,19 +78,14 @@ def try_folder(directory: Path) -> None:
 
     Raises :class:`~hfield.commands.output.OutputError`.
     """
-    try:
+    with _writing(directory):
         directory.mkdir(parents=True, exist_ok=True)
         with TemporaryFile(dir=directory):
             pass
-    except OSError as error:
-        raise _refusal(directory, error) from error
 
 
-def _refusal(directory: Path, error: OSError) -> OutputError:
-    reason = error.strerror or str(error)
-    return OutputError(
-        f"cannot write to {shorten(directory)!r}: {reason}; choose another directory"
-    )
+def _writing(directory: Path) -> AbstractContextManager[None]:
+    return writing(f"to {shorten(directory)!r}", "directory")
 
 
 def write_whole(path: Path, content: bytes) -> None:

@@ -1,0 +1,146 @@
+"""What an answer is made of: facts, tables, pieces; laid out for a page of any width and for LaTeX."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from textwrap import wrap
+from typing import Protocol
+
+from hfield.errors import shorten
+from hfield.latex import descriptions, words
+
+
+class Part(Protocol):
+    """A part of an answer: it has lines, none where it is not for pages, and LaTeX, or nothing."""
+
+    def page(self, width: int) -> Sequence[str]:
+        """Return the lines of a page."""
+
+    def latex(self) -> str:
+        """Return LaTeX that stands in a document with amsmath."""
+
+
+def page(parts: Iterable[Part], width: int) -> str:
+    """Lay out parts on a page, with an empty line between them."""
+    return "\n\n".join("\n".join(lines) for part in parts if (lines := part.page(width)))
+
+
+def latex(parts: Iterable[Part]) -> str:
+    """Set parts in LaTeX as paragraphs; a table belongs to the one before it."""
+    text = ""
+    for part in parts:
+        if told := part.latex():
+            text += ("\n" if isinstance(part, Table) else "\n\n") * bool(text) + told
+    return text
+
+
+def hanging(head: str, text: str, width: int, whole: bool = False) -> list[str]:
+    """Return a text as lines of a width beside its head; what goes on stands below the text.
+
+    A word that is wider than the room for it is broken, or stays ``whole``.
+
+    >>> hanging("basis  ", "1, i, j, 1/2 + i", 15)
+    ['basis  1, i, j,', '       1/2 + i']
+    """
+    below = " " * len(head)
+    return wrap(
+        text,
+        width,
+        initial_indent=head,
+        subsequent_indent=below,
+        break_long_words=not whole,
+        break_on_hyphens=False,
+    )
+
+
+def aligned(grid: Sequence[Sequence[str]], align: str, indent: str = "") -> list[str]:
+    """Return a line for each row, the cells in columns; ``align`` has < or > for each column."""
+    wide = [max(map(len, column)) for column in zip(*grid, strict=True)]
+    return [
+        indent + "  ".join(f"{cell:{a}{w}}" for cell, a, w in zip(row, align, wide, strict=True))
+        for row in grid
+    ]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """What is laid out in its own way: the lines of a width, and the LaTeX."""
+
+    page: Callable[[int], Sequence[str]]
+    latex: Callable[[], str] = str
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Labels with what they say, set in below a title where there is one.
+
+    A fact without a label goes on with the one above. ``formulas`` are LaTeX by label, in place of words.
+    """
+
+    facts: Sequence[tuple[str, str]]
+    margin: int = 16
+    title: str = ""
+    formulas: Mapping[str, str] = field(default_factory=dict)
+
+    def page(self, width: int) -> list[str]:
+        """Return the title and the facts; words that are wider than the page are cut below a title."""
+        indent = "  " * bool(self.title)
+        lines = [self.title] if self.title else []
+        for label, text in self.facts:
+            head = f"{indent}{label:<{self.margin}} "
+            if self.title:
+                text = " ".join(
+                    shorten(word, max(width - len(head), 1)) for word in text.split(" ")
+                )
+            lines += hanging(head, text, width)
+        return lines
+
+    def latex(self) -> str:
+        """Return a list of descriptions, as a paragraph where there is a title."""
+        pairs: list[tuple[str, str]] = []
+        for label, text in self.facts:
+            told = self.formulas.get(label) or words(text)
+            if not label and pairs:
+                label, before = pairs.pop()
+                told = f"{before} {told}"
+            pairs.append((label, told))
+        listed = descriptions(pairs)
+        return rf"\paragraph{{{self.title}}}" + f"\n\n{listed}" if self.title else listed
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of texts in columns, of which the last one wraps; ``align`` has < or > for each of the others.
+
+    In LaTeX ``columns`` aligns as many of them, and ``cells`` sets what is no words. A ``title`` and what is
+    said ``below`` are for pages.
+    """
+
+    rows: Sequence[Sequence[str]]
+    align: str
+    columns: str
+    head: Sequence[str] = ()
+    title: str = ""
+    below: str = ""
+    indent: str = ""
+    cells: Mapping[int, Callable[[str], str]] = field(default_factory=dict)
+
+    def page(self, width: int) -> list[str]:
+        """Return the table in lines."""
+        grid = [self.head, *self.rows] if self.head else self.rows
+        starts = aligned([row[:-1] for row in grid], self.align, self.indent)
+        lines = [self.title] if self.title else []
+        for start, row in zip(starts, grid, strict=True):
+            lines += hanging(f"{start}  ", row[-1], width, whole=True) or [start.rstrip()]
+        return [*lines, self.below] if self.below else lines
+
+    def latex(self) -> str:
+        """Return a tabular, with a line under its head."""
+        lines = [rf"\begin{{tabular}}{{{self.columns}}}"]
+        if self.head:
+            lines.append(" & ".join(self.head[: len(self.columns)]) + r" \\ \hline")
+        for row in self.rows:
+            cells = enumerate(row[: len(self.columns)])
+            lines.append(" & ".join(self.cells.get(n, words)(cell) for n, cell in cells) + r" \\")
+        return "\n".join([*lines, r"\end{tabular}"])
