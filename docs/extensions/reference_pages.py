@@ -6,8 +6,6 @@ from inspect import isclass, ismodule, isroutine
 from pathlib import Path
 from typing import Any
 
-from sphinx.ext.napoleon.docstring import GoogleDocstring
-
 PACKAGES = {
     "hfield": "Quaternion algebras, their fields, statements and verdicts.",
     "rotation": "Rotations and rigid motions of space, one or a million.",
@@ -55,7 +53,7 @@ def _answer(app: Any, what: str, name: str, value: Any, *signature: Any) -> tupl
     return None
 
 
-def _prose(self: GoogleDocstring) -> list[str]:
+def _prose(self: Any) -> list[str]:
     """Read the docstring of a property, in which what stands before a colon is no type."""
     lines: list[str] = self._format_field("", "", self._dedent(self._consume_to_end()))
     return lines
@@ -63,6 +61,8 @@ def _prose(self: GoogleDocstring) -> list[str]:
 
 def setup(app: Any) -> dict[str, bool]:
     """Join Sphinx."""
+    from sphinx.ext.napoleon.docstring import GoogleDocstring
+
     GoogleDocstring._parse_attribute_docstring = _prose
     app.connect("builder-inited", write)
     app.connect("autodoc-process-signature", _answer)
