@@ -10,7 +10,7 @@ from hfield.commands.parser import UsageError
 from hfield.errors import shorten
 
 HELP = "Write a small ledger, commented, for `hfield verify` to decide. A file that is there stays."
-EXAMPLES = ("hfield init sheet.toml", "hfield init - > sheet.toml")
+EXAMPLES = ("hfield init sheet.toml", "hfield init week-3.toml")
 
 LEDGER = """\
 # A ledger: claims on quaternions, each decided over every field that it speaks of.
