@@ -68,8 +68,8 @@ def _by_commuting(classes: Classes, p: int) -> fmpz_mat | None:
     """Return the Brandt matrix of a prime from one row of it, or None where that row is not enough.
 
     B(p) commutes with T = B(q), q the least prime off the discriminant. So if v, vT, vT², … are the
-    rows of K, those of K·B(p) are w, wT, wT², … for w = v·B(p); with K invertible modulo a prime above p + 1, which
-    bounds the entries, B(p) is known. v stands for one class.
+    rows of K, those of K·B(p) are w, wT, wT², … for w = v·B(p); with K invertible modulo
+    a prime above p + 1, which bounds the entries, B(p) is known. v stands for one class.
     """
     discriminant, h = classes.ring.discriminant, len(classes)
     if (
