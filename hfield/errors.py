@@ -114,6 +114,18 @@ class UndecidedError(HFieldError, ArithmeticError):
     """
 
 
+class NoSolutionError(HFieldError, ValueError):
+    """Linear equations without a solution; ``witness`` is a vector that shows it.
+
+    >>> NoSolutionError("none", (1,)).witness
+    (1,)
+    """
+
+    def __init__(self, message: str, witness: tuple[object, ...] = ()) -> None:
+        super().__init__(message)
+        self.witness = witness
+
+
 class TooLargeError(HFieldError, ValueError):
     """A computation refused beforehand, because its result would not fit in time or memory.
 

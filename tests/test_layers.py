@@ -39,6 +39,7 @@ FLOORS = [
         "hfield.functions",
         "hfield.algebra.maps",
         "hfield.lattices",
+        "hfield.modules",
         "hfield.quaternion",
         "hfield.element_text",
     },

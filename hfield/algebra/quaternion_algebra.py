@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Lattice, Order
     from hfield.lattices.number_field_orders import IntegersOrder
+    from hfield.modules.equations import LinearSolutions
+    from hfield.modules.matrix import Matrix
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MOST = 10**8  # elements of an array that lists all
@@ -542,6 +544,44 @@ class QuaternionAlgebra(Hinted):
             if kind in _KINDS.values():
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
+
+    # --- matrices and equations: their room is imported on use ---------------------------------
+
+    def matrix(self, rows: Iterable[Iterable[object]]) -> Matrix:
+        """Return the matrix with these rows of elements. Raises :class:`CoercionError`.
+
+        >>> H("GF(3)").matrix([["1", "i"], ["j", "1"]]).rank()
+        2
+        """
+        from hfield.modules.matrix import Matrix
+
+        return Matrix(self, rows)
+
+    def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:
+        """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; falsy with ``.reason``.
+
+        >>> A = H("QQ"); e, i, j, k = A.basis
+        >>> found = A.sylvester(i, j, i - j)
+        >>> i*found.particular - found.particular*j == i - j, found.kernel
+        (True, (i + j, −1 + k))
+        >>> A.sylvester(i, j, k).reason
+        '(-1, 0, 0, 1) times the coordinates of the left side is 0 for every x, and 1 for c = k'
+        """
+        from hfield.modules.equations import solve_linear
+
+        return solve_linear(self, [(a, 1), (-self(1), b)], c)
+
+    def solve_linear(self, terms: Iterable[tuple[object, object]], c: object) -> LinearSolutions:
+        """Return all x with ``Σ aₙ·x·bₙ = c`` for pairs (aₙ, bₙ), as :meth:`sylvester` does.
+
+        >>> A = H("GF(3)"); e, i, j, k = A.basis
+        >>> found = A.solve_linear([(i, j), (j, i)], k)     # i·x·j + j·x·i = k
+        >>> bool(found), len(found.kernel)
+        (False, 2)
+        """
+        from hfield.modules.equations import solve_linear
+
+        return solve_linear(self, list(terms), c)
 
     # --- lattices and orders: their room is imported on use ------------------------------------
 

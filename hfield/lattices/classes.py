@@ -167,7 +167,12 @@ class Classes(Certified):
 
     @cached_property
     def exchanged(self) -> list[int]:
-        """Which class each becomes by the first two-sided prime ideal; itself where none is known."""
+        """Which class each becomes by the first two-sided prime ideal; itself where none is known.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(37).maximal_order().class_set().exchanged
+        [0, 2, 1]
+        """
         order = self.ring
         for p, e in sorted(factorise(order.discriminant).items()):
             if is_maximal_or_eichler(order, p, e):
@@ -196,7 +201,12 @@ class Classes(Certified):
         return self.rows[p]
 
     def neighbours_of(self, n: int, p: int) -> Counter[int]:
-        """Return the same for class n alone, p off the discriminant."""
+        """Return the same for class n alone, p off the discriminant.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).maximal_order().class_set().neighbours_of(0, 2)
+        Counter({1: 2, 0: 1})
+        """
         return Counter(self._keys[key] for key, _ in self._neighbours(self._lattices[n], p))
 
     def power_neighbours(self, p: int, e: int) -> list[Counter[int]]:

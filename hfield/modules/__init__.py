@@ -1,0 +1,1 @@
+"""Matrices and polynomials over a quaternion algebra, and linear equations in it."""

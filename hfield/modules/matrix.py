@@ -1,0 +1,400 @@
+"""Matrices over a quaternion algebra, exact; vectors are columns, on which scalars act from the right.
+
+What is linear goes by coordinates in the base ring F: an m × n matrix over A is a 4m × 4n one over F.
+F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251 (1997).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import (
+    CoercionError,
+    MixedParentsError,
+    NoSolutionError,
+    NotInvertibleError,
+    RingError,
+    UndecidedError,
+    shorten,
+)
+from hfield.structure.linear_algebra.echelon import echelon, null_space, solution
+from hfield.structure.linear_algebra.kernels import kernel
+
+if TYPE_CHECKING:
+    from hfield.rings.base import Ring
+
+Vector = tuple[Quaternion, ...]
+Entries = tuple[Vector, ...]
+
+
+class Matrix:
+    """A matrix over a quaternion algebra: ``A.matrix([[q11, q12], [q21, q22]])``. Immutable.
+
+    ``M @ N`` is the product; ``M * q`` and ``q * M`` multiply each entry by a quaternion on that side.
+    An entry may be an array of quaternions; such matrices add and multiply.
+
+    >>> from hfield import H
+    >>> A = H("QQ"); e, i, j, k = A.basis
+    >>> M = A.matrix([[1, i], [j, k]])
+    >>> M @ M, M.reduced_norm(), M.rank()
+    ([[1 + k, i - j], [-i + j, -1 - k]], 4, 2)
+    >>> M @ M.inverse() == A.matrix([[1, 0], [0, 1]])
+    True
+    """
+
+    __slots__ = ("__dict__", "algebra", "rows")
+    __array_ufunc__ = None
+    algebra: Parent
+    rows: Entries
+
+    def __init__(self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix) -> None:
+        given = rows.rows if isinstance(rows, Matrix) else rows
+        if isinstance(given, str) or not isinstance(given, Iterable):
+            raise CoercionError(f"a matrix takes a list of rows, not {shorten(given)}")
+        found = []
+        for row in given:
+            if isinstance(row, str | Quaternion) or not isinstance(row, Iterable):
+                raise CoercionError(
+                    f"a row is a list of elements, not {shorten(row)}; write [[…], […]]"
+                )
+            found.append(tuple(algebra(x) for x in row))
+        if not found or not found[0] or len({len(row) for row in found}) > 1:
+            lengths = [len(row) for row in found]
+            raise CoercionError(
+                f"a matrix has rows of one length, at least 1; the lengths are {lengths}"
+            )
+        self.algebra, self.rows = algebra, tuple(found)
+
+    def _like(self, rows: Iterable[Iterable[Quaternion]]) -> Matrix:
+        made = object.__new__(Matrix)
+        made.algebra, made.rows = self.algebra, tuple(map(tuple, rows))
+        return made
+
+    # --- entries -------------------------------------------------------------------------------
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """How many rows and columns there are."""
+        return len(self.rows), len(self.rows[0])
+
+    def __getitem__(self, place: tuple[int, int]) -> Quaternion:
+        if not isinstance(place, tuple) or len(place) != 2:
+            raise CoercionError(f"an entry is M[i, j], from 0; found M[{place!r}]")
+        return self.rows[place[0]][place[1]]
+
+    @property
+    def T(self) -> Matrix:
+        """The transpose; of a product it is the product of transposes only where entries commute."""
+        return self._like(zip(*self.rows, strict=True))
+
+    def conjugate(self) -> Matrix:
+        """Return the matrix of the conjugates."""
+        return self._like([[q.conjugate() for q in row] for row in self.rows])
+
+    def conjugate_transpose(self) -> Matrix:
+        """Return the adjoint, ``(M·N)* = N*·M*``."""
+        return self.conjugate().T
+
+    def is_hermitian(self) -> bool:
+        """Tell whether the matrix is its own adjoint."""
+        return self == self.conjugate_transpose()
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def _matching(self, other: object, shape: tuple[int, int] | None) -> Matrix | None:
+        if not isinstance(other, Matrix):
+            return None
+        if other.algebra != self.algebra:
+            raise MixedParentsError(f"a matrix over {self.algebra} meets one over {other.algebra}")
+        if shape is not None and other.shape != shape:
+            raise CoercionError(
+                f"shapes {self.shape} and {other.shape} do not fit; expected {shape}"
+            )
+        return other
+
+    def __add__(self, other: object) -> Matrix:
+        b = self._matching(other, self.shape)
+        if b is None:
+            return NotImplemented
+        pairs = zip(self.rows, b.rows, strict=True)
+        return self._like([[x + y for x, y in zip(r, s, strict=True)] for r, s in pairs])
+
+    def __neg__(self) -> Matrix:
+        return self._like([[-q for q in row] for row in self.rows])
+
+    def __sub__(self, other: object) -> Matrix:
+        b = self._matching(other, self.shape)
+        return NotImplemented if b is None else self + -b
+
+    def __matmul__(self, other: object) -> Matrix:
+        b = self._matching(other, None)
+        if b is None:
+            return NotImplemented
+        if self.shape[1] != b.shape[0]:
+            raise CoercionError(f"shapes {self.shape} and {b.shape} do not multiply")
+        columns = list(zip(*b.rows, strict=True))
+        return self._like([[_dot(row, column) for column in columns] for row in self.rows])
+
+    def _factor(self, x: object) -> Quaternion | None:
+        if isinstance(x, Matrix):
+            raise CoercionError("M * N is not defined for matrices: the product is M @ N")
+        return self.algebra(x)
+
+    def __mul__(self, x: object) -> Matrix:
+        q = self._factor(x)
+        return self._like([[y * q for y in row] for row in self.rows])
+
+    def __rmul__(self, x: object) -> Matrix:
+        q = self._factor(x)
+        return self._like([[q * y for y in row] for row in self.rows])
+
+    def __pow__(self, n: int) -> Matrix:
+        self._expect_square("a power")
+        if not isinstance(n, int):
+            return NotImplemented
+        base, n = (self.inverse(), -n) if n < 0 else (self, n)
+        result = self._identity()
+        while n:
+            if n & 1:
+                result = result @ base
+            n >>= 1
+            base = base @ base if n else base
+        return result
+
+    def _identity(self) -> Matrix:
+        one, zero, n = self.algebra.basis[0], self.algebra.scalar(0), self.shape[0]
+        return self._like([[one if i == j else zero for j in range(n)] for i in range(n)])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        if (self.algebra, self.shape) != (other.algebra, other.shape):
+            return False
+        pairs = zip(self.rows, other.rows, strict=True)
+        same = (x == y for r, s in pairs for x, y in zip(r, s, strict=True))
+        return all(bool(x.all()) if hasattr(x, "all") else bool(x) for x in same)
+
+    def __hash__(self) -> int:
+        return hash((self.algebra, self.rows))
+
+    # --- reduced norm --------------------------------------------------------------------------
+
+    def _expect_square(self, what: str) -> None:
+        if self.shape[0] != self.shape[1]:
+            raise CoercionError(f"{what} is of square matrices; this has the shape {self.shape}")
+
+    def reduced_norm(self) -> Any:
+        """Return the reduced norm, in the base ring: multiplicative, ``q.norm()`` for one entry.
+
+        The determinant over S = F[X]/(X² − tX − a) under u + vj ↦ [[u, v], [b·v̄, ū]]. Rows with a unit in
+        them are taken away, and what is left is expanded without division (Berkowitz 1984).
+        """
+        self._expect_square("the reduced norm")
+        rows, norm = [list(row) for row in self.rows], self.algebra.ring.one
+        while rows:
+            at = next(
+                ((r, c) for r, row in enumerate(rows) for c, q in enumerate(row) if q.is_unit()),
+                None,
+            )
+            if at is None:
+                return norm * self._like(rows).reduced_characteristic_polynomial()[0]
+            pivot = rows.pop(at[0])
+            norm, back = norm * pivot[at[1]].norm(), pivot[at[1]].inverse()
+            for row in rows:
+                factor = row[at[1]] * back
+                row[:] = [x - factor * y for x, y in zip(row, pivot, strict=True)]
+                del row[at[1]]
+        return norm
+
+    def reduced_characteristic_polynomial(self) -> tuple[Any, ...]:
+        """Return the coefficients in the base ring, low degree first, monic of degree 2n; M is a root."""
+        self._expect_square("the characteristic polynomial")
+        from hfield.modules.commutative import characteristic_polynomial
+
+        F, c = self.algebra.ring, self.algebra.constants
+        blocks: list[list[tuple[Any, Any]]] = []
+        for row in self.rows:
+            upper, lower = [], []
+            for q in row:
+                w, x, y, z = q.coordinates
+                upper += [(w, x), (y, z)]
+                lower += [(c.b * (y + c.t * z), -c.b * z), (w + c.t * x, -x)]
+            blocks += [upper, lower]
+        found = characteristic_polynomial(F, c.a, c.t, blocks)
+        return tuple(x for x, _ in found)
+
+    def is_invertible(self) -> bool:
+        """Tell whether there is an inverse: whether the reduced norm is a unit."""
+        return self.shape[0] == self.shape[1] and self.algebra.ring.is_unit(self.reduced_norm())
+
+    def inverse(self) -> Matrix:
+        """Return the inverse, on both sides. Raises :class:`NotInvertibleError`, which shows why."""
+        self._expect_square("the inverse")
+        F, n = self.algebra.ring, self.shape[0]
+        if F.is_field:
+            units = [[F.one if r == 4 * c else F.zero for c in range(n)] for r in range(4 * n)]
+            found = solution(F, self._over_ring, units)
+            if found is not None:
+                return self._columns(found)
+            y = self.left_kernel()[0]
+            raise NotInvertibleError(f"this matrix has no inverse: y·M = 0 for y = {_shown(y)}")
+        c = self.reduced_characteristic_polynomial()
+        if not F.is_unit(c[0]):
+            raise NotInvertibleError(
+                f"this matrix has no inverse: its reduced norm {shorten(F.text(c[0]))} is no unit of {F.name}"
+            )
+        result = self._identity()  # Cayley and Hamilton: c₀ + M·(c₁ + c₂·M + …) = 0
+        for x in reversed(c[1:-1]):
+            result = self @ result + self._identity() * x
+        scaled: Matrix = result * -F.inverse(c[0])
+        return scaled
+
+    # --- over the base ring --------------------------------------------------------------------
+
+    @cached_property
+    def _over_ring(self) -> list[list[Any]]:
+        """The matrix of x ↦ M·x on coordinates, 4m × 4n over the base ring."""
+        out = []
+        for row in self.rows:
+            blocks = [q.matrix() for q in row]
+            out += [[x for block in blocks for x in block[r]] for r in range(4)]
+        return out
+
+    def _columns(self, values: Sequence[Sequence[Any]]) -> Matrix:
+        """Return the matrix over A of which each column of 4n scalars is one column."""
+        A, count = self.algebra, len(values) // 4
+        return self._like(
+            [
+                [A(*(values[4 * r + m][c] for m in range(4))) for c in range(len(values[0]))]
+                for r in range(count)
+            ]
+        )
+
+    def _field(self, what: str) -> Ring:
+        F = self.algebra.ring
+        if not F.is_field:
+            raise RingError(
+                f"{what} is of matrices over an algebra over a field, and {F.name} is none; "
+                "A.change_ring(L) goes to one that contains it"
+            )
+        return F
+
+    def rank(self) -> int | Fraction:
+        """Return dim_F(M·Aⁿ)/4: an int, or a fraction where the algebra has zero divisors."""
+        rank = Fraction(len(echelon(self._field("the rank"), self._over_ring)[1]), 4)
+        return rank.numerator if rank.denominator == 1 else rank
+
+    def right_kernel(self) -> tuple[Vector, ...]:
+        """Return vectors x with M·x = 0 that generate all of them as a right module.
+
+        A basis over a division algebra; over rings that are no fields generators over the ring. Raises
+        :class:`UndecidedError` where none are found.
+        """
+        F, width = self.algebra.ring, 4 * self.shape[1]
+        if not F.is_field:
+            found = kernel(F, self._over_ring, width)
+            return tuple(self._vector(v) for v in found)
+        return self._generators(null_space(F, self._over_ring, width), right=True)
+
+    def left_kernel(self) -> tuple[Vector, ...]:
+        """Return vectors x with x·M = 0 that generate all of them as a left module, likewise."""
+        # λ(x·M·v) = 0 for all v, where λ is the last coordinate: a form without kernel, see `_by_functional`
+        F = self.algebra.ring
+        transposed = [list(row) for row in zip(*self._over_ring, strict=True)]
+        find = null_space if F.is_field else kernel
+        values = find(F, transposed, 4 * self.shape[0])
+        vectors = [self._by_functional(v) for v in values]
+        if not F.is_field:
+            return tuple(vectors)
+        return self._generators(
+            [[x for q in v for x in q.coordinates] for v in vectors], right=False
+        )
+
+    def _by_functional(self, values: Sequence[Any]) -> Vector:
+        """Return the row y for which λ(y·v) is the sum of values times coordinates of v.
+
+        λ(q) is the coordinate at k. With ji = t·j − k, λ(y·e), λ(y·i), λ(y·j), λ(y·k) are y₃, −y₂, y₁ and
+        y₀ + t·y₁, over every ring and for every a, t, b: each functional is one y.
+        """
+        A, t = self.algebra, self.algebra.constants.t
+        blocks = [values[n : n + 4] for n in range(0, len(values), 4)]
+        return tuple(A(at_k - t * at_j, at_j, -at_i, at_e) for at_e, at_i, at_j, at_k in blocks)
+
+    def _vector(self, v: Sequence[Any]) -> Vector:
+        return tuple(self.algebra(*v[n : n + 4]) for n in range(0, len(v), 4))
+
+    def _generators(self, basis: list[list[Any]], right: bool) -> tuple[Vector, ...]:
+        """Choose of a basis over F of a module those that generate it over A."""
+        F, chosen = self.algebra.ring, list[Vector]()
+        span: list[list[Any]] = []
+        for v in basis:
+            x = self._vector(v)
+            reduced = echelon(F, [*span, v])[0]
+            if len(reduced) == len(span):
+                continue
+            chosen.append(x)
+            for u in self.algebra.basis:
+                multiple = [q * u if right else u * q for q in x]
+                span.append([c for q in multiple for c in q.coordinates])
+            span = echelon(F, span)[0]
+            if len(span) == len(basis):
+                break
+        return tuple(chosen)
+
+    def solve(self, b: Matrix | Sequence[object]) -> Matrix:
+        """Return a matrix x with ``M @ x == b``; b may be the list of a column.
+
+        Raises :class:`NoSolutionError` with ``witness`` y, y·M = 0 and y·b ≠ 0; over rings that are no fields
+        :class:`UndecidedError` where M has no inverse.
+        """
+        F = self.algebra.ring
+        target = b if isinstance(b, Matrix) else Matrix(self.algebra, [[x] for x in b])
+        if target.algebra != self.algebra or target.shape[0] != self.shape[0]:
+            raise CoercionError(
+                f"b has the shape {target.shape}; expected {self.shape[0]} rows over {self.algebra}"
+            )
+        if not F.is_field:
+            if self.is_invertible():
+                return self.inverse() @ target
+            raise UndecidedError(
+                f"over {F.name}, which is no field, only invertible matrices are solved for"
+            )
+        right = [
+            [x for q in column for x in q.coordinates] for column in zip(*target.rows, strict=True)
+        ]
+        found = solution(F, self._over_ring, [list(row) for row in zip(*right, strict=True)])
+        if found is not None:
+            return self._columns(found)
+        for y in self.left_kernel():
+            product = [_dot(y, column) for column in zip(*target.rows, strict=True)]
+            if any(product):
+                raise NoSolutionError(
+                    f"there is no x with M·x = b: y·M = 0 and y·b = {_shown(product)} for y = {_shown(y)}",
+                    y,
+                )
+        raise AssertionError("a system without solution has a functional that says so")
+
+    # --- text ----------------------------------------------------------------------------------
+
+    def __repr__(self) -> str:
+        rows = (", ".join(map(str, row)) for row in self.rows)
+        return f"[{', '.join(f'[{row}]' for row in rows)}]"
+
+    def _repr_latex_(self) -> str:
+        body = r" \\ ".join(" & ".join(q.text("latex") for q in row) for row in self.rows)
+        return rf"$\begin{{pmatrix}} {body} \end{{pmatrix}}$"
+
+
+def _dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:
+    total = row[0] * column[0]
+    for x, y in zip(row[1:], column[1:], strict=True):
+        total = total + x * y
+    return total
+
+
+def _shown(v: Iterable[Quaternion]) -> str:
+    return shorten(f"({', '.join(map(str, v))})")
