@@ -168,6 +168,23 @@ class Forms(ImmutableArray):
         v = vectors.to_rotvec(self._q)
         return namespace(v).concat([v, motions.UNSWEPT(v, self._t)], axis=-1)
 
+    @classmethod
+    def exp(cls, tangent: Any) -> Self:
+        """Make transforms from exponential coordinates (…, 6), as `from_exp_coords` does."""
+        return cls.from_exp_coords(tangent)
+
+    def log(self) -> Array:
+        """Return the exponential coordinates (…, 6), as `as_exp_coords` does."""
+        return self.as_exp_coords()
+
+    def adjoint(self) -> Array:
+        """Return the matrices (…, 6, 6) with ``p·exp(x)·p⁻¹ = exp(Ad·x)``.
+
+        As in exponential coordinates the rotation comes first: ``[[R, 0], [[t]×·R, R]]``. Times a twist in
+        the axes of the body it is that in those of the world.
+        """
+        return motions.ADJOINT(self._q, self._t)
+
     def as_dual_quat(self, *, scalar_first: bool = True) -> Array:
         """Return the unit dual quaternions, shape (…, 8): ``q``, then ``½·t·q``."""
         d = motions.DUAL(self._q, self._t)

@@ -15,8 +15,8 @@ from typing import Any
 
 from rotation.batch import expect_rotations
 from rotation.coordinates import join, polynomial, split, sum_of_squares
+from rotation.curves.interpolation import Slerp, picked, place, ratios, taken
 from rotation.errors import RotationError
-from rotation.interpolation import Slerp, picked, place, ratios, taken
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
 from rotation.namespaces import Array, floats, namespace, quiet
 from rotation.rigid_motions import SWEPT, UNSWEPT, cross
