@@ -205,7 +205,7 @@ class Conversions(Batch):
             otherwise the sign is the one that the computation gave.
         """
         q = quaternions.canonical(self._q) if canonical else self._q
-        return copied(q) if scalar_first else namespace(q).roll(q, -1, axis=-1)
+        return copied(q) if scalar_first else quaternions.scalar_last(q)
 
     def as_matrix(self) -> Array:
         """Return the matrices, shape (…, 3, 3), that turn column vectors."""

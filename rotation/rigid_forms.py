@@ -1,12 +1,13 @@
 """Rigid motions from their forms and back: matrices, components, twists, dual quaternions, screws."""
 
 from collections.abc import Sequence
+from sys import modules
 from typing import Any, Self
 
 import numpy as np
 
+from rotation import pytrees, sampling, vectors
 from rotation import rigid_motions as motions
-from rotation import sampling, vectors
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
@@ -31,6 +32,8 @@ class Forms(ImmutableArray):
     @classmethod
     def _of(cls, q: Array, t: Array) -> Self:
         """Wrap unit quaternions and translations that nobody else writes to, of shapes that broadcast."""
+        if "jax" in modules or "torch" in modules:
+            pytrees.announce()
         xp = namespace(q, t)
         batch = np.broadcast_shapes(tuple(q.shape[:-1]), tuple(t.shape[:-1]))
         self = object.__new__(cls)

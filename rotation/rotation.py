@@ -5,7 +5,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation import groups, hints, quaternions, sampling
+from rotation import groups, hints, pytrees, quaternions, sampling
 from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, real
 from rotation.batch import Batch, expect_rotations
@@ -15,6 +15,7 @@ from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
 
 
+@pytrees.holding("_q")
 class Rotation(Conversions):
     """Rotations of space, stored as unit quaternions, scalar first (thesis, section 2.2.5).
 
@@ -49,8 +50,9 @@ class Rotation(Conversions):
     @classmethod
     def identity(cls, shape: int | Sequence[int] | None = None) -> Self:
         """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple."""
-        batch = sampling.as_shape(shape)
-        return cls._of(np.broadcast_to([1.0, 0.0, 0.0, 0.0], (*batch, 4)).copy())
+        q = np.zeros((*sampling.as_shape(shape), 4))
+        q[..., 0] = 1.0
+        return cls._of(q)
 
     @classmethod
     def random(

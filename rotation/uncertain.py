@@ -10,7 +10,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation import hints, sampling
+from rotation import hints, pytrees, sampling
 from rotation.arrays import common_batch
 from rotation.errors import DTypeError, RotationError
 from rotation.immutable_arrays import on_the_right
@@ -38,6 +38,7 @@ _STEPS = 50  # of Gauss and Newton; some five are enough unless estimates contra
 Motion = Rotation | RigidTransform
 
 
+@pytrees.holding("_mean", "_covariance")
 class Uncertain:
     """Rotations or rigid motions that are known up to a covariance.
 

@@ -51,7 +51,7 @@ FLOORS = [
     {"hfield.commands"},
     {"hfield.cli"},
     {"hfield.__main__"},
-    {"rotation.errors", "rotation.hints", "rotation.native", "rotation.thesis"},
+    {"rotation.errors", "rotation.hints", "rotation.native", "rotation.pytrees", "rotation.thesis"},
     {"rotation.arrays", "rotation.pool"},
     {"rotation.sampling"},
     {"rotation.namespaces"},

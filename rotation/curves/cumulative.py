@@ -6,7 +6,7 @@ B-splines on Lie groups", CVPR 2020; after M.-J. Kim, M.-S. Kim and S. Y. Shin, 
 
 from typing import Any
 
-from rotation import hints
+from rotation import hints, pytrees
 from rotation.curves.interpolation import picked, taken
 from rotation.errors import DTypeError, RotationError
 from rotation.jacobians import ad
@@ -18,6 +18,7 @@ from rotation.rotation import Rotation
 _WEIGHTS = ((5.0, 3.0, -3.0, 1.0), (1.0, 3.0, 3.0, -2.0), (0.0, 0.0, 0.0, 1.0))
 
 
+@pytrees.holding("control", "start", "step", "_steps")
 class BSpline:
     """The cubic curve near control rotations or rigid motions at even times: two continuous derivatives.
 
