@@ -18,6 +18,9 @@ from .errors import DTypeError as DTypeError
 from .errors import ForeignArrayError as ForeignArrayError
 from .errors import RotationError as RotationError
 from .errors import ZeroRotationError as ZeroRotationError
+from .exact import exact_group as exact_group
+from .exact import exact_matrix as exact_matrix
+from .exact import from_exact as from_exact
 from .fused import rotate as rotate
 from .fused import rotate_euler as rotate_euler
 from .fused import rotate_quat as rotate_quat

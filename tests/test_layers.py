@@ -71,7 +71,7 @@ FLOORS = [
     {"rotation.alignment"},
     {"rotation.rigid_forms"},
     {"rotation.rigid", "rotation.swing"},
-    {"rotation.conventions", "rotation.curves", "rotation.uncertain"},
+    {"rotation.conventions", "rotation.curves", "rotation.uncertain", "rotation.exact"},
     {"rotation.compat"},
     {"rotation.warming"},
     {"rotation.figures"},

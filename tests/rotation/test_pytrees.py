@@ -39,10 +39,11 @@ def test_the_parts_are_all_that_a_value_holds() -> None:
 
 def test_jax_takes_them() -> None:
     jax = pytest.importorskip("jax")
+    Rotation.identity()  # the first value after the import announces all classes
     with jax.enable_x64(True):
         for value in VALUES[:1] + VALUES[3:]:
             if callable(value):
-                found = jax.jit(lambda curve, t: curve(t).apply(V[0]))(value, TIMES)
+                found = jax.jit(lambda curve, t, v: curve(t).apply(v))(value, TIMES, V[0])
                 np.testing.assert_allclose(found, value(TIMES).apply(V[0]), atol=1e-13)
         turned = jax.vmap(lambda r, t, v: t.apply(r.apply(v)))(R, T, V)
         np.testing.assert_allclose(turned, T.apply(R.apply(V)), atol=1e-13)
@@ -50,7 +51,9 @@ def test_jax_takes_them() -> None:
         last, angles = jax.lax.scan(lambda r, step: (step * r, r.magnitude()), q[0], q)
         assert isinstance(last, Rotation)
         assert angles.shape == (5,)
-        slope = jax.grad(lambda t: t.apply(V).sum())(RigidTransform(jax.numpy.eye(4)))
+        slope = jax.grad(lambda t: t.apply(jax.numpy.asarray(V)).sum())(
+            RigidTransform(jax.numpy.eye(4))
+        )
         np.testing.assert_allclose(slope._t, [5, 5, 5])
         with pytest.raises(ForeignArrayError, match=r"Rotation\(jax.numpy.asarray\(r.as_quat"):
             R.apply(jax.numpy.asarray(V))
@@ -69,6 +72,7 @@ def test_jax_takes_them_whichever_was_imported_first() -> None:
 def test_torch_maps_over_them() -> None:
     torch = pytest.importorskip("torch")
     pytest.importorskip("array_api_compat")
+    Rotation.identity()
     q, v = torch.as_tensor(R.as_quat()), torch.as_tensor(V)
     vmap = torch.func.vmap
     for found in (
