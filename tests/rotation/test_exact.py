@@ -14,7 +14,8 @@ from rotation import Rotation, RotationError, exact_group, exact_matrix, from_ex
 def times(m: Any, n: Any) -> tuple[tuple[Any, ...], ...]:
     return tuple(
         tuple(
-            sum((a * b for a, b in zip(row, column, strict=True)), 0 * row[0]) for column in zip(*n)
+            sum((a * b for a, b in zip(row, column, strict=True)), 0 * row[0])
+            for column in zip(*n, strict=True)
         )
         for row in m
     )
