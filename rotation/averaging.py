@@ -19,6 +19,7 @@ from rotation.vectors import from_rotvec, to_rotvec
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
 _STEPS = 1000  # of the median's iteration, each of which shortens the way by a factor
+_NEAR = 1e-6  # a last step that is good enough: beside one of the rotations the iteration creeps
 _HERE = 1e-13  # radians within which two rotations are one
 _EPS = float(np.finfo(np.float64).eps)
 
@@ -127,6 +128,8 @@ def _median(q: Array, w: Array, best: Array) -> Array:
             return canonical(q[nearest])
         if step @ step <= _HERE * _HERE:
             return canonical(best)
+    if step @ step <= _NEAR * _NEAR:
+        return canonical(best)
     raise RotationError(
         f"no median was found in {_STEPS} steps: the rotations spread too far; the mean may serve"
     )

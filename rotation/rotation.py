@@ -253,7 +253,8 @@ class Rotation(Conversions):
         Raises
         ------
         RotationError
-            As for `mean`; or the angles are so spread that nothing was found in 1000 steps.
+            As for `mean`; or nothing was found in 1000 steps. Close beside one of the rotations, where the
+            sum hardly changes, the answer is only good to a last step of 1e-6.
         ForeignArrayError
             Arrays that are not numpy's.
 

@@ -66,6 +66,11 @@ def test_the_median_is_one_of_them_exactly_and_robust() -> None:
     heavy = Rotation.random(5, seed=2)
     assert heavy.median([1, 1, 9, 1, 1]) == heavy[2]
     assert Rotation.concatenate([heavy[0]] * 3).median() == heavy[0]
+    # two at 120° pull the third with almost its own weight: the iteration alone would creep
+    ways = [[0, 0, 0], [0.1, 0, 0], [0.1 * math.cos(2.1), 0.1 * math.sin(2.1), 0]]
+    assert Rotation.from_rotvec(ways).median() == Rotation.identity()
+    ways[2] = [0.1 * math.cos(2.09), 0.1 * math.sin(2.09), 0]  # and a little more: beside it
+    assert Rotation.from_rotvec(ways).median().magnitude() < 0.01
     many = Rotation.random((6, 7), seed=3) ** 0.3
     assert many.median(axis=1).shape == (6,)
     assert many.median(axis=1)[2].approx_equal(many[2].median(), 1e-12)

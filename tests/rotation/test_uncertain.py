@@ -49,6 +49,13 @@ def test_headings_on_paper() -> None:
     assert np.isclose(across[2, 4], -(s**2))
 
 
+def test_round_ones_on_paper() -> None:
+    """Of covariances a and b times 1, E ad(ξ)² is −2a and E ad(ξ)·b·ad(ξ)ᵀ is 2a·b: a + b − a·b/6."""
+    r, one = Rotation.random(seed=1), np.eye(3)
+    found = (Uncertain(r, 0.2 * one) * Uncertain(r, 0.3 * one)).covariance
+    np.testing.assert_allclose(found, (0.2 + 0.3 - 0.2 * 0.3 / 6) * one, atol=1e-15)
+
+
 @pytest.mark.parametrize("n", KINDS)
 def test_inverse_and_sides(n: int) -> None:
     a = some(n, 0.1, 4)
