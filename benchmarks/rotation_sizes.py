@@ -63,6 +63,14 @@ def rotations(n: int) -> dict[str, Pair]:
             lambda: ScipyRotation.from_quat(raw, scalar_first=True),
         ),
         "as_quat": (lambda: r.as_quat(), lambda: s.as_quat(scalar_first=True)),
+        "as_quat, scalar last": (
+            lambda: r.as_quat(scalar_first=False),
+            lambda: s.as_quat(scalar_first=False),
+        ),
+        "identity": (
+            lambda: Rotation.identity(n or None),
+            lambda: ScipyRotation.identity(n or None),
+        ),
         "from_matrix": (lambda: Rotation.from_matrix(m), lambda: ScipyRotation.from_matrix(m)),
         "as_matrix": (lambda: r.as_matrix(), lambda: s.as_matrix()),
         "from_rotvec": (lambda: Rotation.from_rotvec(v), lambda: ScipyRotation.from_rotvec(v)),

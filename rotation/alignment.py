@@ -1,11 +1,11 @@
 """The rotation, or the rigid motion, that takes one set of vectors or points closest to another."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from rotation.averaging import mean_of_vectors
 from rotation.errors import RotationError
 from rotation.matrices import largest
-from rotation.namespaces import Array, certainly, namespace, quiet, refuse_rows
+from rotation.namespaces import Array, certainly, floats, namespace, quiet, refuse_rows
 from rotation.rotation import Rotation
 from rotation.wahba import checked, fitted
 
@@ -78,3 +78,66 @@ def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotatio
     q, rssd = fitted(a - to[..., None, :], b - fro[..., None, :], w)
     rotation = Rotation._of(q)
     return rotation, (to - rotation.apply(fro)) / f[..., 0], rssd / f[..., 0, 0]
+
+
+class Similarity(NamedTuple):
+    """The map ``v ↦ scale·R·v + translation``; shapes (…), (…), (…, 3), and how close it is, (…).
+
+    Examples
+    --------
+    >>> twice = align_similarity([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [2, 0, 0], [0, 2, 0]])
+    >>> twice.scale.round(9), twice.apply([1, 1, 0]).round(9)
+    (np.float64(2.0), array([2., 2., 0.]))
+    """
+
+    rotation: Rotation
+    scale: Array
+    translation: Array
+    rssd: Array
+
+    def apply(self, points: Any) -> Array:
+        """Return the images of points (…, 3); the batch shapes broadcast."""
+        v = self.rotation.apply(floats(points, "points", namespace(self.scale, points)))
+        return self.scale[..., None] * v + self.translation
+
+
+@quiet
+def align_similarity(source: Any, target: Any, weights: Any = None) -> Similarity:
+    """Return the similarity that takes points ``source`` closest to ``target``, of positive scale.
+
+    S. Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE
+    Trans. PAMI 13 (1991). Parameters and errors are those of `align_points`; all points of the source in
+    one place, or points that are best shrunk to nothing, are a `RotationError` as well.
+
+    Returns
+    -------
+    Similarity
+        ``rotation``, ``scale``, ``translation``, and ``rssd``, the root of the weighted sum of the squared
+        distances that remain.
+
+    Examples
+    --------
+    >>> found = align_similarity([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 1, 1], [4, 1, 1], [1, 4, 1]])
+    >>> found.scale.round(9), found.translation.round(9)
+    (np.float64(3.0), array([1., 1., 1.]))
+    """
+    a, b, w = checked(target, source, weights)
+    xp = namespace(a)
+    rotation = align_points(b, a, w)[0]
+    to, fro = (mean_of_vectors(v, w, (-2,)) for v in (a, b))
+    turned = rotation[..., None].apply(b - fro[..., None, :])
+    there = a - to[..., None, :]
+    sizes = [largest(xp, v) for v in (turned, there, w[..., None])]
+    one = xp.ones_like(sizes[0])
+    u, v, share = (
+        x / xp.where(n > 0.0, n, one)
+        for x, n in zip((turned, there, w[..., None]), sizes, strict=True)
+    )
+    spread_out = xp.sum(share * u * u, axis=(-2, -1))
+    common = xp.sum(share * u * v, axis=(-2, -1))
+    refuse_rows(spread_out == 0.0, "the source", "has all its points in one place")
+    refuse_rows(common <= 0.0, "the similarity", "would have no positive scale")
+    scale = common / spread_out * (sizes[1] / sizes[0])[..., 0, 0]
+    rests = there - scale[..., None, None] * turned
+    rssd = xp.sqrt(xp.sum(w[..., None] * rests * rests, axis=(-2, -1)))
+    return Similarity(rotation, scale, to - scale[..., None] * rotation.apply(fro), rssd)

@@ -12,11 +12,15 @@ import numpy as np
 
 from rotation.coordinates import factor
 from rotation.errors import RotationError
-from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows, spread
+from rotation.namespaces import Array, expect_numpy, floats, namespace, quiet, refuse_rows, spread
 from rotation.optimum import following, held
-from rotation.quaternions import canonical, normalised
+from rotation.quaternions import canonical, inverse, normalised, product
+from rotation.vectors import from_rotvec, to_rotvec
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
+_STEPS = 1000  # of the median's iteration, each of which shortens the way by a factor
+_NEAR = 1e-6  # a last step that is good enough: beside one of the rotations the iteration creeps
+_HERE = 1e-13  # radians within which two rotations are one
 _EPS = float(np.finfo(np.float64).eps)
 
 
@@ -82,6 +86,62 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     best = xp.where(finite[..., None], vectors[..., 3], xp.nan * vectors[..., 3])
     rows = tuple(tuple(moment[..., r, c] for c in range(4)) for r in range(4))
     return following(canonical(normalised(best)), rows)
+
+
+@quiet
+def median(q: Array, weights: Any = None, axis: Any = None) -> Array:
+    """Return the geodesic median of unit quaternions (…, 4) over batch axes; see `Rotation.median`.
+
+    R. Hartley, K. Aftab and J. Trumpf, "L1 rotation averaging using the Weiszfeld algorithm", CVPR 2011; at
+    the rotations themselves the step of Y. Vardi and C.-H. Zhang, PNAS 97 (2000).
+    """
+    expect_numpy("median", q, weights)
+    start = mean(q, weights, axis)
+    batch = q.shape[:-1]
+    axes = _axes(axis, len(batch))
+    w = np.ones(batch) if weights is None else np.broadcast_to(floats(weights, "weights"), batch)
+    kept = [n for n in range(len(batch)) if n not in axes]
+    count = math.prod(batch[n] for n in axes)
+    q = q.transpose(*kept, *axes, len(batch)).reshape(-1, count, 4)
+    w = w.transpose(*kept, *axes).reshape(-1, count)
+    rows = zip(q, w / w.max(axis=-1, keepdims=True), start.reshape(-1, 4), strict=True)
+    return np.reshape([_median(*row) for row in rows], start.shape)
+
+
+def _median(q: Array, w: Array, best: Array) -> Array:
+    """The median of quaternions (n, 4), from a first guess."""
+    if not np.isfinite(best).all():
+        return best
+    for _ in range(_STEPS):
+        away = to_rotvec(product(q, inverse(best)))
+        angle = np.sqrt((away * away).sum(axis=-1))
+        apart = angle > _HERE
+        share = w[apart] / angle[apart]
+        pull = share @ away[apart]
+        force, here = np.sqrt(pull @ pull), w[~apart].sum()
+        nearest = int(np.argmin(angle))
+        if force <= max(here, 4.0 * _EPS * w.sum()):
+            return canonical(q[nearest]) if here else canonical(best)
+        step = (1.0 - here / force) * pull / share.sum()
+        best = product(from_rotvec(step), best)
+        if not here and _holds(q, w, nearest):
+            return canonical(q[nearest])
+        if step @ step <= _HERE * _HERE:
+            return canonical(best)
+    if step @ step <= _NEAR * _NEAR:
+        return canonical(best)
+    raise RotationError(
+        f"no median was found in {_STEPS} steps: the rotations spread too far; the mean may serve"
+    )
+
+
+def _holds(q: Array, w: Array, n: int) -> bool:
+    """Whether the pull of all others on rotation n is not more than its weight."""
+    away = to_rotvec(product(q, inverse(q[n])))
+    angle = np.sqrt((away * away).sum(axis=-1))
+    apart = angle > _HERE
+    pull = (w[apart] / angle[apart]) @ away[apart]
+    return bool(np.sqrt(pull @ pull) <= w[~apart].sum())
 
 
 @quiet

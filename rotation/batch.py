@@ -1,11 +1,12 @@
 """An immutable array of unit quaternions: the half of `Rotation` that knows shapes and storage."""
 
 from collections.abc import Iterable, Sequence
+from sys import modules
 from typing import Any, Self
 
 import numpy as np
 
-from rotation import hints
+from rotation import hints, pytrees
 from rotation.errors import DTypeError, MemberError, RotationError
 from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, is_numpy, namespace
@@ -20,6 +21,8 @@ class Batch(ImmutableArray):
     @classmethod
     def _of(cls, q: Array) -> Self:
         """Wrap unit quaternions that nobody else will write to."""
+        if "jax" in modules or "torch" in modules:
+            pytrees.announce()
         self = object.__new__(cls)
         if isinstance(q, np.ndarray):
             q.setflags(write=False)

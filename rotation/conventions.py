@@ -11,10 +11,13 @@ import numpy as np
 
 from rotation.arrays import real
 from rotation.batch import expect_rotations
+from rotation.coordinates import length, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, expect_numpy
+from rotation.namespaces import Array, expect_last, expect_numpy, floats, quiet, refuse_rows
 from rotation.rigid import RigidTransform, expect_transforms
 from rotation.rotation import Rotation
+
+_STRAIGHT = 2.0**-40  # the sine of an angle that is none
 
 # The directions forward, left and up in the axes x, y, z.
 AXES = {
@@ -101,6 +104,58 @@ def convert_transform(transform: RigidTransform, source: str, target: str) -> Ri
     return RigidTransform.from_components(
         convert_points(transform.translation, source, target), turn
     )
+
+
+@quiet
+def look_at(
+    eye: Any, target: Any, up: Any = (0.0, 0.0, 1.0), convention: str = "opengl"
+) -> RigidTransform:
+    """Return the pose at ``eye`` of what faces ``target``, its own up as near to ``up`` as can be.
+
+    Parameters
+    ----------
+    eye, target, up : array_like, shape (…, 3)
+        In the axes of the world; the batch shapes broadcast.
+    convention : str
+        Which of the body's own axes are forward, left and up: see `change_of_axes`. A camera of ``opengl``
+        looks along −z, one of ``opencv`` along z with y down, a body of ``ros`` along x.
+
+    Returns
+    -------
+    RigidTransform
+        It takes the camera's own coordinates to those of the world; its inverse is the "view matrix".
+
+    Raises
+    ------
+    RotationError
+        A target at the eye, or straight up or down from it; a left-handed convention.
+
+    Examples
+    --------
+    >>> camera = look_at([0, -5, 0], [0, 0, 0], convention="opencv")
+    >>> camera.apply([0, 0, 5]).round(12) + 0.0, camera.apply([0, 1, 0]) + 0.0  # five ahead; below
+    (array([0., 0., 0.]), array([ 0., -5., -1.]))
+    """
+    own = _basis(convention)
+    if np.linalg.det(own) < 0.0:
+        raise RotationError(f"convention {convention!r} is left-handed: no rotation leads there")
+    expect_numpy("look_at", eye, target, up)
+    at, to, above = (floats(v, n) for v, n in ((eye, "eye"), (target, "target"), (up, "up")))
+    for v, name in ((at, "eye"), (to, "target"), (above, "up")):
+        expect_last(v, (3,), name)
+    forward = _directed(to - at, "the target", "is where the eye is")
+    left = np.cross(_directed(above, "up", "is zero"), forward)
+    refuse_rows(
+        length(np, split(left)) <= _STRAIGHT, "the target", "is straight up or down from the eye"
+    )
+    left = _directed(left, "the target", "is straight up or down from the eye")
+    axes = np.stack(np.broadcast_arrays(forward, left, np.cross(forward, left)), axis=-1)
+    return RigidTransform.from_components(at, Rotation.from_matrix(axes @ own))
+
+
+def _directed(v: Array, subject: str, fault: str) -> Array:
+    refuse_rows(np.all(v == 0.0, axis=-1), subject, fault)
+    return np.asarray(v / length(np, split(v))[..., None])
 
 
 def _basis(name: str) -> Array:

@@ -110,6 +110,19 @@ class Conversions(Batch):
         return cls._of(vectors.from_rotvec(rotvec, degrees))
 
     @classmethod
+    def exp(cls, tangent: Any) -> Self:
+        """Make rotations from rotation vectors in radians, as `from_rotvec` does."""
+        return cls.from_rotvec(tangent)
+
+    def log(self) -> Array:
+        """Return the rotation vectors in radians, as `as_rotvec` does."""
+        return self.as_rotvec()
+
+    def adjoint(self) -> Array:
+        """Return the matrices (…, 3, 3) with ``p·exp(x)·p⁻¹ = exp(Ad·x)``: those of `as_matrix`."""
+        return self.as_matrix()
+
+    @classmethod
     def from_axis_angle(cls, axis: Any, angle: Any, degrees: bool = False) -> Self:
         """Make rotations by ``angle`` (…) about ``axis`` (…, 3); the batch shapes broadcast.
 
@@ -192,7 +205,7 @@ class Conversions(Batch):
             otherwise the sign is the one that the computation gave.
         """
         q = quaternions.canonical(self._q) if canonical else self._q
-        return copied(q) if scalar_first else namespace(q).roll(q, -1, axis=-1)
+        return copied(q) if scalar_first else quaternions.scalar_last(q)
 
     def as_matrix(self) -> Array:
         """Return the matrices, shape (…, 3, 3), that turn column vectors."""

@@ -131,7 +131,6 @@ ROTATION = {
     "inverted": "inv()",
     "reciprocal": "inv()",
     "T": "inv()",
-    "log": "as_rotvec() / 2",
     "rotate": "apply(points), or apply_outer(points) for all pairs",
     "slerp": "slerp(p, q, t), a function of rotation",
     "rotation_matrix": "as_matrix()",
@@ -156,7 +155,6 @@ TRANSFORM = {
     "matrix": "as_matrix()",
     "T": "as_matrix()",
     "transform": "apply(points)",
-    "log": "as_exp_coords()",
     "inverted": "inv()",
 }
 """spatialmath, open3d, mathutils."""

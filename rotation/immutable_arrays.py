@@ -8,7 +8,7 @@ import numpy as np
 
 from hfield.hints import Hinted
 from rotation import hints
-from rotation.errors import DTypeError
+from rotation.errors import DTypeError, RotationError
 from rotation.namespaces import Array
 
 
@@ -59,6 +59,63 @@ class ImmutableArray(Hinted):
     @abstractmethod
     def __getitem__(self, index: Any) -> Self:
         """Return some of them."""
+
+    @abstractmethod
+    def __mul__(self, other: object) -> Self:
+        """Return the products: the other is applied first."""
+
+    @abstractmethod
+    def inverse(self) -> Self:
+        """Return the inverses."""
+
+    @classmethod
+    @abstractmethod
+    def exp(cls, tangent: Any) -> Self:
+        """Return the exponentials of tangents."""
+
+    @abstractmethod
+    def log(self) -> Array:
+        """Return the tangents of which these are the exponentials."""
+
+    @abstractmethod
+    def adjoint(self) -> Array:
+        """Return the matrices Ad with ``p·exp(x)·p⁻¹ = exp(Ad·x)``."""
+
+    def plus(self, tangent: Any, side: str = "right") -> Self:
+        """Return the motions that a tangent leads to: ``p·exp(x)``, or on the left ``exp(x)·p``.
+
+        Parameters
+        ----------
+        tangent : array_like, shape (…, 3) for rotations, (…, 6) for rigid motions
+            A rotation vector, in radians, or exponential coordinates; the batch shapes broadcast.
+        side : "right" or "left"
+            On the right the tangent is given in the axes of the body, on the left in those of the world.
+
+        Raises
+        ------
+        RotationError
+            Another side, or shapes that do not fit.
+        """
+        step = self.exp(tangent)
+        return self * step if on_the_right(side) else step * self
+
+    def minus(self, other: "ImmutableArray", side: str = "right") -> Array:
+        """Return the tangents that lead from another to this one: ``other.plus(x, side) == self``.
+
+        ``log(other⁻¹·self)``, or on the left ``log(self·other⁻¹)``; see `plus`.
+
+        Raises
+        ------
+        RotationError
+            Another side, or shapes that do not fit.
+        DTypeError
+            The other is of another kind.
+        """
+        if not isinstance(other, ImmutableArray) or other._called != self._called:
+            own = "Rotation" if self._called == "rotation" else "RigidTransform"
+            raise DTypeError(hints.refusal(other, "other", own))
+        back = other.inverse()
+        return (back * self if on_the_right(side) else self * back).log()
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))
@@ -124,3 +181,10 @@ class ImmutableArray(Hinted):
 
     def __deepcopy__(self, memo: Any) -> Self:
         return self
+
+
+def on_the_right(side: str) -> bool:
+    """Tell whether a side is the right one; `RotationError` if it is no side."""
+    if side not in ("left", "right"):
+        raise RotationError(f'side {side!r}: "left" or "right" is expected')
+    return side == "right"

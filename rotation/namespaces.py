@@ -41,9 +41,20 @@ def namespace(*values: Any) -> Any:
         if xp is not None and all(xp is not other for other in found):
             found.append(xp)
     if len(found) > 1:
-        names = " and ".join(sorted(xp.__name__ for xp in found))
+        first, *_, last = names = sorted(
+            (xp.__name__.removeprefix("array_api_compat.") for xp in found), key="numpy".__eq__
+        )
+        way = (
+            ""
+            if last != "numpy"
+            else (
+                f"; a rotation r of numpy's becomes one of theirs as Rotation({first}.asarray(r.as_quat())), "
+                f"a motion as RigidTransform({first}.asarray(t.as_matrix()))"
+            )
+        )
         raise ForeignArrayError(
-            f"arrays of {names} in one operation; convert one of them, for example with numpy.asarray"
+            f"arrays of {' and '.join(names)} in one operation; convert one of them, for example with "
+            f"{last}.asarray{way}"
         )
     return found[0] if found else np
 
@@ -178,11 +189,16 @@ def spread(xp: Any, array: Array, shape: tuple[int, ...], what: str) -> Array:
 def certainly(condition: Array) -> bool:
     """Tell whether a condition on one number holds.
 
-    While JAX traces a function no value is known and nothing can be refused: then it is False.
+    While JAX traces a function, or torch maps one over a batch, no value is known and nothing can be refused:
+    then it is False.
     """
     try:
         return bool(condition)
     except TypeError:  # a tracer has no truth
+        return False
+    except RuntimeError:  # nor has torch's
+        if type(condition).__module__.partition(".")[0] != "torch":
+            raise
         return False
 
 

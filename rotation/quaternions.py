@@ -128,6 +128,19 @@ def upright(xp: Any, c: Coordinates) -> Coordinates:
     return tuple(xp.where(sign < 0.0, -a, a) for a in c)
 
 
+def scalar_last(q: Array) -> Array:
+    """Return (x, y, z, w) of (w, x, y, z)."""
+    return _SCALAR_LAST(q)
+
+
+def _scalar_last(q: Array) -> Array:
+    w, *u = split(q)
+    return join(namespace(q), (*u, w))
+
+
+_SCALAR_LAST = Formula(_scalar_last, (4,))
+
+
 def angle(q: Array, degrees: bool = False) -> Array:
     """Return the angle of rotation in [0, π], accurate for the smallest and the largest."""
     return _ANGLE[bool(degrees)](q)

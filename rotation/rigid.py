@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Any, Self
 
-from rotation import hints
+from rotation import hints, pytrees
 from rotation import rigid_motions as motions
 from rotation.alignment import align_points
 from rotation.arrays import common_batch, real
@@ -24,6 +24,7 @@ from rotation.rigid_forms import Forms
 from rotation.rotation import Rotation
 
 
+@pytrees.holding("_q", "_t", "_matrix")
 class RigidTransform(Forms):
     """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
 

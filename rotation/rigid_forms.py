@@ -1,12 +1,13 @@
 """Rigid motions from their forms and back: matrices, components, twists, dual quaternions, screws."""
 
 from collections.abc import Sequence
+from sys import modules
 from typing import Any, Self
 
 import numpy as np
 
+from rotation import pytrees, sampling, vectors
 from rotation import rigid_motions as motions
-from rotation import sampling, vectors
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
@@ -31,6 +32,8 @@ class Forms(ImmutableArray):
     @classmethod
     def _of(cls, q: Array, t: Array) -> Self:
         """Wrap unit quaternions and translations that nobody else writes to, of shapes that broadcast."""
+        if "jax" in modules or "torch" in modules:
+            pytrees.announce()
         xp = namespace(q, t)
         batch = np.broadcast_shapes(tuple(q.shape[:-1]), tuple(t.shape[:-1]))
         self = object.__new__(cls)
@@ -167,6 +170,23 @@ class Forms(ImmutableArray):
         """Return the exponential coordinates, shape (…, 6), of angles in [0, π]."""
         v = vectors.to_rotvec(self._q)
         return namespace(v).concat([v, motions.UNSWEPT(v, self._t)], axis=-1)
+
+    @classmethod
+    def exp(cls, tangent: Any) -> Self:
+        """Make transforms from exponential coordinates (…, 6), as `from_exp_coords` does."""
+        return cls.from_exp_coords(tangent)
+
+    def log(self) -> Array:
+        """Return the exponential coordinates (…, 6), as `as_exp_coords` does."""
+        return self.as_exp_coords()
+
+    def adjoint(self) -> Array:
+        """Return the matrices (…, 6, 6) with ``p·exp(x)·p⁻¹ = exp(Ad·x)``.
+
+        As in exponential coordinates the rotation comes first: ``[[R, 0], [[t]×·R, R]]``. Times a twist in
+        the axes of the body it is that in those of the world.
+        """
+        return motions.ADJOINT(self._q, self._t)
 
     def as_dual_quat(self, *, scalar_first: bool = True) -> Array:
         """Return the unit dual quaternions, shape (…, 8): ``q``, then ``½·t·q``."""

@@ -61,6 +61,15 @@ def _matrix(q: Array, t: Array) -> Array:
     return xp.stack([join(xp, row) for row in rows], axis=-2)
 
 
+def _adjoint(q: Array, t: Array) -> Array:
+    xp = namespace(q)
+    turn, nothing = matrix_entries(q), (xp.zeros_like(q[..., 0]),) * 3
+    columns = [cross(split(t), column) for column in zip(*turn, strict=True)]
+    rows = [(*row, *nothing) for row in turn]
+    rows += [(*shift, *row) for shift, row in zip(zip(*columns, strict=True), turn, strict=True)]
+    return xp.stack([join(xp, row) for row in rows], axis=-2)
+
+
 def cross(a: Coordinates, b: Coordinates) -> Coordinates:
     """Return ``a × b``."""
     (x, y, z), (u, v, w) = a, b
@@ -98,6 +107,7 @@ MOVED_BACK = Formula(_moved_back, (4,), (3,), (3,))
 COMPOSED = Formula(_composed, (4,), (3,), (4,), (3,))
 INVERTED = Formula(_inverted, (4,), (3,))
 MATRIX = Formula(_matrix, (4,), (3,))
+ADJOINT = Formula(_adjoint, (4,), (3,))
 SWEPT = Formula(_swept, (3,), (3,))
 UNSWEPT = Formula(_unswept, (3,), (3,))
 DUAL = Formula(_dual, (4,), (3,))

@@ -5,7 +5,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from rotation import groups, hints, quaternions, sampling
+from rotation import groups, hints, pytrees, quaternions, sampling
 from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, real
 from rotation.batch import Batch, expect_rotations
@@ -15,6 +15,7 @@ from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
 
 
+@pytrees.holding("_q")
 class Rotation(Conversions):
     """Rotations of space, stored as unit quaternions, scalar first (thesis, section 2.2.5).
 
@@ -49,8 +50,9 @@ class Rotation(Conversions):
     @classmethod
     def identity(cls, shape: int | Sequence[int] | None = None) -> Self:
         """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple."""
-        batch = sampling.as_shape(shape)
-        return cls._of(np.broadcast_to([1.0, 0.0, 0.0, 0.0], (*batch, 4)).copy())
+        q = np.zeros((*sampling.as_shape(shape), 4))
+        q[..., 0] = 1.0
+        return cls._of(q)
 
     @classmethod
     def random(
@@ -72,6 +74,26 @@ class Rotation(Conversions):
             No shape, no seed, or two.
         """
         return cls._of(sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed)))
+
+    @classmethod
+    def super_fibonacci(cls, n: int) -> Self:
+        """Return n rotations that fill the group evenly, always the same, shape (n,).
+
+        A spiral on the sphere of quaternions: as even as the best grids, for any n, at no cost (M. Alexa,
+        "Super-Fibonacci spirals", CVPR 2022).
+
+        Raises
+        ------
+        RotationError
+            ``n`` is no whole number, or negative.
+
+        Examples
+        --------
+        >>> grid = Rotation.super_fibonacci(1000)
+        >>> bool(abs(grid.as_matrix().mean(axis=0)).max() < 0.01)  # no direction is favoured
+        True
+        """
+        return cls._of(sampling.super_fibonacci(n))
 
     @classmethod
     def create_group(cls, group: str, axis: str = "Z") -> Self:
@@ -217,6 +239,35 @@ class Rotation(Conversions):
 
         return self._of(mean(self._q, weights, axis))
 
+    def median(self, weights: Any = None, axis: Any = None) -> Self:
+        """Return the geodesic median, the rotation with the least sum of angles to these.
+
+        A few wrong rotations among many do not move it far, as they move the mean. Where it is one of these
+        it is that exactly.
+
+        Parameters
+        ----------
+        weights, axis
+            As for `mean`; numpy's arrays only.
+
+        Raises
+        ------
+        RotationError
+            As for `mean`; or nothing was found in 1000 steps. Close beside one of the rotations, where the
+            sum hardly changes, the answer is only good to a last step of 1e-6.
+        ForeignArrayError
+            Arrays that are not numpy's.
+
+        Examples
+        --------
+        >>> turns = Rotation.from_euler("Z", [0, 1, 2, 3, 170], degrees=True)
+        >>> turns.median().magnitude(degrees=True).round(9)
+        np.float64(2.0)
+        """
+        from rotation.averaging import median
+
+        return self._of(median(self._q, weights, axis))
+
     def cumprod(self, frame: str = "world") -> Self:
         """Return the running products along the first axis, each of norm 1 to rounding.
 
@@ -261,6 +312,50 @@ class Rotation(Conversions):
         m, n = groups.nearest(self._q, ls._q, rs._q)
         reduced = self._of(quaternions.product(quaternions.product(ls._q[m], self._q), rs._q[n]))
         return (reduced, m, n) if return_indices else reduced
+
+    def disorientation(
+        self,
+        other: "Rotation",
+        group: "str | Rotation",
+        other_group: "str | Rotation | None" = None,
+    ) -> Self:
+        """Return the smallest rotation from one crystal to another, of all that their symmetries leave open.
+
+        Rotations turn the axes of a crystal to those of the world, and ``p·g`` is as good as p for g in its
+        group: returned is of all ``l·p⁻¹·q·r`` the one of the least angle, l in ``group``, r in
+        ``other_group``. Of those with the same angle it is the one whose quaternion (w ≥ 0) has the largest
+        x, then the largest y, then the largest z; numbers within 2⁻⁴⁰ count as the same. Equivalent
+        crystals thus get equal answers.
+
+        Parameters
+        ----------
+        other : Rotation
+            The shapes broadcast.
+        group, other_group : str or Rotation
+            As in `create_group`, or its result, for other axes; the second is the first unless given.
+
+        Raises
+        ------
+        RotationError
+            No such group, or rotations that are no group; shapes that do not fit.
+        ForeignArrayError
+            Arrays that are not numpy's.
+
+        Examples
+        --------
+        >>> p, q = Rotation.identity(), Rotation.from_euler("Z", 100, degrees=True)
+        >>> p.disorientation(q, "O").magnitude(degrees=True).round(9)
+        np.float64(10.0)
+        """
+        from rotation.disorientation import least
+
+        expect_rotations(other=other)
+        expect_numpy("disorientation", self._q, other._q)
+        sides = [
+            groups.elements(g) if isinstance(g, str) else g._q if isinstance(g, Rotation) else g
+            for g in (group, group if other_group is None else other_group)
+        ]
+        return self._of(least((self.inverse() * other)._q, *sides))
 
     # Points
 

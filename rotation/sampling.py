@@ -1,4 +1,4 @@
-"""Rotations at random, uniform by Haar measure, the same for the same seed."""
+"""Rotations spread over all of them: at random, uniform by Haar measure, or evenly, as a spiral."""
 
 import operator
 from collections.abc import Sequence
@@ -8,6 +8,8 @@ import numpy as np
 
 from rotation.arrays import Array
 from rotation.errors import RotationError
+
+_PSI = 1.533751168755204288118041  # ψ⁴ = ψ + 4
 
 
 def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
@@ -38,6 +40,27 @@ def generator(rng: Any, seed: Any) -> "np.random.Generator":
         raise RotationError(
             f"seed {given!r}: a nonnegative whole number or a numpy Generator is expected ({error})"
         ) from error
+
+
+def super_fibonacci(n: int) -> Array:
+    """Return n unit quaternions (n, 4) on a spiral that fills the sphere evenly.
+
+    M. Alexa, "Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3)", CVPR 2022: two angles grow
+    by turns through √2 and ψ, the positive root of ψ⁴ = ψ + 4, while the radii share the volume.
+    """
+    try:
+        number = operator.index(n)
+    except TypeError:
+        number = -1
+    if number < 0:
+        raise RotationError(f"{n!r} rotations: a whole number, not negative, is expected")
+    s = np.arange(number) + 0.5
+    share = s / max(number, 1)
+    inner, outer = np.sqrt(share), np.sqrt(1.0 - share)
+    a, b = (2.0 * np.pi * np.remainder(s / turn, 1.0) for turn in (2.0**0.5, _PSI))
+    return np.stack(
+        [inner * np.sin(a), inner * np.cos(a), outer * np.sin(b), outer * np.cos(b)], axis=-1
+    )
 
 
 def uniform(shape: tuple[int, ...], rng: "np.random.Generator") -> Array:

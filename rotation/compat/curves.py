@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from rotation import interpolation, spline
 from rotation.compat import checks
 from rotation.compat.rotations import Rotation
+from rotation.curves import interpolation, spline
 from rotation.errors import RotationError
 from rotation.namespaces import quiet
 

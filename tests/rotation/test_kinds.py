@@ -264,7 +264,7 @@ def test_operators_that_there_are_not_say_what_to_write(form: str, advice: str, 
 
 
 def test_names_of_other_libraries_say_ours() -> None:
-    for thing, names in ((R, "w x T vec conjugate rotate as_dcm angle"), (T, "R t T log")):
+    for thing, names in ((R, "w x T vec conjugate rotate as_dcm angle"), (T, "R t T transform")):
         for name in names.split():
             with pytest.raises(AttributeError, match=f"no '{name}': write "):
                 getattr(thing, name)

@@ -13,10 +13,11 @@ import math
 from math import factorial
 from typing import Any
 
+from rotation import pytrees
 from rotation.batch import expect_rotations
 from rotation.coordinates import join, polynomial, split, sum_of_squares
+from rotation.curves.interpolation import Slerp, picked, place, ratios, taken
 from rotation.errors import RotationError
-from rotation.interpolation import Slerp, picked, place, ratios, taken
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
 from rotation.namespaces import Array, floats, namespace, quiet
 from rotation.rigid_motions import SWEPT, UNSWEPT, cross
@@ -27,6 +28,7 @@ _STEPS = 80  # of Newton's method; five are enough unless times are very uneven
 _LEAST = 2.0**-7  # of the quadratic term that is let in at once
 
 
+@pytrees.holding("times", "rotations", "_keys", "_steps", "_starts", "_ends")
 class RotationSpline:
     """The smooth curve through keyframes: two continuous derivatives.
 

@@ -14,8 +14,8 @@ from typing import Any
 from rotation import vectors
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
+from rotation.curves.magnus import GAUSS, by_gauss, refined
 from rotation.errors import RotationError
-from rotation.magnus import GAUSS, by_gauss, refined
 from rotation.namespaces import (
     Array,
     certainly,

@@ -7,7 +7,7 @@ fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion nev
 import math
 from typing import Any
 
-from rotation import quaternions, vectors
+from rotation import pytrees, quaternions, vectors
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
 from rotation.namespaces import (
@@ -88,6 +88,7 @@ def _nearer(q: Rotation, p: Rotation) -> Rotation:
     return Rotation._of(xp.where(far, -q._q, q._q))
 
 
+@pytrees.holding("times", "rotations")
 class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them.
 
@@ -171,6 +172,7 @@ def picked(rotations: Rotation, n: Array) -> Rotation:
     return Rotation._of(taken(rotations._q, n))
 
 
+@pytrees.holding("times", "rotations", "_after", "_before")
 class Squad(Slerp):
     """The curve through keyframes whose angular velocity is continuous: spherical cubics, joined.
 

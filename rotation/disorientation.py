@@ -1,0 +1,158 @@
+"""The smallest of equivalent rotations under two finite groups, one by a stated rule where several are.
+
+With H the common part of the two groups, every ``l·p·r`` is ``h·(l₀·p·r₀)·h⁻¹``: one pair (l₀, r₀) for each
+of the different products r·l, which alone decide the angle, and an h that only turns the axis: first to the
+largest x, then by those that keep x. So 24, 6 and 4 candidates are looked at for two cubes, not 576. Rows
+in which two are as good, and they are few, are decided among all candidates.
+"""
+
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rotation.coordinates import Coordinates, join, split
+from rotation.errors import DTypeError, RotationError
+from rotation.namespaces import Array, namespace
+from rotation.quaternions import canonical, inverse, multiplied, normalised, product
+from rotation.rowwise import Formula
+
+TIE = 2.0**-40  # coordinates so near each other are the same
+_SAME = 1e-9  # and the products of a group, so near that of its elements
+_MOST = 160  # maps that are written out in one formula
+_LARGEST = 240  # rotations of a group
+_BLOCK = 2**21  # candidates that are held at once
+
+
+class _Maps(NamedTuple):
+    """Linear maps of quaternions, (k, 4, 4) by angle and (h, 4, 4) by axis, and the formula that chooses."""
+
+    by_angle: Array
+    by_axis: Array
+    formula: Formula | None
+
+
+def least(p: Array, left: Array, right: Array) -> Array:
+    """Return for unit quaternions (…, 4) the ``l·p·r`` of `Rotation.disorientation`, w ≥ 0.
+
+    Raises
+    ------
+    RotationError
+        ``left`` or ``right``, (m, 4) and (n, 4), is no group, or has more than 240 elements.
+    """
+    for group in (left, right):
+        if not isinstance(group, np.ndarray):
+            raise DTypeError(f"a group is a text or a Rotation, not a {type(group).__name__}")
+        if group.ndim != 2:
+            raise RotationError("a group is a list of rotations, of shape (n,)")
+    maps = _maps(left.tobytes(), right.tobytes())
+    flat = np.ascontiguousarray(p.reshape(-1, 4))
+    if maps.formula is None:
+        found, doubtful = flat.copy(), np.isfinite(flat[:, 0])
+    else:
+        both = maps.formula(flat)
+        found, doubtful = np.ascontiguousarray(both[:, :4]), both[:, 4] != 0.0
+    if doubtful.any():
+        found[doubtful] = _among_all(flat[doubtful], maps)
+    return found.reshape(p.shape)
+
+
+@cache
+def _maps(left: bytes, right: bytes) -> _Maps:
+    first, second = (canonical(np.frombuffer(g).reshape(-1, 4)) for g in (left, right))
+    for group in (first, second):
+        _expect_group(group)
+    common = first[(np.abs(first @ second.T) > 1.0 - _SAME).any(axis=1)]
+    # r·l and (r·h)·(h⁻¹·l) are the same: of l one of each class H·l is enough.
+    classes = product(common[:, None, :], first[None, :, :])
+    alike = (np.abs(classes @ first.T) > 1.0 - _SAME).any(axis=0)
+    some = first[np.argmax(alike, axis=1) == np.arange(len(first))]
+    by_angle = _map(some[:, None, :], second[None, :, :]).reshape(-1, 4, 4)
+    by_axis = _map(common, inverse(common))
+    if len(by_angle) + len(by_axis) > _MOST:
+        return _Maps(by_angle, by_axis, None)
+    x = by_axis[:, 1]
+    keep = by_axis[np.abs(x - [0.0, 1.0, 0.0, 0.0]).max(axis=1) < _SAME]
+    alike = np.abs(x[:, None] - x[None]).max(axis=2) < _SAME
+    turn = by_axis[np.argmax(alike, axis=1) == np.arange(len(x))]
+    formula = Formula(_chosen, (4,), parameters=((by_angle, turn, keep),))
+    return _Maps(by_angle, by_axis, formula)
+
+
+def _expect_group(q: Array) -> None:
+    if len(q) > _LARGEST:
+        raise RotationError(f"a group of {len(q)} rotations; at most {_LARGEST} are taken")
+    products = product(q[:, None, :], q[None, :, :]).reshape(-1, 4)
+    inside = np.abs(products @ q.T) > 1.0 - _SAME
+    if not len(q) or not (inside.sum(axis=1) == 1).all():
+        raise RotationError(
+            f"the {len(q)} rotations are no group: each product of two must be one of them, each of them "
+            "once; Rotation.create_group makes some"
+        )
+
+
+def _map(left: Array, right: Array) -> Array:
+    """The matrices (…, 4, 4) of ``p ↦ l·p·r``; entries that are whole or half of rounding made so."""
+    columns = [
+        np.stack(multiplied(multiplied(split(left), tuple(e)), split(right)), -1) for e in np.eye(4)
+    ]
+    found = np.stack(columns, axis=-1)
+    neat = np.round(2.0 * found) / 2.0
+    return np.where(np.abs(found - neat) < 4e-16, neat, found)
+
+
+def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
+    """The five numbers of a row: its quaternion, and whether another candidate may be as good."""
+    xp, best = namespace(q), split(q)
+    doubtful = xp.zeros_like(best[0])
+    for key, maps in enumerate(stages):
+        best, doubt = _largest(xp, maps, best, key)
+        doubtful = xp.where(doubt, xp.ones_like(doubtful), doubtful)
+    return join(xp, (*best, doubtful))
+
+
+def _largest(xp: Any, maps: Array, q: Coordinates, key: int) -> tuple[Coordinates, Any]:
+    """The image of q with the largest coordinate ``key``, w ≥ 0, and whether another comes near."""
+    best, second = None, None
+    for m in maps:
+        image = tuple(_sum(row, q) for row in m)
+        if key == 0:
+            back = image[0] < 0.0
+            image = tuple(xp.where(back, -c, c) for c in image)
+        if best is None:
+            best, second = image, xp.zeros_like(image[0]) - 2.0
+            continue
+        better = image[key] > best[key]
+        loser = xp.where(better, best[key], image[key])
+        second = xp.where(loser > second, loser, second)
+        best = tuple(xp.where(better, a, b) for a, b in zip(image, best, strict=True))
+    assert best is not None
+    doubt = second >= best[key] - TIE
+    return best, doubt | (best[0] <= TIE) if key == 0 else doubt
+
+
+def _sum(row: Array, q: Coordinates) -> Array:
+    """The sum of products with what is not 0."""
+    pairs = [(float(a), c) for a, c in zip(row, q, strict=True) if a]
+    terms = [a * c if abs(a) != 1.0 else (c if a > 0.0 else -c) for a, c in pairs]
+    total = terms[0]
+    for term in terms[1:]:
+        total = total + term
+    return total
+
+
+def _among_all(p: Array, maps: _Maps) -> Array:
+    """The best of all candidates (n, 4), of both signs, one coordinate after the other."""
+    every = (maps.by_axis[:, None] @ maps.by_angle[None]).reshape(-1, 4, 4)
+    every = np.concatenate([every, -every])
+    found = np.empty_like(p)
+    step = max(1, _BLOCK // len(every))
+    for start in range(0, len(p), step):
+        images = np.moveaxis(every @ p[start : start + step].T, -1, 0)
+        alive = np.ones(images.shape[:2], bool)
+        for key in range(4):
+            value = np.where(alive, images[..., key], -2.0)
+            alive &= value >= value.max(axis=1, keepdims=True) - TIE
+        rows = np.arange(len(images))
+        found[start : start + step] = images[rows, np.argmax(alive, axis=1)]
+    return normalised(found)

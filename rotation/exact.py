@@ -1,0 +1,129 @@
+"""Rotations without rounding: quaternions over ℚ and number fields, their matrices, the finite groups.
+
+As rotations q and c·q are the same, so T and O need no square root and I only that of 5: their quaternions
+are of any norm (F. Klein, "Vorlesungen über das Ikosaeder", 1884).
+"""
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from hfield.algebra import H, QuaternionAlgebra
+from hfield.errors import HFieldError
+from hfield.fields.names import ring
+from rotation.errors import RotationError
+from rotation.rotation import Rotation
+
+_BITS = 200
+_GROUPS = ("T", "O", "I")
+
+
+def exact_matrix(q: Any) -> tuple[tuple[Any, ...], ...]:
+    """Return the matrix, 3 × 3 over the quaternion's own field, of ``v ↦ q·v·q⁻¹``: exactly.
+
+    Raises
+    ------
+    RotationError
+        ``q`` is no quaternion of Hamilton's algebra.
+    HFieldError
+        It has no inverse.
+
+    Examples
+    --------
+    >>> from hfield import H
+    >>> exact_matrix(H("QQ")(1, 2, 3, 4))[0]
+    (-2/3, 2/15, 11/15)
+    """
+    _expect_hamilton(q)
+    algebra, back = q.algebra, q.inverse()
+    columns = [(q * unit * back).coordinates[1:] for unit in algebra.basis[1:]]
+    return tuple(zip(*columns, strict=True))
+
+
+def exact_group(group: str) -> tuple[Any, ...]:
+    """Return the rotations of T, O or I as quaternions, exactly: over ℚ, those of I over ℚ(√5).
+
+    Each rotation once, the identity first; q and c·q are one rotation, so norms are not all 1.
+
+    Raises
+    ------
+    RotationError
+        Another group.
+
+    Examples
+    --------
+    >>> [len(exact_group(name)) for name in "TOI"], exact_group("O")[12]
+    ([12, 24, 60], 1 + i)
+    """
+    if group not in _GROUPS:
+        raise RotationError(f"group {group!r}: one of {', '.join(_GROUPS)} is expected")
+    algebra = H("QQ(sqrt(5))" if group == "I" else "QQ")
+    e, i, j, k = algebra.basis
+    signs = list(itertools.product((1, -1), repeat=3))
+    found = [e, i, j, k, *(e + a * i + b * j + c * k for a, b, c in signs)]
+    if group == "O":
+        found += [e + s * u for u in (i, j, k) for s in (1, -1)]
+        found += [u + s * v for u, v in ((i, j), (j, k), (k, i)) for s in (1, -1)]
+    if group == "I":
+        golden = (1 + algebra.ring.gen) / 2
+        numbers = (1, golden, golden - 1, 0)
+        for order in itertools.permutations(range(4)):
+            if sum(a > b for a, b in itertools.combinations(order, 2)) % 2 == 0:
+                for sign in signs:  # of those that are not 0 the first is positive
+                    values = [0] * 4
+                    rest = iter(sign[1:])
+                    for place, n in enumerate(order):
+                        if numbers[n]:
+                            first = not any(values)
+                            values[place] = numbers[n] if first else next(rest) * numbers[n]
+                    if sign[0] == 1:
+                        found.append(algebra(*values))
+    return tuple(found)
+
+
+def from_exact(quaternions: Any) -> Rotation:
+    """Return as floats the rotations of a quaternion, or of a list of them: each coordinate rounded once.
+
+    Parameters
+    ----------
+    quaternions : Quaternion, or a list of them
+        Of Hamilton's algebra over ℚ, a real quadratic field (its generator the positive root) or RR.
+
+    Raises
+    ------
+    RotationError
+        No such quaternions, or one is zero.
+
+    Examples
+    --------
+    >>> from hfield import H
+    >>> from_exact(H("QQ")(1, 1, 0, 0)).as_rotvec(degrees=True).round(9)
+    array([90.,  0.,  0.])
+    >>> from_exact(exact_group("I")).shape
+    (60,)
+    """
+    single = not isinstance(quaternions, list | tuple)
+    rows = []
+    for q in [quaternions] if single else quaternions:
+        _expect_hamilton(q)
+        rows.append([_rounded(x) for x in q.coordinates])
+    return Rotation(np.reshape(rows, (-1, 4))[0] if single else np.reshape(rows, (-1, 4)))
+
+
+def _expect_hamilton(q: Any) -> None:
+    algebra = getattr(q, "algebra", None)
+    if not isinstance(algebra, QuaternionAlgebra) or algebra != H(algebra.ring):
+        raise RotationError(
+            f"{q!r} is no quaternion of Hamilton's algebra, such as hfield.H('QQ')(1, 1, 0, 0) is"
+        )
+
+
+def _rounded(x: Any) -> float:
+    try:
+        ball = ring("RR")(x).ball(_BITS)
+    except (HFieldError, AttributeError) as error:
+        raise RotationError(
+            f"{x} is no number of ℚ, of a real quadratic field or a sum of square roots: it is not rounded"
+        ) from error
+    return float(ball.real.mid())
