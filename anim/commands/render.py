@@ -149,7 +149,7 @@ def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 
 def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     """Write the page: the four models side by side, or the one named; for physics with curves."""
-    from anim.commands.choices import camera_of, motions_of
+    from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
     from anim.output.destination import write_text
     from anim.picture.look import colour
@@ -174,6 +174,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
         camera=(camera.azimuth, camera.elevation),
         zoom=camera.zoom,
         background=paper,
+        simulation=simulated(args, model, motions[0]),
     )
     write_text(path, text)
     return _report(args, motions[0], path, None)
