@@ -32,7 +32,7 @@ class Top:
         self.model = Model() if model is None else model
 
     def page(self) -> str:
-        """Return the web page in which the top turns, as text of HTML; one that obeys physics is live on it."""
+        """Return the web page in which the top turns, as HTML; one that obeys physics is live on it."""
         from anim.physics import HeavyTop
         from anim.viewer import Show, curves_of, page
 

@@ -50,6 +50,8 @@ def run(args: Namespace) -> int:
     path = Path(args.output)
     if args.figures:
         return _figures(args, path)
+    if args.quaternions:
+        return _seeing(args, path)
     from anim.commands.choices import clip_of, model_of
     from anim.output.writing import PAGE
 
@@ -178,6 +180,26 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     )
     write_text(path, text)
     return _report(args, motions[0], path, None)
+
+
+def _seeing(args: Namespace, path: Path) -> int:
+    """Write the page Seeing quaternions."""
+    from anim.output.destination import refuse_early, write_text
+    from anim.output.writing import PAGE
+    from anim.viewer import seeing
+
+    if path.suffix.lower() != PAGE:
+        raise UsageError(
+            f"--quaternions makes a page: expected a name such as s3.html, not {path.name!r}"
+        )
+    refuse_early(path, args.force)
+    write_text(path, seeing())
+    with open_output(None) as out:
+        if args.format == "json":
+            out.write_json({"schema": "hfield-render-figures/1", "files": [str(path)]})
+        else:
+            out.write(f"{path}: unit quaternions over the reals, GF(3) and GF(5)")
+    return 0
 
 
 def _figures(args: Namespace, folder: Path) -> int:

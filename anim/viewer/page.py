@@ -123,6 +123,19 @@ def page(
     return text
 
 
+def seeing() -> str:
+    """Return the page Seeing quaternions: products as turns of S³, and the units over GF(3) and GF(5) there.
+
+    >>> "600-cell" in seeing()
+    True
+    """
+    parts = {"style": _file("page.css").replace("{{paper}}", PAPER), "script": _file("seeing.js")}
+    text = _file("seeing.html")
+    for name, part in parts.items():
+        text = text.replace(f"{{{{{name}}}}}", part.rstrip())
+    return text
+
+
 def _shape(model: Model) -> dict[str, Any]:
     """Describe the top by its profile, and the colour of each sector by its place in a list."""
     return {
