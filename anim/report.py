@@ -47,7 +47,7 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
         'aria-label="play"': 'aria-label="odtwórz"',
         '? "pause" : "play"': '? "zatrzymaj" : "odtwórz"',
         'aria-label="frame"': 'aria-label="klatka"',
-        "<label>speed <": "<label>tempo <",
+        ">speed <": ">tempo <",
         'title="look from where we began (r)" aria-label="reset the view"': 'title="widok początkowy (r)"'
         ' aria-label="przywróć widok"',
         'title="keys (?)" aria-label="show the keys"': 'title="klawisze (?)" aria-label="pokaż klawisze"',

@@ -31,6 +31,11 @@ def declare(parser: ArgumentParser) -> None:
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--sheet", action="store_true", help="ten frames in one picture, a .png")
     kind.add_argument(
+        "--quaternions",
+        action="store_true",
+        help="instead of the top, the page Seeing quaternions, an .html: products as turns of S³",
+    )
+    kind.add_argument(
         "--figures",
         action="store_true",
         help="the still pictures of sections 3.3 and 3.4, into the folder FILE",

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from anim.film import Clip
     from anim.model import Model
     from anim.motion import Motion
+    from anim.physics import HeavyTop
     from anim.picture import Camera, Look
     from anim.timeline import Timeline
 
@@ -68,6 +69,17 @@ def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
     if args.model is None and args.output.lower().endswith(PAGE):
         return [kinematic(name, film, reading) for name in PIPELINES]
     return [kinematic(args.model or MODELS[0], film, reading)]
+
+
+def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | None:
+    """Return the top that a page computes live: that of physics, also beside the thesis's four ways."""
+    from anim.physics import Body, HeavyTop, Launch
+
+    if isinstance(motion.sampler, HeavyTop):
+        return motion.sampler
+    if args.model is not None:
+        return None
+    return HeavyTop(Body.turned(model.profile), Launch(), motion.clip.seconds)
 
 
 def camera_of(args: Namespace) -> Camera:

@@ -50,6 +50,8 @@ def run(args: Namespace) -> int:
     path = Path(args.output)
     if args.figures:
         return _figures(args, path)
+    if args.quaternions:
+        return _seeing(args, path)
     from anim.commands.choices import clip_of, model_of
     from anim.output.writing import PAGE
 
@@ -149,7 +151,7 @@ def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 
 def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     """Write the page: the four models side by side, or the one named; for physics with curves."""
-    from anim.commands.choices import camera_of, motions_of
+    from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
     from anim.output.destination import write_text
     from anim.picture.look import colour
@@ -174,9 +176,30 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
         camera=(camera.azimuth, camera.elevation),
         zoom=camera.zoom,
         background=paper,
+        simulation=simulated(args, model, motions[0]),
     )
     write_text(path, text)
     return _report(args, motions[0], path, None)
+
+
+def _seeing(args: Namespace, path: Path) -> int:
+    """Write the page Seeing quaternions."""
+    from anim.output.destination import refuse_early, write_text
+    from anim.output.writing import PAGE
+    from anim.viewer import seeing
+
+    if path.suffix.lower() != PAGE:
+        raise UsageError(
+            f"--quaternions makes a page: expected a name such as s3.html, not {path.name!r}"
+        )
+    refuse_early(path, args.force)
+    write_text(path, seeing())
+    with open_output(None) as out:
+        if args.format == "json":
+            out.write_json({"schema": "hfield-render-figures/1", "files": [str(path)]})
+        else:
+            out.write(f"{path}: unit quaternions over the reals, GF(3) and GF(5)")
+    return 0
 
 
 def _figures(args: Namespace, folder: Path) -> int:

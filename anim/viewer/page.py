@@ -22,8 +22,16 @@ if TYPE_CHECKING:
 
     from anim.model import Model
     from anim.motion import Motion
+    from anim.physics import HeavyTop
 
 SCRIPTS = ("vectors.js", "scene.js", "curves.js", "player.js")
+LIVE_SCRIPTS = ("heavy_top.js", "simulator.js")
+READINGS = '<table id="readings"></table>\n'
+KEYS = """<dt>l, p</dt><dd>launch the live top anew, push it</dd>
+<dt>m</dt><dd>the live top, or the film</dd>
+<dt>esc</dt><dd>close this list</dd>
+"""
+MODE = '<button id="mode" type="button" title="the live top or the film (m)"></button>\n'
 PAPER = "#eceff1"
 
 
@@ -66,11 +74,13 @@ def page(
     camera: tuple[float, float] = (-60.0, 20.0),
     zoom: float = 1.0,
     background: str | None = None,
+    simulation: HeavyTop | None = None,
 ) -> str:
     """Return the page on which the tops of ``shows`` spin side by side.
 
     ``camera`` is azimuth and elevation in degrees, ``zoom`` magnifies, ``background`` is a colour as
-    ``#rrggbb``; without it the page follows the reader's light or dark scheme. Raises
+    ``#rrggbb``; without it the page follows the reader's light or dark scheme. With ``simulation``
+    the page opens with that top, live: it computes the motion itself, and the film is a button away. Raises
     :class:`AnimationError` for no show, attitudes of another shape, or values that are not finite.
     """
     if not shows:
@@ -88,20 +98,41 @@ def page(
             for curve in curves
         ],
     }
+    if simulation is not None:
+        data["simulation"] = _live(simulation)
     text = _file("page.html")
     if background is None:
         text = text.replace('<html lang="en">', '<html lang="en" class="adaptive">')
     style = _file("page.css").replace("{{paper}}", background or PAPER)
-    script = "\n".join(_file(name) for name in SCRIPTS)
+    script = "\n".join(
+        _file(name) for name in (() if simulation is None else LIVE_SCRIPTS) + SCRIPTS
+    )
     # A "<" inside the JSON could end the element that holds it.
     parts = {
         "title": escape(title),
         "style": style.rstrip(),
+        "controls": "" if simulation is None else _file("simulator.html"),
+        "readings": "" if simulation is None else READINGS,
+        "keys": "" if simulation is None else KEYS,
+        "modes": "" if simulation is None else MODE,
         "script": script.rstrip(),
         "data": json.dumps(data, separators=(",", ":")).replace("<", "\\u003c"),
     }
     for name, part in parts.items():
         text = text.replace(f"{{{{{name}}}}}", part)
+    return text
+
+
+def seeing() -> str:
+    """Return the page Seeing quaternions: products as turns of S³, and the units over GF(3) and GF(5) there.
+
+    >>> "600-cell" in seeing()
+    True
+    """
+    parts = {"style": _file("page.css").replace("{{paper}}", PAPER), "script": _file("seeing.js")}
+    text = _file("seeing.html")
+    for name, part in parts.items():
+        text = text.replace(f"{{{{{name}}}}}", part.rstrip())
     return text
 
 
@@ -111,6 +142,22 @@ def _shape(model: Model) -> dict[str, Any]:
         "profile": model.profile,
         "sectors": "".join(str(band % len(model.palette)) for band in model.sectors.tolist()),
         "colours": [[round(part / 255, 4) for part in colour] for colour in model.palette],
+    }
+
+
+def _live(top: HeavyTop) -> dict[str, Any]:
+    """Describe a heavy top at its launch, in the words of heavy_top.js."""
+    body, launch = top.body, top.launch
+    return {
+        "body": {
+            name: getattr(body, name) for name in ("mass", "height", "axial", "transverse", "reach")
+        },
+        "spin": top.spin,
+        "tilt": launch.tilt,
+        "precession": launch.precession,
+        "heading": launch.heading,
+        "gravity": launch.gravity,
+        "losses": [1 / launch.tilt_decay, 1 / launch.spin_decay],
     }
 
 

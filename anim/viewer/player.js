@@ -25,8 +25,11 @@ class Player {
       return label;
     });
     this.open();
+    this.live = Boolean(data.simulation);
+    if (this.live) this.simulator = new Simulator(this, data.simulation);
+    this.mode(this.live);
     this.listen();
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.toggle();
+    if (!this.simulator?.still && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.toggle();
     requestAnimationFrame((now) => this.tick(now));
   }
 
@@ -40,6 +43,19 @@ class Player {
     this.gl = $("view").getContext("webgl", { antialias: true, alpha: false });
     if (this.gl) this.scene = new Scene(this.gl, data.model, data.shows, this.paper());
     else this.say("This page draws with WebGL, which this browser does not have or has switched off. Another browser, or hardware acceleration in its settings, will show the top.");
+  }
+
+  // The live top, or the film of what was computed before.
+  mode(live) {
+    this.live = live;
+    document.body.classList.toggle("live", live);
+    $("curves").hidden = live || !this.curves.length;
+    if (!this.simulator) return;
+    $("controls").hidden = $("readings").hidden = !live;
+    $("mode").textContent = live ? (data.shows.length > 1 ? `${data.shows.length} films` : "film") : "live";
+    for (const [, label] of this.simulator.labels) label.hidden = true;
+    this.scene?.shape(live ? widened(data.model.profile, this.simulator.set.width) : data.model.profile);
+    this.stale = true;
   }
 
   say(text) {
@@ -86,7 +102,8 @@ class Player {
   tick(now) {
     if (this.playing) {
       const seconds = Math.min(0.25, (now - (this.before ?? now)) / 1000); // a sleeping tab does not jump
-      this.frame = (this.frame + seconds * data.fps * this.speed) % this.frames;
+      if (this.live) this.simulator.advance(seconds * this.speed);
+      else this.frame = (this.frame + seconds * data.fps * this.speed) % this.frames;
       this.before = now;
     }
     if (this.playing || this.stale) this.draw();
@@ -95,11 +112,12 @@ class Player {
 
   draw() {
     this.stale = false;
+    if (this.scene) this.paint();
+    if (this.live) return this.simulator.tell();
     const whole = Math.floor(this.frame);
     $("frame").value = whole;
-    $("frame").setAttribute("aria-valuetext", `${(whole / data.fps).toFixed(2)} seconds`);
+    if (!this.playing) $("frame").setAttribute("aria-valuetext", `${(whole / data.fps).toFixed(2)} seconds`);
     $("time").innerHTML = `${(whole / data.fps).toFixed(2)} s<span class="long"> · frame ${whole} of ${this.frames}</span>`;
-    if (this.scene) this.paint();
     const style = getComputedStyle(document.documentElement);
     for (const curve of this.curves) curve.draw(this.frame, style.getPropertyValue("--ink"), style.getPropertyValue("--accent"));
   }
@@ -108,6 +126,11 @@ class Player {
     const view = $("view"), ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.max(1, Math.round(view.clientWidth * ratio)), height = Math.max(1, Math.round(view.clientHeight * ratio));
     if (view.width !== width || view.height !== height) [view.width, view.height] = [width, height];
+    if (this.live) {
+      this.labels.forEach((label) => (label.hidden = true));
+      this.scene.clear(width, height);
+      return this.simulator.paint([0, 0, width, height], ratio);
+    }
     const shown = this.alone < 0 ? data.shows.map((_, n) => n) : [this.alone];
     const columns = this.columns(shown.length, width / height), rows = Math.ceil(shown.length / columns);
     const w = Math.floor(width / columns), h = Math.floor(height / rows);
@@ -130,25 +153,41 @@ class Player {
 
   listen() {
     const view = $("view"), touches = new Map();
+    let pulling = null; // where the hand took hold of the live top
+    const place = (e) => {
+      const { left, top, width, height } = view.getBoundingClientRect();
+      return [[(2 * (e.clientX - left)) / width - 1, 1 - (2 * (e.clientY - top)) / height], width / height];
+    };
+    const release = () => {
+      if (pulling) this.simulator.release();
+      pulling = null;
+    };
     const apart = () => { const [p, q] = [...touches.values()]; return Math.hypot(p.x - q.x, p.y - q.y); };
-    view.addEventListener("pointerdown", (e) => { touches.set(e.pointerId, e); view.setPointerCapture(e.pointerId); });
+    view.addEventListener("pointerdown", (e) => { 
+      touches.set(e.pointerId, e);
+      view.setPointerCapture(e.pointerId);
+      release();
+      if (this.live && this.scene && touches.size === 1 && this.simulator.holds(...place(e))) pulling = place(e)[0];
+    });
     view.addEventListener("pointermove", (e) => {
       const last = touches.get(e.pointerId);
       if (!last) return;
       const gap = touches.size === 2 ? apart() : 0;
       touches.set(e.pointerId, e);
-      if (gap) this.zoom(gap / Math.max(apart(), 1));
+      if (pulling) this.simulator.pull(pulling, ...place(e));
+      else if (gap) this.zoom(gap / Math.max(apart(), 1));
       else if (touches.size === 1) this.orbit((e.clientX - last.clientX) / 120, (e.clientY - last.clientY) / 120);
     });
-    for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, (e) => touches.delete(e.pointerId));
+    for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, (e) => { touches.delete(e.pointerId); release(); });
     view.addEventListener("wheel", (e) => { e.preventDefault(); this.zoom(Math.exp(e.deltaY / 800)); }, { passive: false });
     view.addEventListener("dblclick", () => this.look());
     view.addEventListener("webglcontextlost", (e) => { e.preventDefault(); this.scene = null; this.say("The graphics were taken away for a moment."); });
-    view.addEventListener("webglcontextrestored", () => { this.say(""); this.open(); this.stale = true; });
+    view.addEventListener("webglcontextrestored", () => { this.say(""); this.open(); this.mode(this.live); this.stale = true; });
     $("play").addEventListener("click", () => this.toggle());
     $("frame").addEventListener("input", (e) => this.seek(Number(e.target.value)));
     $("speed").addEventListener("change", (e) => this.setSpeed(Number(e.target.value)));
     $("reset").addEventListener("click", () => this.look());
+    if (this.simulator) $("mode").addEventListener("click", () => this.mode(!this.live));
     $("keys").addEventListener("click", () => ($("help").hidden = !$("help").hidden));
     document.addEventListener("keydown", (e) => this.key(e));
     new ResizeObserver(() => (this.stale = true)).observe(view);
@@ -161,6 +200,8 @@ class Player {
   key(event) {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.tagName === "SELECT") return;
     if (event.key === " " && event.target.tagName === "BUTTON") return; // it clicks the button
+    if (event.target.type === "range" && event.target.id !== "frame" && /^(Arrow|Home|End|Page)/.test(event.key)) return; // a slider's own
+    if (event.key === " " && event.target.type === "checkbox") return;
     const step = event.shiftKey ? 10 : 1, speed = SPEEDS.indexOf(this.speed), whole = Math.floor(this.frame);
     const actions = {
       " ": () => this.toggle(),
@@ -179,6 +220,16 @@ class Player {
       s: () => this.orbit(0, -0.1),
       r: () => this.look(),
       "?": () => $("keys").click(),
+      Escape: () => ($("help").hidden = true),
+      ...(this.live && {
+        ArrowLeft: () => {},
+        ArrowRight: () => { this.simulator.advance(0.02); this.stale = true; },
+        Home: () => this.simulator.launch(false),
+        End: () => {},
+        p: () => this.simulator.push(),
+        l: () => this.simulator.launch(true),
+      }),
+      ...(this.simulator && { m: () => this.mode(!this.live) }),
     };
     const alone = /^[0-9]$/.test(event.key) && Number(event.key) <= data.shows.length ? Number(event.key) - 1 : null;
     if (alone !== null) [this.alone, this.stale] = [alone, true];
@@ -188,4 +239,4 @@ class Player {
   }
 }
 
-new Player();
+const player = new Player();

@@ -16,32 +16,53 @@ function surface(profile, sectors, colours) {
   return new Float32Array(out);
 }
 
+// What light does is said here once, for every shader; noise of one step of 8 bits keeps gradients free of bands.
+const DITHER = `
+precision highp float; uniform vec3 paper;
+vec4 dithered(vec3 c) {
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(.06711056, .00583715))));
+  return vec4(c + (noise - .5) / 255., 1.);
+}`;
 const TOP_VERTEX = `
-attribute vec3 position, normal, colour; uniform vec4 q; uniform mat4 matrix;
+attribute vec3 position, normal, colour; uniform vec4 q; uniform vec3 size; uniform mat4 matrix;
 varying vec3 n, at, tint;
 vec3 turn(vec3 v) { return v + 2. * cross(q.yzw, cross(q.yzw, v) + q.x * v); }
-void main() { n = turn(normal); at = turn(position); tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
-const TOP_FRAGMENT = `
-precision highp float; varying vec3 n, at, tint; uniform vec3 light, eye;
+void main() { n = turn(normal / size); at = turn(position * size); tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
+// On dark paper a rim of light and a lift of the blacks show where the top ends.
+const TOP_FRAGMENT = `${DITHER}
+varying vec3 n, at, tint; uniform vec3 light, eye;
 void main() {
-  vec3 m = normalize(n), h = normalize(light + normalize(eye - at));
-  float lit = .30 + .12 * m.z + .62 * max(dot(m, light), 0.);
-  gl_FragColor = vec4(sqrt(tint * tint * lit + .10 * pow(max(dot(m, h), 0.), 40.)), 1.);
+  vec3 m = normalize(n), view = normalize(eye - at), h = normalize(light + view);
+  float dark = 1. - smoothstep(.2, .6, paper.g), rim = pow(1. - max(dot(m, view), 0.), 3.);
+  float bounce = .10 * max(-m.z, 0.) * exp(-.8 * max(at.z, 0.)) * (1. - dark);
+  float lit = .30 + .12 * m.z + bounce + .62 * max(dot(m, light), 0.);
+  vec3 base = mix(tint * tint, max(tint * tint, vec3(.022, .024, .03)), dark);
+  gl_FragColor = dithered(sqrt(base * lit + .10 * pow(max(dot(m, h), 0.), 40.) + rim * mix(.015, .16, dark)));
 }`;
-const SHADOW_FRAGMENT = `
-precision highp float; varying vec3 at, n, tint; uniform vec3 paper;
-void main() { gl_FragColor = vec4(paper * mix(.62, .92, clamp(at.z / 3.2, 0., 1.)), 1.); }`;
 const FLAT_VERTEX = `
 attribute vec3 position; uniform mat4 matrix; varying vec3 at;
 void main() { at = position; gl_Position = matrix * vec4(position, 1.); }`;
-const GROUND_FRAGMENT = `
-precision highp float; varying vec3 at; uniform vec3 paper;
+// The top as discs along its axis: how much of each a ray to the light meets, softer the farther away it is, so that
+// the shadow is sharp where the tip stands. Dark paper is lit by a pool of light instead.
+const DISCS = 40;
+const GROUND_FRAGMENT = `${DITHER}
+varying vec3 at; uniform vec3 light, axis; uniform float radii[${DISCS}]; uniform vec2 reach;
 void main() {
-  float r = length(at.xy);
+  float r = length(at.xy), shade = 0., along = dot(light, axis);
+  along = along < 0. ? min(along, -.05) : max(along, .05);
+  for (int k = 0; k < ${DISCS}; k++) {
+    vec3 centre = axis * (reach.x * (float(k) + .5) / ${DISCS}.);
+    float s = dot(centre - at, axis) / along;
+    float soft = .015 + .11 * abs(s), d = length(at + s * light - centre);
+    if (s > 0.) shade = max(shade, smoothstep(radii[k] + soft, radii[k] - soft, d) * min(1., radii[k] / soft));
+  }
+  float contact = exp(-9. * r * r), near = smoothstep(5., 1., r), dark = 1. - smoothstep(.2, .6, paper.g);
   float ring = smoothstep(.03, .0, abs(fract(r + .5) - .5)) * .05;
-  gl_FragColor = vec4(paper * (1. - (.07 + ring) * smoothstep(4., 1., r)), 1.);
+  vec3 lit = mix(paper * (1. - (.07 + ring) * near), paper + (.10 - ring * .5) * near, dark);
+  gl_FragColor = dithered(reach.y > 0. ? lit * (1. - .42 * shade) * (1. - .35 * contact) : lit);
 }`;
 const TRAIL_FRAGMENT = `precision highp float; varying vec3 at; uniform vec3 paper; void main() { gl_FragColor = vec4(.84, .37, 0., 1.); }`;
+const ARROWS = { momentum: [0.2, 0.55, 0.9], velocity: [0, 0.62, 0.45], pull: [0.85, 0.35, 0.6] };
 
 // All that WebGL knows. `draw` paints one top in one part of the canvas.
 class Scene {
@@ -49,13 +70,17 @@ class Scene {
     this.gl = gl;
     this.paper = paper;
     this.light = unit([0.45, -0.35, 0.85]);
-    this.top = this.buffer(surface(model.profile, [...model.sectors].map(Number), model.colours));
+    this.model = model;
+    this.shape(model.profile);
+    this.arrows = Object.entries(ARROWS).map(([name, colour]) => {
+      const outline = [[0, 0], [0.012, 0], [0.012, 0.93], [0.035, 0.93], [0, 1]];
+      return [name, this.buffer(surface(outline, Array(24).fill(0), [colour]))];
+    });
     this.ground = this.buffer(new Float32Array([-5, -5, 0, 5, -5, 0, 5, 5, 0, -5, -5, 0, 5, 5, 0, -5, 5, 0]));
     const apex = [0, 0, model.profile[model.profile.length - 1][1]];
     this.trails = shows.map((show) => this.buffer(this.trail(show.quaternions, apex)));
     this.programs = {
       top: this.program(TOP_VERTEX, TOP_FRAGMENT),
-      shadow: this.program(TOP_VERTEX, SHADOW_FRAGMENT),
       ground: this.program(FLAT_VERTEX, GROUND_FRAGMENT),
       trail: this.program(FLAT_VERTEX, TRAIL_FRAGMENT),
     };
@@ -64,14 +89,26 @@ class Scene {
     gl.depthFunc(gl.LEQUAL);
   }
 
+  // The top's outline, which may change: its surface, and its radii at equal heights for the shadow.
+  shape(profile) {
+    if (this.top) this.gl.deleteBuffer(this.top);
+    this.top = this.buffer(surface(profile, [...this.model.sectors].map(Number), this.model.colours));
+    this.height = profile[profile.length - 1][1];
+    this.radii = Array.from({ length: DISCS }, (_, k) => {
+      const z = (this.height * (k + 0.5)) / DISCS, n = profile.findIndex((corner) => corner[1] >= z);
+      const [[r0, z0], [r1, z1]] = [profile[n - 1], profile[n]];
+      return r0 + ((r1 - r0) * (z - z0)) / (z1 - z0);
+    });
+  }
+
   trail(quaternions, apex) {
     const out = new Float32Array((3 * quaternions.length) / 4);
     for (let k = 0; 4 * k < quaternions.length; k++) out.set(rotate(quaternions.subarray(4 * k, 4 * k + 4), apex), 3 * k);
     return out;
   }
 
-  buffer(values) {
-    const { gl } = this, buffer = gl.createBuffer();
+  buffer(values, buffer = this.gl.createBuffer()) {
+    const { gl } = this;
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
     buffer.count = values.length;
@@ -105,7 +142,7 @@ class Scene {
     for (const [key, value] of Object.entries({ paper: this.paper, ...uniforms })) {
       const at = gl.getUniformLocation(program, key);
       if (value.length === 16) gl.uniformMatrix4fv(at, false, value);
-      else gl[`uniform${value.length}fv`](at, value);
+      else gl[`uniform${value.length > 4 ? 1 : value.length}fv`](at, value);
     }
   }
 
@@ -118,26 +155,36 @@ class Scene {
 
   // `box` is x, y, width, height in pixels; `frame` may lie between two frames.
   draw(n, show, frame, camera, box) {
+    this.paint(attitude(show.quaternions, frame), this.trails[n], Math.floor(frame) + 1, {}, camera, box);
+  }
+
+  // The top as `q` says, the first `seen` points of a trail, and vectors from the tip (or from `from`); returns the matrix of the view.
+  paint(q, trail, seen, vectors, camera, box) {
     const { gl } = this, [x, y, width, height] = box, aspect = width / height;
     const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, 1.35);
     const matrix = times(perspective(0.27 / Math.min(1, aspect), aspect, 0.5, 60), view);
-    const q = attitude(show.quaternions, frame), fields = ["position", "normal", "colour"], corners = this.top.count / 9;
+    const fields = ["position", "normal", "colour"], { light, radii } = this, size = [1, 1, 1];
     gl.viewport(x, y, width, height);
     gl.scissor(x, y, width, height);
     gl.disable(gl.DEPTH_TEST);
-    gl.disable(gl.CULL_FACE); // the ground is seen from below too, and a shadow has no sides
-    this.use("ground", this.ground, ["position"], { matrix });
+    gl.disable(gl.CULL_FACE); // the ground is seen from below too
+    const axis = rotate(q, [0, 0, 1]);
+    this.use("ground", this.ground, ["position"], { matrix, light, axis, radii, reach: [this.height, eye[2]] });
     gl.drawArrays(gl.TRIANGLES, 0, 6);
-    if (eye[2] > 0) {
-      // A shadow fades with the height of what throws it: the upper cone first, so that the darker stays.
-      this.use("shadow", this.top, fields, { matrix: times(matrix, shadowOf(this.light)), q });
-      for (let part = 3; part >= 0; part--) gl.drawArrays(gl.TRIANGLES, (part * corners) / 4, corners / 4);
-    }
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
-    this.use("top", this.top, fields, { matrix, q, eye, light: this.light });
-    gl.drawArrays(gl.TRIANGLES, 0, corners);
-    this.use("trail", this.trails[n], ["position"], { matrix });
-    gl.drawArrays(gl.LINE_STRIP, 0, Math.floor(frame) + 1);
+    this.use("top", this.top, fields, { matrix, q, size, eye, light });
+    gl.drawArrays(gl.TRIANGLES, 0, this.top.count / 9);
+    this.use("trail", trail, ["position"], { matrix });
+    gl.drawArrays(gl.LINE_STRIP, 0, seen);
+    gl.clear(gl.DEPTH_BUFFER_BIT); // arrows are seen through the top
+    for (const [name, mesh] of this.arrows) {
+      const { vector, from = [0, 0, 0] } = vectors[name] ?? {}, length = vector ? Math.hypot(...vector) : 0;
+      if (length < 0.05) continue;
+      const moved = times(matrix, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...from, 1]);
+      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], eye, light });
+      gl.drawArrays(gl.TRIANGLES, 0, mesh.count / 9);
+    }
+    return matrix;
   }
 }

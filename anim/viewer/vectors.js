@@ -28,8 +28,17 @@ function lookAt(azimuth, elevation, distance, height) {
   };
 }
 
-// Flattens onto the ground z = 0 along the light: the shadow.
-const shadowOf = (light) => [1, 0, 0, 0, 0, 1, 0, 0, -light[0] / light[2], -light[1] / light[2], 0, 0, 0, 0, 0, 1];
+// The unit quaternion that turns the z axis towards a vector by the shortest way.
+function towards(vector) {
+  const [x, y, z] = unit(vector);
+  return z < -0.999999 ? [0, 1, 0, 0] : unit([1 + z, -y, x, 0]);
+}
+
+// Where a point of space is seen: x and y from −1 to 1.
+function projected(matrix, [x, y, z]) {
+  const row = (n) => matrix[n] * x + matrix[4 + n] * y + matrix[8 + n] * z + matrix[12 + n];
+  return [row(0) / row(3), row(1) / row(3)];
+}
 
 // The attitude at a frame that need not be whole: along the shorter arc between its neighbours.
 function attitude(quaternions, frame) {

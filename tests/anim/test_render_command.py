@@ -274,3 +274,15 @@ def test_the_time_left_is_told_on_a_terminal(tmp_path: Path) -> None:
     assert running.wait() == 0
     assert re.search(rb"\[#* *\] \d+ of 3000 frames, \d+ s left", said)
     assert said.endswith(b"\r\x1b[K")
+
+
+def test_seeing_quaternions_is_a_page_of_its_own(capsys, tmp_path: Path) -> None:
+    path = tmp_path / "s3.html"
+    assert run(capsys, "--quaternions", "-o", path)[0] == 0
+    assert "600-cell" in path.read_text(encoding="utf-8")
+    status, _, err = run(capsys, "--quaternions", "-o", path)
+    assert status == 2
+    assert "--force" in err
+    status, _, err = run(capsys, "--quaternions", "-o", tmp_path / "s3.mp4")
+    assert status == 2
+    assert "expected a name such as s3.html" in err
