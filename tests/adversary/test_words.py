@@ -101,3 +101,17 @@ def left_out(text: str, field: str | None, verdict: str) -> tuple[str, ...]:
         where = "which is said of RR alone" if field else "everywhere but over RR"
         return (f"{parts[1]} ({where})",)
     return inside[0] if inside else ()
+
+
+@pytest.mark.parametrize("letter", "pqruvw")
+@pytest.mark.parametrize("base", ["QQ", "GF(2)", "GF(3)"])
+def test_a_variable_called_like_a_quaternion_is_none(letter: str, base: str) -> None:
+    """What a word says of all quaternions is not shown by what holds of an element of the field."""
+    field = f"{base}({letter})"
+    here = setting(f"(-1,-1|{field})", field)
+    with bounded():
+        if base == "GF(2)":  # there N(q) is the square of the sum of the coordinates
+            assert establish_any("modulus-exists", here, "proved", IDENTITY).method == "identity"
+        else:
+            with pytest.raises(Rejected, match="does not hold by expanding"):
+                establish_any("modulus-exists", here, "proved", IDENTITY)
