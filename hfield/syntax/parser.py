@@ -35,6 +35,7 @@ _TOKEN = re.compile(
     r"|(?P<name>[^\W\d]\w*)|(?P<op><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))",
     re.ASCII,  # one way to write a digit or a name: what looks alike is alike
 )
+_BLANKS = " \t\n\r\f\v"
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "×": "*"})
 _PREFIXES = ("exists", "not", "-", "+")
 _WORDS = {"and", "or", "not", "exists"}
@@ -76,13 +77,14 @@ class _Parser:
 
     def _scan(self, text: str) -> list[tuple[str, str, int]]:
         """Return the kind, the text and the position of all tokens, with an empty one at the end."""
-        tokens, position, end = [], 0, len(text.rstrip())
+        tokens, position, end = [], 0, len(text.rstrip(_BLANKS))
         while position < end:
             m = _TOKEN.match(text, position)
             if m is None:
-                position += len(text[position:]) - len(text[position:].lstrip())
+                position += len(text[position:]) - len(text[position:].lstrip(_BLANKS))
                 bad = text[position]
                 mend = _MENDS.get(bad, "expected a number, a name, an operator or a parenthesis")
+                mend = "write an ordinary blank" if bad.isspace() else mend
                 raise NotationError(f"cannot read {bad!r}: {mend}", self.text, position)
             kind = m.lastgroup or ""
             tokens.append((kind, m[kind], m.start(kind)))

@@ -11,7 +11,7 @@ import pytest
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.rejection import Rejected
-from hfield.certificates.vocabulary.logic import establish_any
+from hfield.certificates.vocabulary.logic import establish_any, meaning
 from hfield.certificates.work import bounded
 from tests.adversary.words import split, truth_everywhere, truth_over
 from tests.certificates.cases import with_rings
@@ -101,3 +101,34 @@ def left_out(text: str, field: str | None, verdict: str) -> tuple[str, ...]:
         where = "which is said of RR alone" if field else "everywhere but over RR"
         return (f"{parts[1]} ({where})",)
     return inside[0] if inside else ()
+
+
+@pytest.mark.parametrize("letter", "pqruvw")
+@pytest.mark.parametrize("base", ["QQ", "GF(2)", "GF(3)"])
+def test_a_variable_called_like_a_quaternion_is_none(letter: str, base: str) -> None:
+    """What a word says of all quaternions is not shown by what holds of an element of the field."""
+    field = f"{base}({letter})"
+    here = setting(f"(-1,-1|{field})", field)
+    with bounded():
+        if base == "GF(2)":  # there N(q) is the square of the sum of the coordinates
+            assert establish_any("modulus-exists", here, "proved", IDENTITY).method == "identity"
+        else:
+            with pytest.raises(Rejected, match="does not hold by expanding"):
+                establish_any("modulus-exists", here, "proved", IDENTITY)
+
+
+@pytest.mark.parametrize("blank", ["\u00a0", "\u2003", "\u3000", "\x1c", "\x85"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "every{{{0}1 == 1}}",
+        "every{{1 == 1}}{0}",
+        "basis{{1;{0}1}}",
+        "associative(i,{0}j, k): 0 == 0 => 0 == 0",
+    ],
+)
+def test_what_looks_like_a_blank_is_one(blank: str, text: str) -> None:
+    with bounded():
+        assert meaning(text.format(" ")) == meaning(text.format(""))
+        with pytest.raises(Rejected):
+            meaning(text.format(blank))

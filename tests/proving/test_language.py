@@ -101,6 +101,8 @@ ERRORS = [
     ("exists e: e == 0", 1, "binds an unknown"),
     ("p == q == r", 8, "do not chain"),
     ("p =< q", 3, "write == for equality"),
+    ("p\u00a0== q", 2, "write an ordinary blank"),
+    ("p == q\x1c", 7, "write an ordinary blank"),
     ("x*q == 0 and m == 0", 14, "name a field"),
     ("not p", 5, "found a quaternion"),
 ]

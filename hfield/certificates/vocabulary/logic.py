@@ -26,7 +26,7 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.certificates.kinds import establish
-from hfield.certificates.language import Tree, parse, split, walk
+from hfield.certificates.language import BLANKS, Tree, parse, split, walk
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
@@ -71,7 +71,7 @@ FORMS = {**of_fields.FORMS, **linear_algebra.FORMS}
 
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
     """Read a statement of the vocabulary; None for any other."""
-    m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL)
+    m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL | re.ASCII)
     if m is None or not any(m[1] in words for words in (LOGIC, SPECIAL, LATTICES)):
         return None
     if depth > MAX_DEPTH:
@@ -79,11 +79,11 @@ def read_proposition(text: str, depth: int = 0) -> Proposition | None:
     parts = () if m[2] is None else tuple(split(m[2], ";"))
     if m[1] in LOGIC and not LOGIC[m[1]][0] <= len(parts) <= LOGIC[m[1]][1]:
         reject(f"{m[1]} has {len(parts)} parts")
-    parts = tuple(part.strip() for part in parts)
+    parts = tuple(part.strip(BLANKS) for part in parts)
     if len(parts) > MAX_PARTS or not all(parts):
         reject(f"{m[1]} has an empty part, or too many")
     if m[1] in SPECIAL:
-        parts = tuple(re.sub(r"\s*,\s*", ",", part) for part in parts)
+        parts = tuple(re.sub(r"\s*,\s*", ",", part, flags=re.ASCII) for part in parts)
         if not re.fullmatch(FORMS[m[1]], ";".join(parts)):
             reject(f"{shown(text)!r} is not how {m[1]} is written")
     return Proposition(m[1], parts)

@@ -38,7 +38,7 @@ from hfield.certificates.rejection import (
     texts,
 )
 from hfield.certificates.scalars.ring import Ring
-from hfield.certificates.statement import HAMILTON, Setting, read_statement
+from hfield.certificates.statement import HAMILTON, QUATERNIONS, Setting, read_statement
 from hfield.certificates.work import charge
 
 CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
@@ -151,7 +151,7 @@ def modulus_exists(
         return Finding(FIELD, CLOSED_FIELD).citing(CLOSED[field.name])
     if verdict == "proved" and kind == "identity":
         an_object(evidence, "kind", "the evidence")
-        _identity("norm(q) == (q[0] + q[1] + q[2] + q[3])**2", setting)
+        _identity("norm({q}) == ({q}[0] + {q}[1] + {q}[2] + {q}[3])**2", setting)
         return Finding(FIELD, IDENTITY)
     if verdict == "refuted" and kind == "no root":
         data = an_object(evidence, "kind value", "the evidence")
@@ -161,7 +161,13 @@ def modulus_exists(
     _unfit(kind, verdict)
 
 
-def _identity(text: str, setting: Setting) -> None:
+def _identity(form: str, setting: Setting) -> None:
+    """Expand an identity in p and q, for which letters stand that name no element of the field."""
+    field = _field(setting)
+    free = [x for x in QUATERNIONS if field.constant(("name", x)) is None]
+    if len(free) < 2:
+        reject(f"too many letters name elements of {field.name}")
+    text = form.format(q=free[0], p=free[1])
     expansion = expand(read_statement(text, setting), setting)
     if not all(map(Place(expansion, setting.field).is_trivial, expansion.clauses)):
         reject(f"{text} does not hold by expanding")
@@ -178,7 +184,7 @@ def modulus_law(
     if verdict != "proved" or parts != ("*",):
         _unfit(kind, verdict)
     an_object(evidence, "kind", "the evidence")
-    _identity("norm(p*q) == norm(p)*norm(q)", setting)
+    _identity("norm({p}*{q}) == norm({p})*norm({q})", setting)
     p = field.characteristic
     if kind == "unique roots" and p == 2:
         # y² = z² means (y − z)² = 0, so the product of the roots is the root

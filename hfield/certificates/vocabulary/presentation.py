@@ -39,7 +39,7 @@ class Presentation:
 
 def read_presentation(text: str) -> Presentation | None:
     """Read ``associative(i, j, k): relations => goals``; None for a text of another kind."""
-    m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL)
+    m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL | re.ASCII)
     if m is None:
         return None
     letters = "".join(m[1].split())
