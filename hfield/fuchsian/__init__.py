@@ -1,0 +1,1 @@
+"""Groups of units of norm one of indefinite orders."""
