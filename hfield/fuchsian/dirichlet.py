@@ -1,7 +1,8 @@
 """Dirichlet domains of the units of norm 1 of an order, found by search and then proved to be complete.
 
 Elements are looked for, and reduced by one another, until the points nearer to the centre than to its images
-under them make a polygon of finite area whose sides are paired (Voight, *J. Théor. Nombres Bordeaux* 21, 2009;
+under them make a polygon of finite area whose sides are paired (Voight, *J. Théor. Nombres
+Bordeaux* 21, 2009;
 Page; Rickards). The polygon contains the true domain. By Poincaré's theorem its area is the sum of its exact
 angles, and the formula says what that of the true domain is: where they agree, it is the true one.
 """
@@ -88,7 +89,9 @@ class Polygon:
         return x, path
 
 
-def domain(order: ZOrder, center: Quaternion, area: Fraction) -> tuple[Polygon, list[int], list[Cycle]]:
+def domain(
+    order: ZOrder, center: Quaternion, area: Fraction
+) -> tuple[Polygon, list[int], list[Cycle]]:
     """Return the domain around a point of trivial stabiliser, the partner of each side, and the cycles of vertices.
 
     Raises :class:`TooLargeError` where the search does not find enough units.
@@ -134,7 +137,8 @@ def _add(plane: Plane, units: dict[Vector, Quaternion], found: Iterable[Quaterni
 def normalised(plane: Plane, units: dict[Vector, Quaternion]) -> Polygon:
     """Return the polygon of the group that units generate, or of as much of it as bounds it so far.
 
-    What bounds nothing is reduced by the rest; where a vertex is not mapped into the polygon, a unit that cuts
+    What bounds nothing is reduced by the rest; where a vertex is not mapped into the polygon, a
+    unit that cuts
     it off is added.
     """
     while True:
@@ -183,7 +187,7 @@ def paired(found: Polygon) -> list[int]:
 
 
 def _same_point(x: Vector, y: Vector) -> bool:
-    return x[0] * y[1] == x[1] * y[0] and x[0] * y[2] == x[2] * y[0]
+    return bool(x[0] * y[1] == x[1] * y[0] and x[0] * y[2] == x[2] * y[0])
 
 
 def cycles_of(found: Polygon, partners: list[int]) -> list[Cycle]:

@@ -133,7 +133,8 @@ class NormOneGroup:
         """Return the Dirichlet domain around a point, by default one with a small c in the order.
 
         ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the one
-        of them whose square is positive as a diagonal one. A nearby point takes its place, ``D.center``, that is
+        of them whose square is positive as a diagonal one. A nearby point takes its place,
+        ``D.center``, that is
         fixed by an element of the algebra with trace 0 and by no unit but ±1. Raises :class:`LatticeError`.
         """
         return self._domain if center is None else self._around(self._nearby(complex(center)))
@@ -154,8 +155,11 @@ class NormOneGroup:
     def _nearby(self, z: complex) -> Quaternion:
         if z.imag <= 0:
             raise LatticeError(f"a centre is a point of the upper half plane, and {z} is not in it")
-        for bits in range(4, 40):
-            c = fixing(self.order.algebra, z, 2**bits)
+        for n in range(
+            20
+        ):  # beside it where units fix the point itself, or all that is near and simple
+            aside = z.imag * n * complex(0.005, 0.003)
+            c = fixing(self.order.algebra, z + aside, 2 ** (5 + n))
             if c is not None and abs(fixed_point(c) - z) < z.imag / 8 and self._is_free(c):
                 return c
         raise LatticeError(f"no point near {z} that units do not fix was found")
@@ -173,7 +177,9 @@ class NormOneGroup:
                 numbers[n] = -numbers[partner]
         # side n has the unit g with inverse ``sides[n].element``
         sides = [domain.polygon.units[n] for n, number in sorted(numbers.items()) if number > 0]
-        relations = [(numbers[n],) * 2 for n, partner in enumerate(domain.partners) if n == partner]
+        relations: list[Word] = [
+            (numbers[n],) * 2 for n, partner in enumerate(domain.partners) if n == partner
+        ]
         for cycle in domain.cycles:
             around = tuple(numbers[n] for n in cycle.sides)  # the inverse of what goes around
             relations.append(around * cycle.order)
@@ -235,7 +241,10 @@ class NormOneGroup:
 
 def _squares(algebra: Any) -> tuple[float, float, float]:
     """Return the squares of i − t/2 and of j, and t, as floats."""
-    a, b, t = (float_of(rational(x)) for x in (algebra.constants.a, algebra.constants.b, algebra.constants.t))
+    a, b, t = (
+        float_of(rational(x))
+        for x in (algebra.constants.a, algebra.constants.b, algebra.constants.t)
+    )
     return a + t * t / 4, b, t
 
 
@@ -257,7 +266,7 @@ def fixed_point(c: Quaternion) -> complex:
 def fixing(algebra: Any, z: complex, scale: int) -> Quaternion | None:
     """Return an element of trace 0 that fixes about z, with coordinates of about that size; None if too coarse."""
     alpha, b, _ = _squares(algebra)
-    p, q, r = z.real, -abs(z) ** 2, 1.0
+    p, q, r = z.real, -(abs(z) ** 2), 1.0
     if alpha > 0:
         s = sqrt(alpha)
         x, y, w = p / s, (q / b + r) / 2, (q / b - r) / (2 * s)

@@ -1,10 +1,12 @@
 """The hyperbolic plane inside an algebra over ℚ that is indefinite, without a single irrational number.
 
-The elements of trace 0 with positive norm form, up to positive factors, one sheet of a hyperboloid: an element
+The elements of trace 0 with positive norm form, up to positive factors, one sheet of a
+hyperboloid: an element
 c of it stands for the point of the plane that c fixes, and a unit g of norm 1 carries it to ``g·c·g⁻¹``. So a
 rational c, its images, the lines halfway between them and the points where these lines meet all have rational
 coordinates, and every question about them is decided by the sign of a rational number; a point with norm 0 is
-a cusp. See Voight, *Quaternion Algebras*, sections 33.8 and 37.5 for the domains, section 36.2 for the hyperboloid.
+a cusp. See Voight, *Quaternion Algebras*, sections 33.8 and 37.5 for the domains, section 36.2 for
+the hyperboloid.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ from typing import Any
 
 from flint import fmpq
 
-from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.quaternion import Quaternion
 
 Vector = tuple[fmpq, fmpq, fmpq]
 Motion = tuple[Vector, Vector, Vector]
@@ -30,9 +32,7 @@ class Plane:
     def __init__(self, center: Quaternion) -> None:
         self.center = center
         algebra: Any = center.algebra
-        u = next(
-            u for v in algebra.basis[1:] if (u := center * v - v * center).norm() != 0
-        )
+        u = next(u for v in algebra.basis[1:] if (u := center * v - v * center).norm() != 0)
         self.axes = (center, u, center * u)
         self.norms = tuple(rational(v.norm()) for v in self.axes)
         # the coordinate on an axis v is tr(x·conj(v)) / 2·N(v), linear in the four coordinates of x
@@ -46,7 +46,9 @@ class Plane:
     def vector(self, x: Quaternion) -> Vector:
         """Return the coordinates of an element of trace 0."""
         q = [rational(c) for c in x.coordinates]
-        return _triple([sum((a * b for a, b in zip(f, q, strict=True)), fmpq(0)) for f in self._forms])
+        return _triple(
+            [sum((a * b for a, b in zip(f, q, strict=True)), fmpq(0)) for f in self._forms]
+        )
 
     def norm(self, x: Vector) -> fmpq:
         """Return the norm: positive in the plane, 0 on its circle at infinity."""
@@ -78,7 +80,9 @@ class Plane:
         a, b = self.stretch
         c, u, w = self.axes
         scale = 2**16 * ceil(max(a, b, 1.0))
-        return c * scale + u * round(scale * q.real / a) + w * round(scale * q.imag / b)
+        y, z = round(scale * q.real / a), round(scale * q.imag / b)
+        found: Quaternion = c * scale + u * y + w * z
+        return found
 
 
 def apply(motion: Motion, x: Vector) -> Vector:

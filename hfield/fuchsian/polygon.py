@@ -1,6 +1,7 @@
 """Convex polygons in the hyperbolic plane, as the points where some forms are ≥ 0, exactly.
 
-In Klein's model lines are straight. Since every form is positive at the centre, the forms ``1 + y·u + z·v`` are
+In Klein's model lines are straight. Since every form is positive at the centre, the forms ``1 +
+y·u + z·v`` are
 points (y, z) of a dual plane, and those that bound the polygon are the corners of their convex hull.
 """
 
@@ -45,7 +46,7 @@ def turns(plane: Plane, angles: list[tuple[Vector, Vector]], order: int) -> int:
     """
     before = ctx.prec
     try:
-        for ctx.prec in (64, 128, 256, 512, 1024, 4096):  # noqa: B020
+        for ctx.prec in (64, 128, 256, 512, 1024, 4096):
             total = sum((_angle(plane, f, g) for f, g in angles), arb(0))
             k = (order * total / (2 * arb.pi())).unique_fmpz()
             if k is not None:
@@ -57,6 +58,7 @@ def turns(plane: Plane, angles: list[tuple[Vector, Vector]], order: int) -> int:
 
 def _angle(plane: Plane, f: Vector, g: Vector) -> arb:
     """Return the angle inside the polygon between two sides that meet."""
+
     def product(x: Vector, y: Vector) -> fmpq:  # of forms: that of their normals, positive on lines
         return -sum((a * b / n for a, b, n in zip(x, y, plane.norms, strict=True)), fmpq(0))
 

@@ -1,7 +1,8 @@
 """Words, and presentations of the groups whose fundamental polygons are known.
 
 A word is a tuple of ±1, ±2, …: generators and their inverses. By Poincaré's theorem what pairs the sides
-generates, and what goes around the vertices are all relations (Maskit, *Adv. Math.* 7, 1971); then generators that
+generates, and what goes around the vertices are all relations (Maskit, *Adv. Math.* 7, 1971); then
+generators that
 a relation expresses by others are put away (Tietze).
 """
 

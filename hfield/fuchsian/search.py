@@ -1,7 +1,9 @@
 """Units of norm 1 that carry a point near another one: short vectors of a definite form, exactly.
 
-For g of norm 1, ``cosh d(g·c, w)`` is ``tr(g·c·conj(g)·conj(w))/2`` over the root of ``N(c)·N(w)``, and this form
-in g is positive definite. Seen from the centre alone the units that are needed are long; seen from one random point
+For g of norm 1, ``cosh d(g·c, w)`` is ``tr(g·c·conj(g)·conj(w))/2`` over the root of
+``N(c)·N(w)``, and this form
+in g is positive definite. Seen from the centre alone the units that are needed are long; seen from
+one random point
 w after the other they are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022).
 """
 
@@ -19,7 +21,9 @@ from hfield.lattices.enumeration import short_vectors
 from hfield.lattices.z_order import ZOrder
 
 
-def carrying(order: ZOrder, center: Quaternion, target: Quaternion, cosh: float) -> Iterator[Quaternion]:
+def carrying(
+    order: ZOrder, center: Quaternion, target: Quaternion, cosh: float
+) -> Iterator[Quaternion]:
     """Yield one of ±g for every g of norm 1 with ``cosh d(g·center, target)`` at most about ``cosh``."""
     basis, bar = order.basis, target.conjugate()
     moved = [[b * center * d.conjugate() * bar for d in basis] for b in basis]
@@ -53,4 +57,3 @@ def centers(order: ZOrder) -> Iterator[Quaternion]:
         for _, x in sorted(found):
             row = [sum(c * b[n] for c, b in zip(x, basis, strict=True)) for n in range(4)]
             yield order.element(row, den)
-

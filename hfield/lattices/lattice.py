@@ -407,7 +407,8 @@ class Order(Certified, Lattice):
     def norm_one_group(self) -> NormOneGroup:
         """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
 
-        Its Dirichlet domains, signature, presentation and words. Raises :class:`IndefiniteError` in a definite
+        Its Dirichlet domains, signature, presentation and words. Raises :class:`IndefiniteError`
+        in a definite
         algebra.
         """
         return NormOneGroup(self.value)
