@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.answers import Answer, answer_one, of_parts
+from hfield.commands.answers import answer_one, of_parts
 from hfield.commands.orders import add_algebra, algebra_of, level_of
 from hfield.commands.parser import UsageError, add_format
 from hfield.errors import shorten
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Show the group of units of norm 1 of an order over ZZ in an algebra over QQ that splits at the real place: "
+    "Show the group of units of norm 1 of an order over ZZ in an indefinite algebra over QQ: "
     "its area, signature and presentation, and draw its Dirichlet domain."
 )
 DOING = "computing the domain"

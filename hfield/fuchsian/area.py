@@ -36,9 +36,9 @@ def _norm_index(order: ZOrder, p: int) -> int:
 
 
 def elliptic_points(order: ZOrder, m: int) -> int | None:
-    """Return how many elliptic points have order m, 2 or 3, by counting optimal embeddings; None off Eichler orders.
+    """Return how many elliptic points have order m, 2 or 3; None for an order that is not Eichler.
 
-    Those of ℤ[i] or ℤ[ω] into an Eichler order (Voight, section 39.4).
+    They are counted by optimal embeddings of ℤ[i] or ℤ[ω] into an Eichler order (Voight, section 39.4).
     """
     D, d = order.regular.discriminant, {2: -4, 3: -3}[m]
     if not is_eichler(order):
@@ -52,7 +52,7 @@ def elliptic_points(order: ZOrder, m: int) -> int | None:
 
 
 def cusps(order: ZOrder) -> int | None:
-    """Return how many cusps there are: 0 for a division algebra; None for an order in M₂(ℚ) that is not Eichler."""
+    """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
     if order.regular.discriminant > 1:
         return 0
     if not is_eichler(order):

@@ -31,7 +31,7 @@ ROUNDS = 2000
 
 @dataclass(frozen=True)
 class Cycle:
-    """A vertex up to the group: the sides that lead around it, the last one applied first, and its stabiliser's order.
+    """A vertex up to the group: the sides that lead around it, in order, and its stabiliser's order.
 
     ``order`` is 0 at a cusp. ``start`` is the vertex where it begins.
     """
@@ -72,7 +72,7 @@ class Polygon:
         return self._motions[n]
 
     def beyond(self, x: Vector) -> int | None:
-        """Return a side beyond which a point lies: the one whose image of the centre is nearest; None inside."""
+        """Return the side beyond which a point lies, nearest to its image of the centre; None inside."""
         least, found = fmpq(0), None
         for n, form in enumerate(self.forms):
             value = dot(form, x)
@@ -81,7 +81,7 @@ class Polygon:
         return found
 
     def reduced(self, x: Vector) -> tuple[Vector, list[int]]:
-        """Move a point into the polygon by inverses of units; return it, and by which, the first one first."""
+        """Move a point into the polygon by inverses of units; return it, and by which, in order."""
         path: list[int] = []
         while (n := self.beyond(x)) is not None:
             path.append(n)
@@ -92,7 +92,7 @@ class Polygon:
 def domain(
     order: ZOrder, center: Quaternion, area: Fraction
 ) -> tuple[Polygon, list[int], list[Cycle]]:
-    """Return the domain around a point of trivial stabiliser, the partner of each side, and the cycles of vertices.
+    """Return the domain around a point of trivial stabiliser, the partners of sides, cycles of vertices.
 
     Raises :class:`TooLargeError` where the search does not find enough units.
     """
@@ -161,7 +161,7 @@ def normalised(plane: Plane, units: dict[Vector, Quaternion]) -> Polygon:
 
 
 def _cutting(found: Polygon) -> Iterator[Quaternion]:
-    """Yield units that cut off vertices whose image, under the inverse of the unit of a side, lies outside."""
+    """Yield units that cut off vertices which the inverse of a side's unit maps outside."""
     for n, unit in enumerate(found.units):
         for corner in (found.starts[n], found.ends[n]):
             if found.plane.norm(corner) >= 0:

@@ -18,7 +18,7 @@ from hfield.lattices.z_order import ZOrder
 
 
 class Signature(NamedTuple):
-    """What the quotient of the plane is: its genus, the orders of its elliptic points, ascending, its cusps."""
+    """What the quotient is: genus, orders of the elliptic points, ascending, number of cusps."""
 
     genus: int
     orders: tuple[int, ...]
@@ -100,7 +100,10 @@ class NormOneGroup:
         self.order = order
 
     def __repr__(self) -> str:
-        return f"the units of norm 1, modulo ±1, of an order of level {self.order.level} in {self.order.algebra}"
+        level = self.order.level
+        return (
+            f"the units of norm 1, modulo ±1, of an order of level {level} in {self.order.algebra}"
+        )
 
     @cached_property
     def area(self) -> Fraction:
@@ -109,9 +112,9 @@ class NormOneGroup:
 
     @cached_property
     def signature(self) -> Signature:
-        """Genus, orders of the elliptic points, and cusps, counted at the domain and, where there are formulas, by them.
+        """Genus, orders of the elliptic points, and cusps, counted at the domain.
 
-        The formulas count optimal embeddings into Eichler orders; both agree, or this raises.
+        For Eichler orders they are counted by optimal embeddings too; both agree, or this raises.
         """
         domain = self._domain
         orders = [c.order for c in domain.cycles if c.order > 1]
@@ -264,7 +267,7 @@ def fixed_point(c: Quaternion) -> complex:
 
 
 def fixing(algebra: Any, z: complex, scale: int) -> Quaternion | None:
-    """Return an element of trace 0 that fixes about z, with coordinates of about that size; None if too coarse."""
+    """Return an element of trace 0 that fixes about z, of about that size; None if too coarse."""
     alpha, b, _ = _squares(algebra)
     p, q, r = z.real, -(abs(z) ** 2), 1.0
     if alpha > 0:

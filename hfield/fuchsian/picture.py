@@ -1,4 +1,4 @@
-"""A Dirichlet domain in Poincaré's disc, its images around it coloured by words; matplotlib writes the file."""
+"""A Dirichlet domain in Poincaré's disc, its images around it coloured by words."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def _write(figure: Any, domain: Domain, look: dict[str, str]) -> None:
 
 
 def _mark(axes: Any, domain: Domain, outline: Any, corners: Any, look: dict[str, str]) -> None:
-    """Mark the centre, and the elliptic points by their order: two sides for order 2, a triangle for order 3."""
+    """Mark the centre, and elliptic points: diamonds for order 2, triangles for order 3."""
     markers = {2: "D", 3: "^"}
     points = [(corners[:, n : n + 1], order) for n, order in _orders(domain) if order > 1]
     points += [(_middle(corners[:, n : n + 2]), 2) for n, p in enumerate(domain.partners) if n == p]

@@ -63,7 +63,7 @@ class Plane:
         return (_triple(x), _triple(y), _triple(z))
 
     def halfway(self, image: Vector) -> Vector:
-        """Return the form that is ≥ 0 on the points no nearer to an image of the centre than to the centre."""
+        """Return the form that is ≥ 0 where the centre is at least as near as its image."""
         n, m, k = self.norms
         return (n * (image[0] - 1), m * image[1], k * image[2])
 

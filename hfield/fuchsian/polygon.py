@@ -40,7 +40,7 @@ def corners(sides: list[Vector]) -> list[Vector]:
 
 
 def turns(plane: Plane, angles: list[tuple[Vector, Vector]], order: int) -> int:
-    """Return k where angles between pairs of lines, which are known to be 2πk/order in sum, are proved to be so.
+    """Return k where the angles between pairs of lines, multiples of 2π/order in sum, are 2πk/order.
 
     The sum is computed in balls, with as many digits as single out k.
     """

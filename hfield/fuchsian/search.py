@@ -41,7 +41,7 @@ def carrying(
 
 
 def centers(order: ZOrder) -> Iterator[Quaternion]:
-    """Yield elements of trace 0 and positive norm, of small norms first: points that are far from all cusps."""
+    """Yield elements of trace 0 and positive norm, small ones first: points far from all cusps."""
     den, rows, gram = order.ternary
     _, steps = (rows * order.regular.majorant * rows.transpose()).lll(transform=True, rep="gram")
     basis = hermite.tuples(steps * rows)

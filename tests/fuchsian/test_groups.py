@@ -21,9 +21,10 @@ KNOWN = {
     (34, 1): (16, 0, 4, 1), (35, 1): (24, 0, 0, 3), (39, 1): (24, 0, 0, 3), (46, 1): (22, 2, 4, 1),
 }  # fmt: skip
 GENUS_ONE = [(6, 5), (6, 7), (6, 13), (10, 3), (10, 7)]
-# N: elliptic points of order 2 and 3, cusps, genus of X₀(N) (Diamond and Shurman, figure 3.3 and chapter 3)
+# N: elliptic points of order 2 and 3, cusps, genus of X₀(N) (Diamond and Shurman, chapter 3)
 MODULAR = {1: (1, 1, 1, 0), 2: (1, 0, 2, 0), 3: (0, 1, 2, 0), 4: (0, 0, 3, 0), 5: (2, 0, 2, 0),
-           7: (0, 2, 2, 0), 9: (0, 0, 4, 0), 11: (0, 0, 2, 1), 12: (0, 0, 6, 0), 13: (2, 2, 2, 0)}  # fmt: skip
+           7: (0, 2, 2, 0), 9: (0, 0, 4, 0),
+           11: (0, 0, 2, 1), 12: (0, 0, 6, 0), 13: (2, 2, 2, 0)}  # fmt: skip
 
 
 def order(D: int, N: int = 1) -> Order:
@@ -114,7 +115,7 @@ def test_modular_curves(N: int) -> None:
     ],
 )
 def test_orders_of_every_kind(a: int, b: int, texts: str) -> None:
-    """Those that are no Eichler orders too; the area of the domain is that of the local formula, or this raises."""
+    """Those that are no Eichler orders too: the domain has the area of the local formula."""
     checked(QuaternionAlgebra("QQ", a, b).order(texts.split()))
 
 
