@@ -27,7 +27,7 @@ class Signature(NamedTuple):
 
 @dataclass(frozen=True)
 class Side:
-    """A side of a domain: ``element`` maps it onto the side with the number ``partner``, which may be itself."""
+    """A side of a domain: ``element`` maps it onto the side number ``partner``, perhaps itself."""
 
     element: Quaternion
     partner: int
